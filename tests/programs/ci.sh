@@ -1,7 +1,7 @@
 # The steps of tools/CI.md, word for word, in a project that is no film, with the tools as the archive has them.
 . "$(dirname "$0")/common.sh"
 skip_unless g++ tar
-for program in pack compare; do needs_built portable/$program; done
+needs_built portable/pack portable/compare
 page=$SOURCE/tools/CI.md
 block() { awk -v wanted="$1" '/^    / { if (!on) ++n; on = 1; if (n == wanted) print substr($0, 5); next } /^$/ && on && n == wanted { next } { on = 0 }' "$page"; }
 

@@ -65,7 +65,10 @@ UNWRITTEN=(perl -e 'syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { $ARGV[0
 can_be_unwritten() {
     "${UNWRITTEN[@]}" true || { echo "not checked: this kernel cannot forbid the execution of written memory"; false; }
 }
-needs_built() { [ -x "$BUILD/$1" ] || { echo "SKIPPED: $1 is not built"; exit 77; }; }
+needs_built() { # needs_built PROGRAM...
+    local program
+    for program in "$@"; do [ -x "$BUILD/$program" ] || { echo "SKIPPED: $program is not built"; exit 77; }; done
+}
 
 # --- What programs print ---
 

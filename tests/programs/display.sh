@@ -53,7 +53,6 @@ comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
 press() { xdotool key --window "$window" "$@"; }
 # on_key KEYS WHAT COMMAND...: presses the keys; then the command succeeds
 on_key() {
-    # shellcheck disable=SC2086 # several keys
     xdotool key $1
     check "$2" await "${@:3}"
 }
@@ -91,7 +90,6 @@ grows() {
 opens() {
     local status=0 last=${1##*&& }
     [ "$last" = "$1" ] || eval "${1% && *}" >"$WORK/out" 2>&1 || { cat "$WORK/out" >&2; return 1; }
-    # shellcheck disable=SC2086 # a command is several words
     $last >"$WORK/out" 2>&1 &
     pid=$!
     PIDS+=($pid)

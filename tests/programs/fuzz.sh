@@ -59,7 +59,6 @@ seeds_for_rad() {
     local option
     small_model
     for option in "--patch 1 --element 1" "--patch 0.5 --element 0.2" "--patch 1 --element 0.01 --adaptive"; do
-        # shellcheck disable=SC2086 # options are several words
         "$programs/radiosity" solve m.obj -o m.rad $option >/dev/null || return
         tail -c +27 m.rad >"seeds/${option//[^0-9a-z]/}"
     done
@@ -73,7 +72,6 @@ seeds_for_prt() {
     local option
     small_model
     for option in "--bands 1 --rank 1" "--bands 2 --rank 2 --clusters 2" "--bands 1 --rank 1 --glossy m" "--bands 2 --rank 1 --up z"; do
-        # shellcheck disable=SC2086 # options are several words
         "$programs/radiosity" transfer m.obj -o m.prt --rays 8 --element 1 $option >/dev/null 2>&1 || return
         tail -c +26 m.prt >"seeds/${option//[^0-9a-z]/}"
     done

@@ -1,7 +1,7 @@
 # cmake --install: the tools under a prefix, each of which runs there, and their READMEs.
 . "$(dirname "$0")/common.sh"
 skip_unless cmake cc
-for program in pack pack-link compare radiosity; do needs_built $program; done
+needs_built pack pack-link compare radiosity
 prefix=$WORK/prefix
 check "the tools are installed" eval 'cmake --install "$BUILD" --prefix "$prefix" >/dev/null'
 cd "$prefix/bin" || exit 1

@@ -131,7 +131,6 @@ check "... as bright as it is" even 3
 check "a picture of the sky" lit "$plate" --sky even.hdr
 check "... that is even" even 0.5
 for bad in "--sky 1,2" "--sky none.hdr" "--sky out.mtl" "--sun 1,2,3,4" "--sun 1,2,3,4,x" "--sun 1,2,3,4,-5" "--lamp 0,0,0,0,1,1,1" "--up x" "--scale 0"; do
-    # shellcheck disable=SC2086
     check "$bad is refused" refuses 2 "${bad#--sky }" bash -c "'$radiosity' solve out.obj -o x.rad $bad 2>&1 >/dev/null | sed 's/^radiosity: /radiosity: $bad: /' >&2; exit \${PIPESTATUS[0]}"
 done
 
@@ -145,7 +144,6 @@ if command -v convert >/dev/null; then
     check "... is seen whole" sees_all
     check "... by a wide lens" sees_all --lens 120
     check "... by a long one" sees_all --lens 5
-    # shellcheck disable=SC2046
     check "... and the same by the place that it prints" eval '"$radiosity" render out.rad -o again.png --size 160x90 --lens 5 $(cat out) && cmp all.png again.png'
     bright() { "$radiosity" render out.rad -o all.png --size 160x90 "$@" >/dev/null && convert all.png -format '%[fx:maxima]' info:; }
     check "... brighter by two stops" less "$(bright --exposure -2)" "$(bright)"
@@ -157,7 +155,6 @@ fi
 
 # Knobs
 for knob in "--rays 64" "--final 64" "--hemicube 32" "--patch 2" "--element 0.05" "--bounces 3" "--residual 1e-6" "--lamp-samples 64" "--direct hemicube --hemicube 64" --adaptive "--memory 500"; do
-    # shellcheck disable=SC2086 # a knob is several words
     check "solve $knob" solved k cube.obj --element 0.1 $knob
     check "... alike" ratio k.csv cube.csv '$8 * $10' 0.93 1.02
 done

@@ -40,7 +40,6 @@ check "... and lights the room" table wall.csv 'if ($7 == 1 && $2 < -4) s += $11
 # A furnace of options: all emit 1, and E / (1 - rho) everywhere
 sed 's/^usemtl .*/usemtl white/' cube.obj >furnace.obj
 for way in "--rays 32" "--hemicube 16 --direct hemicube"; do
-    # shellcheck disable=SC2086
     check "a furnace that reflects .999 ($way)" solved furnace furnace.obj $way --element 4 --residual 1e-7 --power white=1,1,1 --reflectance white=0.999,0.5,0
     check "... shines by the formula" table furnace.csv 'a += $8; r += $8 * $9; g += $8 * $10; b += $8 * $11' 'r / a > 985 && r / a < 1015 && g / a > 1.99 && g / a < 2.01 && b / a > 0.9999 && b / a < 1.0001'
 done

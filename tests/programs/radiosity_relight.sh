@@ -14,10 +14,8 @@ same() {
 like_fresh() {
     local what=$1 model=$2 method=$3 changes=$4 share=${5-}
     rm -f fresh.rad relit.rad
-    # shellcheck disable=SC2086 # options are several words
     check "$what" solve $model --relight base.rad -o relit.rad $changes
     cp out printed
-    # shellcheck disable=SC2086
     solve $model -o fresh.rad $method $changes
     check "... is like a fresh one" same fresh.rad relit.rad $share
 }
@@ -29,7 +27,6 @@ rays="--rays 32 --element 2"
 
 for method in "$rays" "$rays $light --scale 2 --two-sided" "--hemicube 16 --element 2" "--hemicube 32 --patch 8 --element 2 $light" \
     "--direct hemicube --element 2" "--adaptive --element 1" "--rays 64 --bounces 2 --element 2" "$rays --final 32"; do
-    # shellcheck disable=SC2086
     check "solve $method" solve columns.obj -o base.rad --keep-rows $method
     check "... keeps rows" test -s base.rad.rows
     like_fresh "... other materials" columns.obj "$method" "--power 3 --reflectance white=0.9 --reflectance red=.1,.5,.9"
@@ -41,7 +38,6 @@ done
 
 # Extremes
 for method in "$rays" "--hemicube 16 --element 2"; do
-    # shellcheck disable=SC2086
     solve cube.obj -o base.rad --keep-rows --residual 1e-6 $method
     for changes in "--power 0" "--reflectance 0" "--power 1e-20" "--power 1e10" "--power lamp=1e-9,1e9,0" \
         "--reflectance 0.99,0.99,0.99" "--reflectance 1,0,0.5" "--power 0 --reflectance 0"; do
@@ -54,7 +50,6 @@ check "what was solved last is dark" table b.csv 's += $9 + $10 + $11' 's == 0'
 like_fresh "another lamp" cube.obj "--hemicube 16 --element 2 --residual 1e-6" "--power white=1,2,3"
 check "... with dividing" slow
 like_fresh "a lamp that went out, and another" cube.obj "--hemicube 16 --element 2 --residual 1e-6" "--power 0 --power red=1,2,3"
-# shellcheck disable=SC2086
 solve cube.obj -o base.rad --keep-rows $rays
 like_fresh "another lamp, by rays" cube.obj "$rays" "--power white=1,2,3"
 check "... with dividing" slow
@@ -62,7 +57,6 @@ check "... with dividing" slow
 sed 's/^usemtl red/usemtl lamp2/' cube.obj >two.obj
 printf 'newmtl lamp2\nKd .3 .3 .3\nKe .1 .2 .3\n' >>cube.mtl
 for method in "$rays" "--hemicube 16 --element 2"; do
-    # shellcheck disable=SC2086
     solve two.obj -o base.rad --keep-rows $method
     like_fresh "two lamps ($method)" two.obj "$method" "--power 2 --reflectance lamp2=2"
     check "... without dividing" quick
@@ -76,14 +70,12 @@ done
 sed 's/^Ke .*/Ke 0 0 0/' columns.mtl >dark.mtl
 sed 's/^mtllib .*/mtllib dark.mtl/; /^usemtl/,$!b; 0,/^f/{/^f/d}' columns.obj >dark.obj # with a hole in its floor
 for method in "$rays" "--hemicube 16 --element 2"; do
-    # shellcheck disable=SC2086
     solve dark.obj -o base.rad --keep-rows $method
     check "an even sky is reported" grep -q 'an even sky is added' err
     like_fresh "... with other reflectances" dark.obj "$method" "--reflectance white=0.9"
     like_fresh "... and not with power" dark.obj "$method" "--power lamp=1,2,3"
 done
 # Materials are read again from their files
-# shellcheck disable=SC2086
 solve columns.obj -o base.rad --keep-rows $rays
 cp columns.mtl kept.mtl
 sed -i 's/^Ke .*/Ke 0 0 0/' columns.mtl
@@ -99,7 +91,6 @@ cp kept.mtl columns.mtl
 # Pictures: the polygons are needed, rows are used
 printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\100\100\200' >paint.tga
 sed 's/^newmtl white/&\nmap_Kd paint.tga/' kept.mtl >columns.mtl
-# shellcheck disable=SC2086
 solve columns.obj -o base.rad --keep-rows $rays
 like_fresh "a model with a picture" columns.obj "$rays" "--power 2 --reflectance white=0.5"
 check "... with dividing" slow

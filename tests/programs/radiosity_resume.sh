@@ -41,20 +41,17 @@ goes_on() { # SIGNAL STATES WORDS...
 check "a solution that is not stopped" "$radiosity" solve terrain.obj -o whole.rad
 check "... leaves no state" test ! -e whole.rad.state
 for how in "INT 4" "KILL 9"; do
-    # shellcheck disable=SC2086
     goes_on $how terrain.obj
 done
 every=0.01
 rays=(columns.obj --element 0.5 --residual 1e-7)
 check "of few elements" "$radiosity" solve -o whole.rad "${rays[@]}"
 for how in "INT 1" "KILL 2" "INT solving" "KILL solving"; do
-    # shellcheck disable=SC2086
     goes_on $how "${rays[@]}"
 done
 gather=(columns.obj --element 1 --final 256)
 check "with a final gather" "$radiosity" solve -o whole.rad "${gather[@]}"
 for how in "INT final" "KILL final"; do
-    # shellcheck disable=SC2086
     goes_on $how "${gather[@]}"
 done
 
@@ -64,7 +61,6 @@ patches=(columns.obj --hemicube 64 --patch 1 --residual 1e-7)
 check "between patches" "$radiosity" solve -o whole.rad "${patches[@]}"
 check "... no state is left" test ! -e whole.rad.state
 for how in "INT 1" "KILL 5" "INT solving" "KILL solving"; do
-    # shellcheck disable=SC2086
     goes_on $how "${patches[@]}"
 done
 twice() { # stopped, and once more, at once

@@ -71,7 +71,6 @@ check "where z is up" "$radiosity" render tall.prt -o tall.png --size 240x160 --
 check "... the same picture" like tall.png turned.png 50
 # Without --up the camera stands as the room does
 for up in "" "--up z" "--up y"; do
-    # shellcheck disable=SC2086 # options are several words
     "$radiosity" render tall.prt -o "tall$up.png" --size 240x160 $up >"camera$up"
 done
 check "... and without --up" cmp "tall.png" "tall--up z.png"

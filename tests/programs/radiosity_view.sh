@@ -33,9 +33,7 @@ for kind in cube columns bumps; do
 done
 inside=(--size 480x300 --eye 0,5,4.9 --at 0,4,-5)
 for more in "" "--tone log" "--exposure 2" "--lens 30" "--lens 100 --exposure -1"; do
-    # shellcheck disable=SC2086 # options are several words
     check "from inside $more" view cube.rad --screenshot view.png "${inside[@]}" $more
-    # shellcheck disable=SC2086
     "$radiosity" render cube.rad -o render.png "${inside[@]}" $more
     check "... is what render shows" like view.png render.png 46
 done
@@ -47,7 +45,6 @@ check "... is seen as the same with y up" like tall.png bumps.png 46
 
 # A model that is solved first, or while it is looked at
 for kind in "cube" "columns --adaptive" "bumps --sun 30,90,3,3,3 --sky 0.2,0.3,0.5" "cube --direct hemicube --bounces 3"; do
-    # shellcheck disable=SC2086
     set -- $kind
     model=$1
     shift
@@ -158,7 +155,6 @@ flown() { prints_camera && [ "$(place "$1")" != "$from" ]; }
 place() { camera | awk -v k="$1" '{ split($2, eye, ","); split($4, at, ","); print (k > 3 ? at[k - 3] : eye[k]) }'; }
 ahead() { [ $1 = 1 ] && less "$2" "$3" || { [ $1 = -1 ] && less "$3" "$2"; }; } # SIGN FROM TO
 for move in "w 3 -1" "s 3 1" "a 1 -1" "d 1 1" "e 2 1" "q 2 -1"; do
-    # shellcheck disable=SC2086
     set -- $move
     check "key $1 flies" flies "$1" "$2"
     check "... the right way" ahead "$3" "$from" "$(place "$2")"
@@ -172,11 +168,9 @@ sleep 0.5
 check "... and prints where" prints_camera
 check "... to the right and up" eval 'less 0 "$(place 4)" && less 4 "$(place 5)"'
 same() {
-    # shellcheck disable=SC2046
     "$radiosity" view cube.rad $(camera) --screenshot view.png >printed && shot && like shot.png view.png 40
 }
 check "a camera's line gives the same picture" await same
-# shellcheck disable=SC2046
 check "... of render, too" "$radiosity" render cube.rad -o render.png $(camera)
 check "... alike" like shot.png render.png 40
 xdotool windowsize "$window" 600 200
@@ -207,7 +201,6 @@ check "a model that is not there" refuses 2 "cannot read none.obj" "$radiosity" 
 check "an unknown layer" refuses 2 "--layer is patches, elements, wireframe, hemicube or backs, not all" "$radiosity" view cube.rad --layer all
 check "half a camera" refuses 2 "--eye and --at go together" "$radiosity" view cube.rad --eye 0,1,2
 check "options of solve for what is solved" refuses 2 "--patch is an option for models" "$radiosity" view cube.rad --patch 1
-check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" view cube.rad --fast
 check "no place for the screenshot" refuses 2 "cannot write" "$radiosity" view cube.rad --screenshot none/x.png
 check "no display" refuses 1 "no display to open a window on" env -u DISPLAY "$radiosity" view cube.rad
 check "a display that is gone" refuses 1 "no display to open a window on" env DISPLAY=:999 "$radiosity" view cube.rad

@@ -16,9 +16,7 @@ check "a picture" view --screenshot view.png
 check "... is render's" like view.png plain.png 44
 check "... and the loss is printed" grep -q 'sky.hdr: 5 bands hold' printed
 for more in "--turn 70" "--lamps none" "--lamps 2=3" "--bands 2" "--rank 3" "--tilt 40" "--clusters 20" "--clusters 3 --rank 1"; do
-    # shellcheck disable=SC2086 # options are several words
     check "with $more" view $more --screenshot view.png
-    # shellcheck disable=SC2086
     render render.png $more
     check "... is render's" like view.png render.png 44
 done

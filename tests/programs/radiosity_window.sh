@@ -2,8 +2,7 @@
 . "$(dirname "$0")/display.sh"
 . "$(dirname "$0")/room.sh"
 skip_unless convert
-needs_built radiosity
-needs_built compare
+needs_built radiosity compare
 radiosity=$BUILD/radiosity
 "$radiosity" view 2>&1 | grep -q 'left out of this build' &&
     { echo "SKIPPED: radiosity was built without GLFW"; exit 77; }

@@ -77,7 +77,6 @@ rm packed
 for words in "--than none: cannot read none: No such file" "--than foreign: foreign: not a report of pack: --report FILE writes one" \
     "--than program: program: not a report of pack" "--rooms wrong: wrong: line 1: a room's name, its share" "--rooms none: cannot read none" "--rooms shares: shares: no room has an object file" \
     "--report none/x: cannot write none/x" "--text none/x: cannot write none/x" "--text folder: cannot write folder"; do
-    # shellcheck disable=SC2086
     check "refused: ${words%%: *}" refuses 2 "${words#*: }" "${packs[@]}" --html x.html ${words%%: *}
 done
 check "refused: a page that cannot be written" refuses 2 "cannot write none/x" "${packs[@]}" --html none/x

@@ -1,8 +1,7 @@
 # What was shown of a played film: odraz-debug records it, build/seen reads it.
 #   shown.sh BUILD
 . "$(dirname "$0")/display.sh"
-needs_built odraz-debug
-needs_built seen
+needs_built odraz-debug seen
 start_display 320x200
 list=$WORK/shown.csv
 record() { timeout "$PATIENCE" "$BUILD/odraz-debug" --shown "$@" --size 160x90 --mute >"$WORK/out" 2>"$WORK/err"; }

@@ -52,7 +52,6 @@ whole=()
 for ((run = 1, end = SECONDS + $(awk "BEGIN { printf \"%d\", $minutes * 60 }"); end - SECONDS >= LEAST; ++run)); do
     from=$((run % 2 ? 0 : RANDOM % (LENGTH - LEAST))) left=$((end - SECONDS))
     to=$((from + left < LENGTH ? from + left : LENGTH))
-    # shellcheck disable=SC2086 # it may be empty
     behind "$WORK/film" --window --size 1280x720 --from $from --to $to --stats $mute
     looks $((to - from)) >"$WORK/looks"
     check "run $run, $from to $to s, ends with status 0" ended $pid

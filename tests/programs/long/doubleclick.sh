@@ -60,7 +60,6 @@ clicked() { # sets outcome
     await found || { outcome="no icon"; return; }
     xdotool key Escape
     windows >"$WORK/before"
-    # shellcheck disable=SC2086 # x and y
     xdotool mousemove $spot
     sleep 0.3
     xdotool click --repeat 2 --delay 120 1

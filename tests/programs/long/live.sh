@@ -3,8 +3,7 @@
 . "$SOURCE/tests/programs/display.sh"
 skip_unless git cmake openbox wmctrl convert bc
 house=$WORK/house
-mkdir "$house"
-(cd "$SOURCE" && git ls-files -z | xargs -0 cp --parents -t "$house") || exit 1
+copy_sources "$house"
 (cd "$house" && git init -q && cp -r intro "$WORK/kept") # its version is looked up at every build
 check "configures a copy" cmake -S "$house" -B "$house/build" -G Ninja >/dev/null
 check "builds its $FILM-debug" cmake --build "$house/build" --target "$FILM-debug" >/dev/null

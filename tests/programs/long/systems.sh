@@ -21,7 +21,6 @@ declare -A PARTS=(
     [music]="--wav -")
 # draws TO PART COMMAND...
 draws() {
-    # shellcheck disable=SC2086 # options are several words
     "${@:3}" ${PARTS[$2]} >"$WORK/$1.$2" </dev/null
 }
 same() { # same A B PART

@@ -23,7 +23,6 @@ as_linux() {
         case $closed in *0*) exec <&- ;; esac
         case $closed in *1*) exec >&- ;; esac
         case $closed in *2*) exec 2>&- ;; esac
-        # shellcheck disable=SC2086 # a line is several words
         run "$linux" $line
     ) </dev/null >out.linux 2>err.linux
     wanted=$?
@@ -82,7 +81,6 @@ left() { # left FILM OPTION...: dumps until the disk is full; prints the names a
     local film=$1
     shift
     rm -rf disk/*
-    # shellcheck disable=SC2086 # Wine is two words
     refuses 1 "no space left on the device" $film "$@" || return
     (cd disk && find . -printf '%p %s %y\n' | sed 's/ [0-9]* d$//' | sort)
 }

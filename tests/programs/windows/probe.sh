@@ -3,8 +3,7 @@
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 start_display 640x400
-needs_built tests/probe.exe
-needs_built tests/probe-safe.exe
+needs_built tests/probe.exe tests/probe-safe.exe
 
 # probe PART LEAST ARGUMENT...: prints its lines; at least LEAST begin with ok, and none with anything else
 probe() {
