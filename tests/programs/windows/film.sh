@@ -2,7 +2,6 @@
 # sound are equal to the byte; refused options and failed outputs give the same line. Most runs use the film that is not
 # packed, which starts sooner.
 . "$(dirname "$0")/wine.sh"
-. "$(dirname "$0")/../display.sh"
 linux=$BUILD/odraz-safe windows=$BUILD/odraz-safe.exe
 # OpenGL under Wine needs X11
 start_display 640x480

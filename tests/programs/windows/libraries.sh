@@ -1,7 +1,6 @@
 # The libraries that the film loads on Windows: by itself it loads five of the system's and no others. These bring no
 # more libraries with them than in another program that loads and does the same.
 . "$(dirname "$0")/wine.sh"
-. "$(dirname "$0")/../display.sh"
 needs_built tests/probe-safe.exe
 start_display 640x400
 

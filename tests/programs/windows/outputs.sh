@@ -2,7 +2,6 @@
 # or hangs, and no file is half-written. The probe starts the film as Windows does (probe start, probe console), because
 # Wine would reuse descriptors that were closed on Linux.
 . "$(dirname "$0")/wine.sh"
-. "$(dirname "$0")/../display.sh"
 start_display 640x400
 needs_built tests/probe-safe.exe
 linux=$BUILD/odraz-safe windows=$BUILD/odraz-safe.exe probe=$BUILD/tests/probe-safe.exe

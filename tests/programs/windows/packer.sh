@@ -1,6 +1,5 @@
 # The packer's example for Windows, run by Wine.
 . "$(dirname "$0")/wine.sh"
-. "$(dirname "$0")/../display.sh"
 pack=$BUILD/pack
 check "the example is built" bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK" --pe
 exe=$WORK/hello.exe

@@ -1,7 +1,6 @@
 # Checks the film's host and start on Windows, from inside a program that is made like the film (probe/), packed and not
 # packed.
 . "$(dirname "$0")/wine.sh"
-. "$(dirname "$0")/../display.sh"
 start_display 640x400
 needs_built tests/probe.exe tests/probe-safe.exe
 

@@ -1,6 +1,5 @@
 # The film's music on Windows, played by Wine to a PulseAudio server: by waveOut, which reports a position.
 . "$(dirname "$0")/wine.sh"
-. "$(dirname "$0")/../display.sh"
 . "$(dirname "$0")/../recorded.sh"
 can_serve || { echo "SKIPPED: PulseAudio is not installed"; exit 77; }
 film=$BUILD/odraz-safe.exe

@@ -1,7 +1,6 @@
 # The film on Windows in a window, shown by Wine: it starts, draws, fills the screen, gets tiny and odd sizes, is moved
 # and minimised, and ends; and on a display of another aspect.
 . "$(dirname "$0")/wine.sh"
-. "$(dirname "$0")/../display.sh"
 skip_unless openbox wmctrl
 film=$BUILD/odraz.exe
 

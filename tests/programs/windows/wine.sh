@@ -1,5 +1,5 @@
 # Sourced by tests of programs for Windows. $wine PROGRAM OPTION... runs one.
-. "$(dirname "$0")/../common.sh"
+. "$(dirname "$0")/../display.sh"
 . "$SOURCE/tools/build/wine.sh"
 have_wine || { echo "SKIPPED: Wine (wine64) is not installed"; exit 77; }
 unset DISPLAY
