@@ -300,7 +300,6 @@ int main(int argc, char **argv) {
     if (const char *missing = open(screen, o.width, o.height)) return fail(missing);
     glfwSetKeyCallback(screen.window, onKey);
     stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute);
-    prepare(screen);
     Maker &m = theMaker;
     if (const char *problem = loadFilm(stage, screen, follower.solverHash(), m)) return fail(problem);
     if (m.closes) return glfwTerminate(), 0;

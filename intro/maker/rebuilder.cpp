@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -90,14 +91,13 @@ void Rebuilder::backdate() {
 }
 
 void Rebuilder::readError() {
+    static const std::regex error("error:|undefined reference|CMake Error");
     std::ifstream log(build + "/live/build.log");
     std::string last;
     firstError.clear();
-    for (std::string line; std::getline(log, line);) {
+    for (std::string line; firstError.empty() && std::getline(log, line);) {
         if (!line.empty()) last = line;
-        bool error = line.find("error:") != line.npos || line.find("undefined reference") != line.npos ||
-                     line.find("CMake Error") != line.npos;
-        if (error && firstError.empty()) firstError = line;
+        if (std::regex_search(line, error)) firstError = line;
     }
     if (firstError.empty()) firstError = last.empty() ? "the build failed" : last;
     for (size_t at; (at = firstError.find(source + "/")) != firstError.npos;)

@@ -19,10 +19,7 @@ const char *open(Screen &s, int width, int height) {
     s.height = height;
     if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, s.gl))
         return "no OpenGL 3.3 on this display";
-    return nullptr;
-}
-
-void prepare(Screen &s) {
+    // What show() needs
     s.gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
     s.gl.glGenTextures(1, &s.texture);
     s.gl.glBindTexture(GL_TEXTURE_2D, s.texture);
@@ -30,6 +27,7 @@ void prepare(Screen &s) {
     s.gl.glGenFramebuffers(1, &s.framebuffer);
     s.gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, s.framebuffer);
     s.gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, s.texture, 0);
+    return nullptr;
 }
 
 void show(Screen &s, const Picture &p) {

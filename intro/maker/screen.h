@@ -20,9 +20,6 @@ struct Screen {
 
 // Opens the window and makes its context current. Returns null, or what is missing.
 const char *open(Screen &s, int width, int height);
-
-// Makes what show() needs.
-void prepare(Screen &s);
 void show(Screen &s, const Picture &p);
 
 } // namespace odraz::maker

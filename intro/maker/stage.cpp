@@ -1,6 +1,6 @@
 #include "maker/stage.h"
 
-#include <cstdio>
+#include <cmath>
 #include <cstring>
 
 namespace odraz::maker {
@@ -107,10 +107,9 @@ bool Stage::poll(int block) {
 
 std::string Stage::state() const {
     if (!wrong.empty() || !loads()) return wrong;
-    char line[80];
-    bool same = next.hall == now.hall && next.solvers == now.solvers;
-    std::snprintf(line, sizeof line, "%s again: %.0f of 100", same ? "loading the film" : "solving the hall",
-                  (double)progress * 100);
+    std::string line =
+        next.hall == now.hall && next.solvers == now.solvers ? "loading the film" : "solving the hall";
+    line += " again: " + std::to_string(std::lround(progress * 100)) + " of 100";
     return line;
 }
 

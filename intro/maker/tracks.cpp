@@ -107,15 +107,11 @@ const std::vector<KeyNumbers> &Tracks::own(const Table &t) const {
     return files.tables()[(size_t)t.file].keys;
 }
 
-std::vector<Key> Tracks::own(const Table &t, size_t channel) const {
-    std::vector<Key> result;
-    for (const KeyNumbers &k : own(t))
-        result.push_back(t.live->camera ? Key{k[0], k[channel + 1], Interpolation::Smooth} : keyOf(k));
-    return result;
-}
-
 std::vector<Key> Tracks::edited(const Table &t, size_t channel) const {
-    std::vector<Key> mine = own(t, channel), result = mine;
+    std::vector<Key> mine;
+    for (const KeyNumbers &k : own(t))
+        mine.push_back(t.live->camera ? Key{k[0], k[channel + 1], Interpolation::Smooth} : keyOf(k));
+    std::vector<Key> result = mine;
     auto edit = edits.find(allNames[t.firstTrack + channel]);
     if (edit == edits.end()) return result;
     const auto &[editor, byHand] = edit->second;

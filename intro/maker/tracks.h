@@ -78,7 +78,6 @@ private:
     };
     int tableAt(double row) const;                                // of the camera; -1: none
     const std::vector<KeyNumbers> &own(const Table &table) const; // without the editor
-    std::vector<Key> own(const Table &table, size_t channel) const;
     std::vector<Key> edited(const Table &table, size_t channel) const;
     std::vector<KeyNumbers> contents(const Table &table) const; // what is shown, with all that was edited
 

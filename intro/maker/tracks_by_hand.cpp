@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace odraz::maker {
 
@@ -60,13 +59,10 @@ std::string Tracks::rowInWords(uint32_t row) const {
     double own = (double)row - t.shift, nearest = kNear;
     for (const KeyNumbers &k : contents(t))
         if (double away = std::fabs((double)k[0] - own); away > 0.5) nearest = std::min(nearest, away);
-    char words[160];
-    int length = std::snprintf(words, sizeof words, "row %g of %s", own, live->sceneName(t.scene));
-    if (t.shift != 0)
-        length += std::snprintf(words + length, sizeof words - (size_t)length, ", %u of the film", row);
+    std::string words = "row " + written((float)own) + " of " + live->sceneName(t.scene);
+    if (t.shift != 0) words += ", " + std::to_string(row) + " of the film";
     if (nearest < kNear)
-        std::snprintf(words + length, sizeof words - (size_t)length,
-                      ". another key is %g rows away: the camera may swing", nearest);
+        words += ". another key is " + written((float)nearest) + " rows away: the camera may swing";
     return words;
 }
 
