@@ -1,8 +1,9 @@
 # Attacks a reader of files, with real files as seeds.
-#   fuzz.sh BUILD pack|rad|obj|hdr|prt replay PROGRAMS   damages the seeds, in every run the same way; for tests under
-#                                                        sanitizers. PROGRAMS: a build whose programs make the seeds
-#   fuzz.sh BUILD pack|rad|obj|hdr|prt SECONDS           runs libFuzzer that long. What it finds differs from run to
-#                                                        run, so it prints each finding: keep it as a test
+#   fuzz.sh BUILD READER replay PROGRAMS   damages the seeds, in every run the same way; for tests under sanitizers.
+#                                          PROGRAMS: a build whose programs make the seeds
+#   fuzz.sh BUILD READER SECONDS           runs libFuzzer that long. What it finds differs from run to run, so it prints
+#                                          each finding: keep it as a test
+# READER: pack, rad, obj, hdr, prt or picture
 [ ! -w /dev/shm ] || export TMPDIR=/dev/shm # for files by the thousand
 . "$(dirname "$0")/common.sh"
 target=${2:-pack} seconds=${3:-30} programs=${4:-$BUILD}
@@ -90,6 +91,18 @@ seeds_for_hdr() {
     { head 1 1; printf '\377\377\377\377'; } >seeds/bright
     { head 1000000 100; printf '\2\1\1\1'; } >seeds/vast
     options=(-max_len=4096)
+}
+
+# OpenEXR by other writers, PNM of all kinds, and the smallest files of those that stb reads
+seeds_for_picture() {
+    cp "$SOURCE"/tests/support/pictures/*.{exr,png,jpg} seeds || return
+    printf 'P6\n# c\n2 2\n65535\n%.24dP5 2 1 15\n\1\2' 7 >seeds/raw
+    printf 'P3 2 1 255 1 2 3 255 0 4\nP2#\n1 1 1 1 ' >seeds/text
+    printf '#?RADIANCE\r\nEXPOSURE=0\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n+X 2 +Y 1\r\n\200\200\200\201\1\1\1\1' >seeds/hdr
+    printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\40\40abcdABCD' >seeds/tga
+    printf '\0\1\11\0\0\2\0\30\0\0\0\0\4\0\2\0\10\0abcdef\203\0\3\1\0\0\1' >seeds/tga_runs
+    printf 'BM:\0\0\0\0\0\0\0\66\0\0\0\50\0\0\0\1\0\0\0\1\0\0\0\1\0\30\0%.24dabcd' 0 | tr 0 '\0' >seeds/bmp
+    options=(-max_len=16384)
 }
 
 check "seeds for each reader" "seeds_for_$target"

@@ -29,7 +29,7 @@ interrupted() { # while it builds, after all was copied; the signal goes to its 
     wait $pid
     [ $? = 130 ]
 }
-if [ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libcli11-dev libstb-dev 2>&1 | grep -v 'ok installed')" ]; then
+if [ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libcli11-dev libstb-dev libtinyexr-dev zlib1g-dev 2>&1 | grep -v 'ok installed')" ]; then
     check "it is interrupted" interrupted "$to"
     check "... and leaves nothing" test ! -e "$to"
     check "what a new film includes is there${missing:+, but for $missing}" test "$missing" = ""

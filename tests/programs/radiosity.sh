@@ -130,7 +130,12 @@ check "... as bright as it is" even 3
 { printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n'; for _ in $(seq 32); do printf '\200\200\200\201'; done; } >even.hdr
 check "a picture of the sky" lit "$plate" --sky even.hdr
 check "... that is even" even 0.5
-for bad in "--sky 1,2" "--sky none.hdr" "--sky out.mtl" "--sun 1,2,3,4" "--sun 1,2,3,4,x" "--sun 1,2,3,4,-5" "--lamp 0,0,0,0,1,1,1" "--up x" "--scale 0"; do
+sed 's/$/\r/; s/^FORMAT/EXPOSURE=0\r\n&/; 4q' even.hdr >windows.hdr
+tail -c 128 even.hdr >>windows.hdr
+check "... as FreeImage and editors of Windows write it" lit "$plate" --sky windows.hdr
+check "... that is even" even 0.5
+{ head -c 122 even.hdr; printf '\377\377\377\377'; tail -c 60 even.hdr; } >bright.hdr # sums of it are no floats
+for bad in "--sky 1,2" "--sky none.hdr" "--sky out.mtl" "--sky bright.hdr" "--sun 1,2,3,4" "--sun 1,2,3,4,x" "--sun 1,2,3,4,-5" "--lamp 0,0,0,0,1,1,1" "--up x" "--scale 0"; do
     check "$bad is refused" refuses 2 "${bad#--sky }" bash -c "'$radiosity' solve out.obj -o x.rad $bad 2>&1 >/dev/null | sed 's/^radiosity: /radiosity: $bad: /' >&2; exit \${PIPESTATUS[0]}"
 done
 

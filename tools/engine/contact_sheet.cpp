@@ -4,7 +4,7 @@
 #include "tools/common/command_line.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
-#include "tools/picture/picture.h"
+#include "tools/picture/picture_file.h"
 
 #include <cstring>
 #include <optional>
@@ -60,10 +60,15 @@ std::vector<Image> dumped(const std::string &program, const std::string &options
                           std::to_string(traced * 9 / 16);
     std::FILE *film = popen(command.c_str(), "r");
     if (!film) throw std::runtime_error("cannot run " + program);
+    std::string dump(1 << 20, '\0');
+    size_t size = 0;
+    while (size_t read = std::fread(&dump[size], 1, dump.size() - size, film))
+        if ((size += read) == dump.size()) dump.resize(2 * size);
+    dump.resize(size);
+    if (pclose(film) != 0 || dump.empty()) throw std::runtime_error(program + " did not dump the film");
     std::vector<Image> frames;
-    Image frame;
-    while (readPpm(film, frame)) frames.push_back(shrink(frame, width));
-    if (pclose(film) != 0 || frames.empty()) throw std::runtime_error(program + " did not dump the film");
+    for (PictureFile file(program, std::move(dump)); file.more();)
+        frames.push_back(shrink(toImage(file.next()), width));
     return frames;
 }
 

@@ -1,85 +1,138 @@
 // compare: measures how much two pictures differ.
 #include "tools/common/command_line.h"
 #include "tools/common/text.h"
+#include "tools/common/whole_file.h"
 #include "tools/picture/flip.h"
-#include "tools/picture/picture.h"
+#include "tools/picture/picture_file.h"
 #include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace pictures {
 
 namespace {
 
 struct Difference {
-    double squares = 0; // sum over all channels
-    int largest = 0;    // of one channel
-    size_t pixels = 0;  // pixels that differ
-    Image enlarged;     // eight times
+    double squares = 0, largest = 0; // in steps of 1/255: sum over all channels, of one channel
+    size_t values = 0, pixels = 0, transparent = 0; // of all channels; pixels that differ, and those in alpha
+    Image enlarged;                                 // eight times
 };
 
-Difference between(const Image &a, const Image &b) {
+Difference between(const Picture &a, const Picture &b) {
     Difference all;
-    all.enlarged = a;
-    for (size_t i = 0; i < a.rgb.size(); i += 3) {
-        bool differs = false;
-        for (size_t c = i; c < i + 3; ++c) {
-            int d = std::abs(a.rgb[c] - b.rgb[c]);
-            all.squares += d * d;
-            all.largest = std::max(all.largest, d);
-            differs |= d != 0;
-            all.enlarged.rgb[c] = (uint8_t)std::min(255, 8 * d);
+    size_t channels = a.hasAlpha() || b.hasAlpha() ? 4 : 3;
+    all.values = a.pixels() * channels;
+    all.enlarged = {a.width, a.height, std::vector<uint8_t>(a.pixels() * 3)};
+    for (size_t i = 0; i < a.pixels(); ++i) {
+        auto stepsA = a.steps(i), stepsB = b.steps(i);
+        double d[4] = {};
+        for (size_t c = 0; c < channels; ++c) {
+            d[c] = std::fabs(stepsA[c] - stepsB[c]);
+            all.squares += d[c] * d[c];
+            all.largest = std::max(all.largest, d[c]);
         }
-        all.pixels += differs;
+        all.pixels += d[0] + d[1] + d[2] + d[3] > 0;
+        all.transparent += d[3] > 0;
+        for (size_t c = 0; c < 3; ++c)
+            all.enlarged.rgb[i * 3 + c] = (uint8_t)std::min(255., 8 * std::max(d[c], d[3]) + 0.5);
     }
     return all;
 }
 
-int run(common::CommandLine &line) {
-    std::string pathA, pathB, diff;
-    bool toPng = false, toLinear = false, seen = false;
-    int by = 1;
+std::string kindOf(const Picture &p) {
+    return common::format(p.light.empty() ? "%d bits" : "floats of %d bits", p.bits) +
+           (p.hasAlpha() ? " and alpha" : "");
+}
+
+// What --max and --psnr let pass, and what else shall be done with a difference.
+struct Settings {
     double most = 0, leastPsnr = HUGE_VAL;
+    bool seen = false;
+    std::string diff;
+};
+
+// Appends to `text` how two pictures differ. Returns whether that passes.
+bool compare(const Picture &a, const Picture &b, const Settings &s, std::string &text) {
+    common::need(a.light.empty() == b.light.empty(),
+                 "one picture has floats, which are linear, and the other has not");
+    common::need(a.width == b.width && a.height == b.height,
+                 common::format("the sizes differ: %dx%d and %dx%d", a.width, a.height, b.width, b.height));
+    Difference d = between(a, b);
+    double db = psnr(d.squares, d.values);
+    common::append(text, "psnr %.2f dB, largest difference %.4g, %zu of %zu pixels differ", db, d.largest,
+                   d.pixels, a.pixels());
+    if (d.values > 3 * a.pixels()) common::append(text, ", %zu in alpha", d.transparent);
+    std::string kindA = kindOf(a), kindB = kindOf(b);
+    text += kindA == kindB ? "\n" : "\nA has " + kindA + ", B has " + kindB + "\n";
+    if (s.seen) {
+        Image imageA = toImage(a), imageB = toImage(b);
+        common::append(text, "mean flip %.4f, psnr in linear light %.2f dB, in sRGB %.2f dB\n",
+                       meanFlip(see(imageA.rgb, a.width, a.height), see(imageB.rgb, b.width, b.height)),
+                       linearPsnr(imageA.rgb, imageB.rgb), psnr(imageA.rgb, imageB.rgb));
+    }
+    if (!s.diff.empty()) writePng(s.diff, d.enlarged);
+    return d.largest <= s.most || (s.leastPsnr != HUGE_VAL && db >= s.leastPsnr);
+}
+
+size_t countRest(PictureFile &file) {
+    size_t count = 0;
+    for (; file.more(); ++count) file.next();
+    return count;
+}
+
+int compareFiles(const std::string &pathA, const std::string &pathB, const Settings &s) {
+    PictureFile a(pathA), b(pathB);
+    bool pass = true, several = false;
+    size_t count = 0;
+    std::string text; // printed if all can be compared
+    do {
+        Picture one = a.next(), other = b.next();
+        several |= a.more() || b.more();
+        ++count;
+        if (several) {
+            common::need(s.diff.empty(), "--diff is for files of one picture");
+            common::append(text, "picture %zu: ", count);
+        }
+        pass &= compare(one, other, s, text);
+    } while (a.more() && b.more());
+    if (a.more() || b.more()) {
+        size_t countA = count + countRest(a), countB = count + countRest(b);
+        throw common::Refused(common::format("the numbers of pictures differ: %zu and %zu", countA, countB));
+    }
+    std::fputs(text.c_str(), stdout);
+    return pass ? 0 : 1;
+}
+
+int run(common::CommandLine &line) {
+    std::string pathA, pathB;
+    Settings s;
+    bool toPng = false, toLinear = false;
+    int by = 1;
     line.about(
-        "Prints the PSNR of two pictures, the largest difference of a channel (0..255) and the number of\n"
-        "pixels that differ. Exit status 1: the largest difference is over --max and the PSNR is under\n"
-        "--psnr (if given).");
-    line.argument("A", pathA, "a picture: PNG, PPM, JPEG, TGA or BMP");
+        "Prints the PSNR of two pictures, the largest difference of a channel (in steps of 1/255) and the\n"
+        "number of pixels that differ; then what their files hold, if that differs: bits, alpha. A picture "
+        "without\n"
+        "alpha is opaque. Floats are linear, and 1 is 255. Of files with several pictures all are compared, "
+        "in\n"
+        "order. Exit status 1: a largest difference is over --max and the PSNR is under --psnr (if given).");
+    line.argument("A", pathA, "a picture: PNG, JPEG, TGA, BMP, PNM, Radiance HDR or OpenEXR");
     line.argument("B", pathB, "another; with --png or --linear the file to write");
-    line.option("--max", "N", most, {0, 255}, "the largest difference of a channel that passes");
-    line.option("--psnr", "DB", leastPsnr, {0, 1000}, "the PSNR from which pictures pass in any case");
-    line.option("--diff", "OUT.png", diff, "write the differences, times eight");
+    line.option("--max", "N", s.most, {0, 255}, "the largest difference of a channel that passes");
+    line.option("--psnr", "DB", s.leastPsnr, {0, 1000}, "the PSNR from which pictures pass in any case");
+    line.option("--diff", "OUT.png", s.diff, "write the differences, times eight; those in alpha are grey");
     line.flag(
-        "--seen", seen,
+        "--seen", s.seen,
         "also print what a viewer sees: mean FLIP at 67 pixels per degree, PSNR in linear light and in sRGB");
-    line.flag("--png", toPng, "instead, write the picture A as PNG to B");
-    line.flag("--linear", toLinear,
-              "instead, read A as a PNG of 16 bits that are linear, and write it as sRGB to B");
+    line.flag("--png", toPng, "instead, write the picture A as PNG of eight bits, without alpha, to B");
+    line.flag("--linear", toLinear, "instead, read A as linear numbers, and write it as sRGB to B");
     line.option("--by", "N", by, {1, 16}, "with --linear: average squares of N x N pixels");
     line.parse();
 
-    Image a = toLinear ? readLinear(pathA, by) : readPicture(pathA);
-    if (toPng || toLinear) {
-        writePng(pathB, a);
-        return 0;
-    }
-    Image b = readPicture(pathB);
-    if (a.width != b.width || a.height != b.height)
-        throw common::Refused(
-            common::format("the sizes differ: %dx%d and %dx%d", a.width, a.height, b.width, b.height));
-    Difference d = between(a, b);
-    double db = psnr(d.squares, a.rgb.size());
-    std::printf("psnr %.2f dB, largest difference %d, %zu of %zu pixels differ\n", db, d.largest, d.pixels,
-                a.rgb.size() / 3);
-    if (seen)
-        std::printf("mean flip %.4f, psnr in linear light %.2f dB, in sRGB %.2f dB\n",
-                    meanFlip(see(a.rgb, a.width, a.height), see(b.rgb, b.width, b.height)),
-                    linearPsnr(a.rgb, b.rgb), db);
-    if (!diff.empty()) writePng(diff, d.enlarged);
-    bool differ = d.largest > most, far = leastPsnr == HUGE_VAL || db < leastPsnr;
-    return differ && far ? 1 : 0;
+    if (!toPng && !toLinear) return compareFiles(pathA, pathB, s);
+    Picture a = readPicture(pathA);
+    writePng(pathB, toLinear ? common::inFile(pathA, [&] { return linearToImage(a, by); }) : toImage(a));
+    return 0;
 }
 
 } // namespace

@@ -7,54 +7,66 @@
 #include <algorithm>
 #include <cmath>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_NO_HDR
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"
-#include <stb/stb_image.h>
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
 namespace pictures {
 
-Image readPicture(const std::string &path) {
-    Image p;
-    int channels;
-    uint8_t *data = stbi_load(path.c_str(), &p.width, &p.height, &channels, 3);
-    if (!data) throw common::Refused("cannot read a picture from " + path);
-    p.rgb.assign(data, data + (size_t)p.width * (size_t)p.height * 3);
-    stbi_image_free(data);
-    return p;
-}
-
-Image readLinear(const std::string &path, int by) {
-    int width, height, channels;
-    std::unique_ptr<uint16_t, void (*)(void *)> data(
-        stbi_load_16(path.c_str(), &width, &height, &channels, 3), stbi_image_free);
-    if (!data || width % by || height % by)
-        throw common::Refused("cannot read a picture that " + std::to_string(by) + " divides from " + path);
-    Image p = {width / by, height / by, {}};
-    p.rgb.resize((size_t)p.width * (size_t)p.height * 3);
-    for (size_t i = 0; i < p.rgb.size(); ++i) {
-        size_t c = i % 3, x = i / 3 % (size_t)p.width * (size_t)by, y = i / 3 / (size_t)p.width * (size_t)by;
-        double sum = 0;
-        for (size_t v = y; v < y + (size_t)by; ++v)
-            for (size_t u = x; u < x + (size_t)by; ++u) sum += data.get()[(v * (size_t)width + u) * 3 + c];
-        p.rgb[i] = (uint8_t)(srgbOfLinear((float)(sum / (65535. * by * by))) * 255 + 0.5f);
+std::array<double, 4> Picture::steps(size_t pixel) const {
+    std::array<double, 4> all;
+    for (size_t c = 0; c < 4; ++c) {
+        size_t i = pixel * (size_t)channels + (c == 3 ? (size_t)channels - 1 : channels < 3 ? 0 : c);
+        all[c] = c == 3 && !hasAlpha() ? 255 : light.empty() ? encoded[i] / 257. : (double)light[i] * 255;
     }
-    return p;
+    return all;
 }
 
-bool readPpm(std::FILE *stream, Image &p) {
-    int most;
-    if (std::fscanf(stream, "P6 %d %d %d", &p.width, &p.height, &most) != 3 || most != 255 ||
-        std::fgetc(stream) == EOF)
-        return false;
-    if (p.width < 1 || p.height < 1 || p.width > 32768 || p.height > 32768) return false;
-    p.rgb.resize((size_t)p.width * (size_t)p.height * 3);
-    return std::fread(p.rgb.data(), 1, p.rgb.size(), stream) == p.rgb.size();
+std::array<float, 3> Picture::linear(size_t pixel) const {
+    static const std::vector<float> ofEncoded = [] {
+        std::vector<float> v(65536);
+        for (size_t i = 0; i < v.size(); ++i) v[i] = (float)linearOfSrgb((double)i / 65535);
+        return v;
+    }();
+    std::array<float, 3> all;
+    for (size_t c = 0; c < 3; ++c) {
+        size_t i = pixel * (size_t)channels + (channels < 3 ? 0 : c);
+        all[c] = light.empty() ? ofEncoded[encoded[i]] : light[i];
+    }
+    return all;
+}
+
+static uint8_t eightBits(double linear) { return (uint8_t)(srgbOfLinear((float)linear) * 255 + 0.5f); }
+
+Image toImage(const Picture &p) {
+    Image image = {p.width, p.height, std::vector<uint8_t>(p.pixels() * 3)};
+    for (size_t i = 0; i < p.pixels(); ++i) {
+        std::array<double, 4> encoded = p.steps(i);
+        for (size_t c = 0; c < 3; ++c)
+            image.rgb[i * 3 + c] =
+                p.light.empty() ? (uint8_t)(encoded[c] + 0.5) : eightBits(encoded[c] / 255);
+    }
+    return image;
+}
+
+Image linearToImage(const Picture &p, int by) {
+    common::need(p.width % by == 0 && p.height % by == 0,
+                 "its size is not one that " + std::to_string(by) + " divides");
+    Image image = {p.width / by, p.height / by, {}};
+    for (int y = 0; y < p.height; y += by)
+        for (int x = 0; x < p.width; x += by) {
+            double sum[3] = {};
+            for (int v = y; v < y + by; ++v)
+                for (int u = x; u < x + by; ++u) {
+                    std::array<double, 4> s = p.steps((size_t)v * (size_t)p.width + (size_t)u);
+                    for (size_t c = 0; c < 3; ++c) sum[c] += s[c];
+                }
+            for (double s : sum) image.rgb.push_back(eightBits(s / (255. * by * by)));
+        }
+    return image;
 }
 
 void writePng(const std::string &path, const Image &p) {

@@ -1,8 +1,8 @@
-// Reads and writes pictures of eight-bit RGB.
+// Pictures: as a file holds them, and as eight-bit RGB.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -10,19 +10,34 @@ namespace pictures {
 
 struct Image {
     int width = 0, height = 0;
-    std::vector<uint8_t> rgb; // 3 * width * height bytes, top row first
+    std::vector<uint8_t> rgb; // sRGB, 3 * width * height bytes, top row first
 };
 
-// Reads PNG, PPM and the other formats of stb_image. Throws Refused if the file is no such picture.
-Image readPicture(const std::string &path);
+// As a file holds it, top row first: numbers encoded as sRGB, or floats that are linear. The channels are
+// grey, grey and alpha, RGB, or RGB and alpha.
+struct Picture {
+    int width = 0, height = 0, channels = 3;
+    int bits = 8;                       // of a number in the file
+    std::vector<uint16_t> encoded = {}; // 65535 is 1; empty if there are floats
+    std::vector<float> light = {};      // 1 is white
 
-// Reads a linear PNG of 16 bits, which other tracers write. Averages squares of `by` x `by` pixels and
-// encodes them as sRGB, rounded to the nearest. Throws Refused if the file is no picture, or its size is no
-// multiple of `by`.
-Image readLinear(const std::string &path, int by);
+    size_t pixels() const { return (size_t)width * (size_t)height; }
+    bool hasAlpha() const { return channels % 2 == 0; }
+    // Red, green, blue and alpha, 255 for 1; 255 without alpha
+    std::array<double, 4> steps(size_t pixel) const;
+    // Linear red, green and blue
+    std::array<float, 3> linear(size_t pixel) const;
+};
 
-// Reads one binary PPM from a stream; false at the end of the stream or if the picture is damaged.
-bool readPpm(std::FILE *stream, Image &picture);
+// The largest size that is read: a sky of 16,384 x 8,192.
+constexpr int64_t kMostPixels = 1 << 27;
+
+// Rounded to the nearest. Floats are encoded as sRGB; alpha is left out.
+Image toImage(const Picture &picture);
+
+// The same of numbers that are linear, not sRGB, each pixel the mean of `by` x `by`. Throws Refused if the
+// size is no multiple of `by`.
+Image linearToImage(const Picture &picture, int by);
 
 // Writes a PNG whole or not at all. Throws std::runtime_error.
 void writePng(const std::string &path, const Image &picture);

@@ -15,12 +15,14 @@ inline double psnr(double squares, size_t count) {
     return squares > 0 ? 10 * std::log10(255. * 255. * (double)count / squares) : INFINITY;
 }
 
-// The linear value, 0 .. 1, of an eight-bit sRGB value (IEC 61966-2-1).
+// The linear value of an sRGB value (IEC 61966-2-1); both 0 .. 1.
+inline double linearOfSrgb(double x) { return x > 0.04045 ? std::pow((x + 0.055) / 1.055, 2.4) : x / 12.92; }
+
+// The same of an eight-bit value.
 inline double linearOfSrgb(uint8_t value) {
     static const std::vector<double> all = [] {
         std::vector<double> v(256);
-        for (int i = 0; i < 256; ++i)
-            v[(size_t)i] = i > 10 ? std::pow((i / 255. + 0.055) / 1.055, 2.4) : i / 255. / 12.92;
+        for (size_t i = 0; i < v.size(); ++i) v[i] = linearOfSrgb((double)i / 255);
         return v;
     }();
     return all[value];

@@ -45,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         Regions regions = joinRegions(mesh, mesh.size() / 10);
         fillModel(*model, regions);
         findLamps(mesh, regions, *model, 16);
-        static const ReflectancePicture picture(3, 2, std::vector<uint8_t>(18, 100));
+        static const ReflectancePicture picture({3, 2, 3, 8, std::vector<uint16_t>(18, 25700), {}});
         for (const auto &at : mesh.coordinates) {
             std::vector<TexturePoint> corners;
             for (size_t k = 0; k < 6; k += 2) corners.push_back({(double)at[k], (double)at[k + 1]});

@@ -2,7 +2,7 @@
 #include "show/show.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/measure/detect/spark.h"
-#include "tools/picture/picture.h"
+#include "tools/picture/picture_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +81,7 @@ void lookAtFolder(const Options &o) {
     for (const auto &f : std::filesystem::directory_iterator(o.folder)) files.push_back(f.path());
     std::sort(files.begin(), files.end());
     auto see = [&](size_t i) {
-        pictures::Image p = pictures::readPicture(files[i]);
+        pictures::Image p = pictures::toImage(pictures::readPicture(files[i]));
         return greyOf(p.width, p.height, p.rgb.data(), 3);
     };
     if (files.size() < 2) throw common::Refused(o.folder + " holds fewer than two pictures");

@@ -1,5 +1,6 @@
 #include "tools/radiosity/divide/pictured.h"
 
+#include "tools/picture/picture_file.h"
 #include "tools/radiosity/divide/facets.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 
@@ -114,7 +115,7 @@ std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, 
     }
     std::vector<Sum> sums;
     for (const auto &[path, triangles] : shown) try {
-            ReflectancePicture texture(path);
+            ReflectancePicture texture(pictures::readPicture(path));
             sums.resize(cells.size());
             for (size_t i : triangles) {
                 const Chart &c = charts[(size_t)chartOf[i]];

@@ -1,14 +1,7 @@
 #include "tools/radiosity/read/reflectance_picture.h"
 
-#include "tools/common/command_line.h"
-#include "tools/common/whole_file.h"
-#include "tools/picture/psnr.h"
-
-#include <stb/stb_image.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace odraz::radiosity {
 
@@ -42,34 +35,14 @@ void cut(const Polygon &in, size_t axis, double at, double sign, Polygon &out) {
 
 } // namespace
 
-ReflectancePicture::ReflectancePicture(const std::string &path) {
-    std::string file = common::readWhole(path);
-    if (file.size() > (size_t)256 << 20)
-        throw common::Refused("cannot read " + path + ": it has more than 256 MB");
-    auto *bytes = (const stbi_uc *)file.data();
-    int width, height, channels, size = (int)file.size();
-    if (!stbi_info_from_memory(bytes, size, &width, &height, &channels))
-        throw common::Refused("cannot read " + path + ": its format is unknown");
-    if ((int64_t)width * height > 1 << 26)
-        throw common::Refused("cannot read " + path + ": it has more than 2^26 pixels");
-    std::unique_ptr<stbi_uc, void (*)(void *)> pixels(
-        stbi_load_from_memory(bytes, size, &width, &height, &channels, 3), stbi_image_free);
-    if (!pixels) throw common::Refused("cannot read " + path + ": it is damaged");
-    file = {};
-    make(width, height, pixels.get());
-}
-
-ReflectancePicture::ReflectancePicture(int width, int height, const std::vector<uint8_t> &srgb) {
-    make(width, height, srgb.data());
-}
-
-void ReflectancePicture::make(int width, int height, const uint8_t *srgb) {
-    std::array<uint16_t, 256> linear;
-    for (size_t i = 0; i < 256; ++i) linear[i] = (uint16_t)(pictures::linearOfSrgb((uint8_t)i) * 65535 + 0.5);
-    levels.push_back({width, height, {}});
-    levels[0].texels.resize((size_t)width * (size_t)height);
-    for (size_t i = 0; i < levels[0].texels.size(); ++i)
-        for (size_t k = 0; k < 3; ++k) levels[0].texels[i][k] = linear[srgb[i * 3 + k]];
+ReflectancePicture::ReflectancePicture(const pictures::Picture &picture) {
+    levels.push_back({picture.width, picture.height, {}});
+    levels[0].texels.resize(picture.pixels());
+    for (size_t i = 0; i < picture.pixels(); ++i) {
+        auto linear = picture.linear(i);
+        for (size_t k = 0; k < 3; ++k)
+            levels[0].texels[i][k] = (uint16_t)(std::clamp(linear[k], 0.f, 1.f) * 65535 + 0.5f);
+    }
     while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half(levels.back()));
 }
 

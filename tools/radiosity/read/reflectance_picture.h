@@ -1,7 +1,7 @@
-// Pictures that give the reflectance of materials, converted from sRGB to linear light and averaged over
-// polygons.
+// Pictures that give the reflectance of materials, averaged over polygons in linear light.
 #pragma once
 
+#include "tools/picture/picture.h"
 #include "trace/scene/scene.h"
 
 #include <array>
@@ -16,9 +16,8 @@ using TexturePoint = std::array<double, 2>;
 
 class ReflectancePicture {
 public:
-    // Reads PNG, JPEG, TGA or BMP, up to 2^26 pixels and 256 MB. Throws Refused.
-    explicit ReflectancePicture(const std::string &path);
-    ReflectancePicture(int width, int height, const std::vector<uint8_t> &srgb); // three bytes a pixel
+    // Values beyond 0 .. 1 become 0 or 1.
+    explicit ReflectancePicture(const pictures::Picture &picture);
 
     // The mean over a convex polygon, or the value at its middle if it has no area. Outside 0 .. 1 the
     // picture is repeated, or with `clamp` its border is. Large polygons use a coarser level, so that a mean
@@ -33,7 +32,6 @@ private:
     };
     std::vector<Level> levels; // the last one has a single texel
 
-    void make(int width, int height, const uint8_t *srgb);
     static Level half(const Level &of);
     static Rgb texel(const Level &level, int64_t i, int64_t j, bool clamp);
 };

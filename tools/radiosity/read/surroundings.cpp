@@ -1,7 +1,7 @@
 #include "tools/radiosity/read/surroundings.h"
 
 #include "base/maths.h"
-#include "tools/radiosity/read/hdr_reader.h"
+#include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/upright.h"
 
 #include <algorithm>
@@ -94,7 +94,7 @@ namespace {
 // Makes the smaller picture that rays sample, and turns pixels that are too bright into suns.
 class SkyReader {
 public:
-    SkyReader(HdrPicture given, bool upIsZ)
+    SkyReader(pictures::Picture given, bool upIsZ)
         : given(std::move(given)), width(this->given.width), height(this->given.height),
           sky({kSkyWidth, kSkyHeight, std::vector<Rgb>((size_t)kSkyWidth * kSkyHeight), upIsZ}),
           weight(sky.pixels.size()) {}
@@ -115,15 +115,15 @@ public:
     }
 
 private:
-    HdrPicture given;
+    pictures::Picture given;
     int width, height;
     SkyPicture sky;
     std::vector<double> weight; // the area of each of its pixels covered so far
     std::vector<Glint> glints;
 
     Rgb pixel(int i, int j) const {
-        const float *p = &given.pixels[((size_t)j * (size_t)width + (size_t)i) * 3];
-        return Rgb{p[0], p[1], p[2]};
+        auto [red, green, blue] = given.linear((size_t)j * (size_t)width + (size_t)i);
+        return {std::max(red, 0.f), std::max(green, 0.f), std::max(blue, 0.f)};
     }
     double solidAngle(int j) const { // of a pixel in row j
         return 2 * kPiD / width * (std::cos(kPiD * j / height) - std::cos(kPiD * (j + 1) / height));
@@ -163,7 +163,7 @@ private:
 } // namespace
 
 SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns) {
-    return SkyReader(readHdr(path), upIsZ).read(suns);
+    return SkyReader(pictures::readPicture(path), upIsZ).read(suns);
 }
 
 } // namespace odraz::radiosity

@@ -1,10 +1,10 @@
 // Light from outside the model, set by options: a sky, suns, lamps.
 //
 // The sky has a radiance in every direction, below the horizon too: one colour, or a picture of all
-// directions (Radiance HDR, latitude and longitude). The middle of the picture lies towards -z if y is up,
-// towards +y if z is up, with +x to its right. Pixels more than eight times as bright as the mean become
-// suns, because a few rays would miss them: at most 24, found by cuts that halve their light (Debevec, "A
-// Median Cut Algorithm for Light Probe Sampling", 2005).
+// directions (latitude and longitude, of any format that pictures::readPicture reads). The middle of the
+// picture lies towards -z if y is up, towards +y if z is up, with +x to its right. Pixels more than eight
+// times as bright as the mean become suns, because a few rays would miss them: at most 24, found by cuts that
+// halve their light (Debevec, "A Median Cut Algorithm for Light Probe Sampling", 2005).
 #pragma once
 
 #include "base/vec3.h"

@@ -2,6 +2,7 @@
 
 #include "tools/common/statistics.h"
 #include "tools/engine/luminance.h"
+#include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 #include "tools/radiosity/reference/obstacles.h"
 #include "tools/radiosity/reference/sampler.h"
@@ -44,7 +45,7 @@ public:
           off(mesh.size() * 1e-5) {
         for (const MeshMaterial &m : mesh.materials)
             if (!m.picture.path.empty()) try {
-                    pictures.try_emplace(m.picture.path, m.picture.path);
+                    pictures.try_emplace(m.picture.path, pictures::readPicture(m.picture.path));
                 } catch (const common::Refused &) { // use the material's Kd, as the solver does
                 }
         double sum = 0;

@@ -86,7 +86,7 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
     }
     line.group(kLight);
     if (command == For::kSolve || command == For::kStudy)
-        line.option("--sky", "R,G,B|FILE.hdr", sky, "radiance from all directions: even, or a picture");
+        line.option("--sky", "R,G,B|FILE", sky, "radiance from all directions: even, or a picture");
     line.option(
         "--sun", "ELEVATION,AZIMUTH,R,G,B", suns,
         "parallel light: degrees above the horizon, and from -z (+y if z is up) towards +x; R,G,B is the "

@@ -1,6 +1,7 @@
 #include "tools/radiosity/transfer/environment.h"
 
 #include "tools/common/text.h"
+#include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/upright.h"
 #include "tools/radiosity/solve/solve_options.h"
 
@@ -13,7 +14,7 @@ namespace odraz::radiosity {
 
 static constexpr int kLeastRows = 128; // rows of pixels; those of smaller pictures are subdivided
 
-Projected project(const HdrPicture &picture, bool upIsZ) {
+Projected project(const pictures::Picture &picture, bool upIsZ) {
     int parts = (kLeastRows + picture.height - 1) / picture.height,
         partsAround = (2 * kLeastRows + picture.width - 1) / picture.width;
     int rows = picture.height * parts, columns = picture.width * partsAround;
@@ -23,7 +24,7 @@ Projected project(const HdrPicture &picture, bool upIsZ) {
                below = std::cos(std::numbers::pi * (j + 1) / rows);
         double solidAngle = 2 * std::numbers::pi / columns * (above - below), y = (above + below) / 2,
                r = std::sqrt(std::max(1 - y * y, 0.));
-        const float *line = &picture.pixels[(size_t)(j / parts) * (size_t)picture.width * 3];
+        size_t line = (size_t)(j / parts) * (size_t)picture.width;
         for (int first = 0; first < columns; first += 8) {
             Vec3x8 d;
             for (int k = 0; k < 8; ++k) {
@@ -35,8 +36,8 @@ Projected project(const HdrPicture &picture, bool upIsZ) {
             Float8 basis[kMostSh];
             evaluateBands(d, kMostBands, basis);
             for (int k = 0; k < std::min(8, columns - first); ++k) {
-                const float *pixel = line + (size_t)((first + k) / partsAround) * 3;
-                for (int c = 0; c < 3; ++c) {
+                auto pixel = picture.linear(line + (size_t)((first + k) / partsAround));
+                for (size_t c = 0; c < 3; ++c) {
                     double light = (double)pixel[c] * solidAngle;
                     energy += light * (double)pixel[c];
                     for (int i = 0; i < kMostSh; ++i) sum[i][c] += light * (double)basis[i][k];
@@ -62,8 +63,10 @@ Projected project(const Rgb &even) {
 }
 
 Projected readEnvironment(const std::string &sky, bool upIsZ) {
-    std::optional<Rgb> even = evenRadiance(sky);
-    return even ? project(*even) : project(readHdr(sky), upIsZ);
+    if (std::optional<Rgb> even = evenRadiance(sky)) return project(*even);
+    pictures::Picture picture = pictures::readPicture(sky);
+    for (float &x : picture.light) x = std::max(x, 0.f);
+    return project(picture, upIsZ);
 }
 
 std::string lossOf(const std::string &name, const Projected &p, int bands) {

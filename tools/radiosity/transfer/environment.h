@@ -1,7 +1,7 @@
 // Light from all directions, given as a picture or a colour, projected to the bands of spherical harmonics.
 #pragma once
 
-#include "tools/radiosity/read/hdr_reader.h"
+#include "tools/picture/picture.h"
 #include "tools/radiosity/transfer/bands.h"
 
 #include <functional>
@@ -17,7 +17,7 @@ struct Projected {
 };
 
 // Projects a picture of all directions, laid out as in surroundings.h, at its full resolution.
-Projected project(const HdrPicture &picture, bool upIsZ);
+Projected project(const pictures::Picture &picture, bool upIsZ);
 Projected project(const Rgb &even);
 
 // Reads the value of --sky: R,G,B or the name of a picture. Throws Refused.

@@ -53,7 +53,7 @@ std::vector<float> readLamps(const std::string &text, const TransferRoom &room) 
 void RelightOptions::addTo(common::CommandLine &line, bool withSky) {
     line.group(kGroup);
     if (withSky)
-        line.option("--sky", "R,G,B|FILE.hdr", sky,
+        line.option("--sky", "R,G,B|FILE", sky,
                     "the light from outside; the share of a picture's energy that the bands lose is printed");
     line.option("--turn", "DEGREES", around, {-36000, 36000},
                 "turn the sky about the axis that points up, from -z (+y if z is up) towards +x");

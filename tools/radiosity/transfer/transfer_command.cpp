@@ -51,7 +51,7 @@ void readJob(common::CommandLine &line, Job &job) {
         "(default 0.06,16)");
     line.flag("--check", job.check,
               "compare with solutions for several lights, and one subspace with clusters");
-    line.option("--sky", "FILE.hdr", job.skies, "with --check: for this light too");
+    line.option("--sky", "FILE", job.skies, "with --check: for this light too");
     job.options.addTo(line, SolveOptions::For::kTransfer);
     line.parse();
     if (job.model.empty()) throw common::Refused("name a model: radiosity transfer MODEL.obj -o ROOM.prt");

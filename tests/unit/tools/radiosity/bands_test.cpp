@@ -66,8 +66,8 @@ TEST(Environment, IsProjected) {
         Dice dice(3);
         BandLight light = randomLight(kMostBands, dice);
         SkyPicture sky = pictureOf(light, kMostBands, upIsZ);
-        HdrPicture picture = {sky.width, sky.height, {}};
-        for (const Rgb &c : sky.pixels) picture.pixels.insert(picture.pixels.end(), {c.x, c.y, c.z});
+        pictures::Picture picture = {sky.width, sky.height};
+        for (const Rgb &c : sky.pixels) picture.light.insert(picture.light.end(), {c.x, c.y, c.z});
         Projected p = project(picture, upIsZ);
         for (int k = 0; k < kMostSh; ++k)
             EXPECT_LT(length(p.light[(size_t)k] - light[(size_t)k]), 2e-4f) << k;
@@ -82,8 +82,9 @@ TEST(Environment, IsProjected) {
     }
     // A row of pixels around the zenith is a disc, whose part in a band is an integral of Legendre's
     // polynomial
-    HdrPicture disc = {64, 32, std::vector<float>((size_t)64 * 32 * 3)};
-    std::fill(disc.pixels.begin(), disc.pixels.begin() + (ptrdiff_t)64 * 3, 100.f);
+    pictures::Picture disc = {64, 32};
+    disc.light.resize(disc.pixels() * 3);
+    std::fill(disc.light.begin(), disc.light.begin() + (ptrdiff_t)64 * 3, 100.f);
     Projected p = project(disc, false);
     double rim = std::cos(M_PI / 32), held = 0;
     for (int l = 0; l < kMostBands; ++l) {

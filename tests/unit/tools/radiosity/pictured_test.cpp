@@ -17,11 +17,11 @@ using namespace odraz::radiosity;
 namespace {
 
 // White where `white` returns true, black elsewhere.
-template <class White> std::vector<uint8_t> pixels(int width, int height, White &&white) {
-    std::vector<uint8_t> all;
+template <class White> pictures::Picture pixels(int width, int height, White &&white) {
+    pictures::Picture p = {width, height, 1};
     for (int j = 0; j < height; ++j)
-        for (int i = 0; i < width; ++i) all.insert(all.end(), 3, white(i, j) ? 255 : 0);
-    return all;
+        for (int i = 0; i < width; ++i) p.encoded.push_back(white(i, j) ? 65535 : 0);
+    return p;
 }
 std::vector<TexturePoint> box(double u0, double v0, double u1, double v1) {
     return {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
@@ -30,7 +30,7 @@ std::vector<TexturePoint> box(double u0, double v0, double u1, double v1) {
 } // namespace
 
 TEST(ReflectancePicture, IsAveragedOverAreas) {
-    ReflectancePicture checks(8, 8, pixels(8, 8, [](int i, int j) { return (i + j) % 2 == 0; }));
+    ReflectancePicture checks(pixels(8, 8, [](int i, int j) { return (i + j) % 2 == 0; }));
     auto mean = [&](const std::vector<TexturePoint> &p, bool clamp = false) {
         return checks.mean(p, clamp).x;
     };
@@ -47,14 +47,17 @@ TEST(ReflectancePicture, IsAveragedOverAreas) {
     EXPECT_NEAR(mean({{0.05, 0.95}, {0.05, 0.95}, {0.05, 0.95}}), 1, 1e-6);
     for (double odd : {(double)NAN, (double)INFINITY, 1e30, -1e30})
         EXPECT_NEAR(mean({{0, 0}, {odd, 0}, {0, 1}}), 0.5, 1e-4);
-    EXPECT_NEAR(ReflectancePicture(1, 1, {188, 0, 0}).mean().x, 0.5029, 1e-4); // sRGB
+    EXPECT_NEAR(ReflectancePicture({1, 1, 3, 8, {188 * 257, 0, 0}, {}}).mean().x, 0.5029, 1e-4); // sRGB
+    Rgb linear = ReflectancePicture({1, 1, 3, 32, {}, {0.25f, 2, -1}}).mean();
+    EXPECT_NEAR(linear.x, 0.25, 1e-4);
+    EXPECT_EQ(linear.y, 1);
+    EXPECT_EQ(linear.z, 0);
 }
 
 // In sizes that are no powers of two, no texel at the border counts twice.
 TEST(ReflectancePicture, HasTheSameMeanInAllItsSizes) {
     for (int width : {1, 3, 100, 129, 255}) {
-        ReflectancePicture p(width, 37,
-                             pixels(width, 37, [&](int i, int j) { return 2 * i < width || j == 3; }));
+        ReflectancePicture p(pixels(width, 37, [&](int i, int j) { return 2 * i < width || j == 3; }));
         double wanted = 0;
         for (int i = 0; i < width; ++i) wanted += 2 * i < width ? 1. : 1 / 37.;
         EXPECT_NEAR(p.mean().x, wanted / width, 1e-3) << width;

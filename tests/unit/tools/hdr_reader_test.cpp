@@ -2,21 +2,16 @@
 // pixels.
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
-#include "tools/common/temporary_folder.h"
-#include "tools/common/whole_file.h"
-#include "tools/radiosity/read/hdr_reader.h"
+#include "tools/picture/hdr_reader.h"
 
 #include <gtest/gtest.h>
 
-using namespace odraz;
-using namespace odraz::radiosity;
+using namespace pictures;
 
 namespace {
 
-HdrPicture read(const std::string &head, const std::string &size, const std::string &pixels) {
-    common::TemporaryFolder folder;
-    common::writeWhole(folder / "a.hdr", "#?RADIANCE\n" + head + "\n" + size + "\n" + pixels);
-    return readHdr(folder / "a.hdr");
+Picture read(const std::string &head, const std::string &size, const std::string &pixels) {
+    return readHdr("#?RADIANCE\n" + head + "\n" + size + "\n" + pixels);
 }
 
 // Pixels with these bytes; an exponent of 136 keeps their values.
@@ -27,9 +22,9 @@ std::string bytes(std::initializer_list<int> list) {
 }
 
 // The red values, which are enough to identify pixels.
-std::vector<int> reds(const HdrPicture &p) {
+std::vector<int> reds(const Picture &p) {
     std::vector<int> all;
-    for (size_t i = 0; i < p.pixels.size(); i += 3) all.push_back((int)p.pixels[i]);
+    for (size_t i = 0; i < p.light.size(); i += 3) all.push_back((int)p.light[i]);
     return all;
 }
 
@@ -41,11 +36,10 @@ bool refuses(const std::string &head, const std::string &size, const std::string
 } // namespace
 
 TEST(Hdr, ReadsPlainPixels) {
-    HdrPicture p =
-        read("FORMAT=32-bit_rle_rgbe\n", "-Y 1 +X 2", bytes({128, 64, 32, 129, 200, 100, 50, 136}));
+    Picture p = read("FORMAT=32-bit_rle_rgbe\n", "-Y 1 +X 2", bytes({128, 64, 32, 129, 200, 100, 50, 136}));
     EXPECT_EQ(p.width, 2);
     EXPECT_EQ(p.height, 1);
-    EXPECT_EQ(p.pixels, (std::vector<float>{1, 0.5f, 0.25f, 200, 100, 50}));
+    EXPECT_EQ(p.light, (std::vector<float>{1, 0.5f, 0.25f, 200, 100, 50}));
 }
 
 TEST(Hdr, RepeatsPixelsByOlderRuns) {
@@ -55,24 +49,24 @@ TEST(Hdr, RepeatsPixelsByOlderRuns) {
     EXPECT_EQ(reds(read("", "-Y 2 +X 3", a + bytes({1, 1, 1, 2}) + b + b + bytes({1, 1, 1, 1}))),
               (std::vector<int>{200, 200, 200, 150, 150, 150}));
     // 44 and 1 are 44 + 256 pixels; after another pixel a run starts with its lowest byte again
-    HdrPicture p = read("", "-Y 1 +X 304", a + bytes({1, 1, 1, 44, 1, 1, 1, 1}) + b + bytes({1, 1, 1, 2}));
+    Picture p = read("", "-Y 1 +X 304", a + bytes({1, 1, 1, 44, 1, 1, 1, 1}) + b + bytes({1, 1, 1, 2}));
     std::vector<int> wanted(304, 200);
     wanted[301] = wanted[302] = wanted[303] = 150;
     EXPECT_EQ(reds(p), wanted);
-    EXPECT_EQ(p.pixels[3 * 300 + 2], 3);
+    EXPECT_EQ(p.light[3 * 300 + 2], 3);
     // 0 and 1 are 256
     EXPECT_EQ(reds(read("", "-Y 1 +X 257", a + bytes({1, 1, 1, 0, 1, 1, 1, 1}))), std::vector<int>(257, 200));
 }
 
 // Two rows of 8: the first has all four planes as runs, the second is plain.
 TEST(Hdr, ReadsNewerRuns) {
-    HdrPicture p = read("", "-Y 2 +X 8",
-                        bytes({2, 2, 0, 8, 136, 200, 136, 100, 136, 50, 136, 136}) +
-                            bytes({2, 2, 0, 8, 8, 1, 2, 3, 4, 5, 6, 7, 8, 136, 0, 136, 0, 136, 136}));
+    Picture p = read("", "-Y 2 +X 8",
+                     bytes({2, 2, 0, 8, 136, 200, 136, 100, 136, 50, 136, 136}) +
+                         bytes({2, 2, 0, 8, 8, 1, 2, 3, 4, 5, 6, 7, 8, 136, 0, 136, 0, 136, 136}));
     EXPECT_EQ(reds(p), (std::vector<int>{200, 200, 200, 200, 200, 200, 200, 200, 1, 2, 3, 4, 5, 6, 7, 8}));
-    EXPECT_EQ(p.pixels[7 * 3 + 1], 100);
-    EXPECT_EQ(p.pixels[7 * 3 + 2], 50);
-    EXPECT_EQ(p.pixels[15 * 3 + 1], 0);
+    EXPECT_EQ(p.light[7 * 3 + 1], 100);
+    EXPECT_EQ(p.light[7 * 3 + 2], 50);
+    EXPECT_EQ(p.light[15 * 3 + 1], 0);
 }
 
 TEST(Hdr, RefusesRunsThatDoNotFit) {
@@ -88,28 +82,32 @@ TEST(Hdr, RefusesRunsThatDoNotFit) {
 
 TEST(Hdr, DividesByAllFactors) {
     std::string pixel = bytes({200, 100, 50, 136});
-    EXPECT_EQ(read("EXPOSURE=4\n", "-Y 1 +X 1", pixel).pixels, (std::vector<float>{50, 25, 12.5f}));
-    EXPECT_EQ(read("EXPOSURE=4\nSOFTWARE=x\nEXPOSURE= 0.5\n", "-Y 1 +X 1", pixel).pixels,
+    EXPECT_EQ(read("EXPOSURE=4\n", "-Y 1 +X 1", pixel).light, (std::vector<float>{50, 25, 12.5f}));
+    EXPECT_EQ(read("EXPOSURE=4\nSOFTWARE=x\nEXPOSURE= 0.5\n", "-Y 1 +X 1", pixel).light,
               (std::vector<float>{100, 50, 25}));
-    EXPECT_EQ(read("COLORCORR=2 1 0.5\nEXPOSURE=2\nCOLORCORR= 1 5 1\n", "-Y 1 +X 1", pixel).pixels,
+    EXPECT_EQ(read("COLORCORR=2 1 0.5\nEXPOSURE=2\nCOLORCORR= 1 5 1\n", "-Y 1 +X 1", pixel).light,
               (std::vector<float>{50, 10, 50}));
-    for (const char *line : {"EXPOSURE=\n", "EXPOSURE=0\n", "EXPOSURE=-1\n", "EXPOSURE=nan\n", "EXPOSURE=x\n",
-                             "COLORCORR=1 2\n", "COLORCORR=1 0 1\n"})
+    // FreeImage writes 0 for what it does not know
+    for (const char *zero :
+         {"EXPOSURE=0\n", "EXPOSURE= 0.000\n", "COLORCORR=0 0 0\n", "EXPOSURE=2\nEXPOSURE=0\nEXPOSURE=.5\n"})
+        EXPECT_EQ(read(zero, "-Y 1 +X 1", pixel).light, (std::vector<float>{200, 100, 50})) << zero;
+    for (const char *line : {"EXPOSURE=\n", "EXPOSURE=-1\n", "EXPOSURE=nan\n", "EXPOSURE=x\n",
+                             "EXPOSURE=1e-19\n", "COLORCORR=1 2\n"})
         EXPECT_TRUE(refuses(line, "-Y 1 +X 1", pixel, "has a damaged line")) << line;
 }
 
 // The primaries of sRGB in CIE XYZ (IEC 61966-2-1) in Radiance's lumens: 179 times the channels' values.
 TEST(Hdr, TurnsXyzIntoSrgbsPrimaries) {
     std::string pixels = bytes({206, 106, 10, 136, 107, 215, 36, 136, 45, 18, 238, 136, 190, 200, 218, 136});
-    HdrPicture p = read("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 4", pixels);
+    Picture p = read("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 4", pixels);
     const double wanted[4][3] = {{500, 0, 0}, {0, 300, 0}, {0, 0, 250}, {200, 200, 200}};
     for (size_t i = 0; i < 4; ++i)
         for (size_t k = 0; k < 3; ++k)
-            EXPECT_NEAR((double)p.pixels[3 * i + k], wanted[i][k] / 179, 3. / 179) << i << " " << k;
-    for (float c : p.pixels) EXPECT_GE(c, 0);
+            EXPECT_NEAR((double)p.light[3 * i + k], wanted[i][k] / 179, 3. / 179) << i << " " << k;
+    for (float c : p.light) EXPECT_GE(c, 0);
     // Radiance converts its pictures to XYZ in watts, with a factor in EXPOSURE
     p = read("EXPOSURE=5.586592e-03\nFORMAT=32-bit_rle_xyze\n", "-Y 1 +X 4", pixels);
-    EXPECT_NEAR(p.pixels[0], 500, 3);
+    EXPECT_NEAR(p.light[0], 500, 3);
     EXPECT_TRUE(refuses("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 4", pixels, "format 32-bit_rle_spec"));
 }
 
@@ -129,11 +127,26 @@ TEST(Hdr, ReadsAllOrders) {
                                {"-X 3 +Y 2", {22, 12, 21, 11, 20, 10}}}) {
         std::string pixels;
         for (int red : order.reds) pixels += bytes({red, 0, 0, 136});
-        HdrPicture p = read("", order.size, pixels);
+        Picture p = read("", order.size, pixels);
         EXPECT_EQ(p.width, 3) << order.size;
         EXPECT_EQ(p.height, 2) << order.size;
         EXPECT_EQ(reds(p), (std::vector<int>{10, 11, 12, 20, 21, 22})) << order.size;
     }
     for (const char *size : {"-Y 1 -Y 1", "-X 1 +X 1", "Y 1 X 1", "-Z 1 +X 1", "1 1", "-Y 1", ""})
         EXPECT_TRUE(refuses("", size, bytes({1, 2, 3, 136}), "no line like -Y HEIGHT +X WIDTH")) << size;
+}
+
+// Lines that end with CR LF, as editors of Windows leave them.
+TEST(Hdr, ReadsLinesOfWindows) {
+    Picture p = readHdr("#?RGBE\r\nEXPOSURE=2\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 2\r\n" +
+                        bytes({200, 100, 50, 136, 20, 40, 60, 136}));
+    EXPECT_EQ(p.light, (std::vector<float>{100, 50, 25, 10, 20, 30}));
+}
+
+TEST(Hdr, RefusesHeadsCutShort) {
+    for (std::string head :
+         {"#?", "#?RADIANCE\n", "#?RADIANCE\n\n", "#?RADIANCE\n\n-Y 1 +X 1", "#?RADIANCE\n\n-Y 1 +X 1\n"})
+        EXPECT_THROW(readHdr(head), common::Refused) << head;
+    for (const char *size : {"-Y 0 +X 0", "-Y 40000 +X 40000", "-Y -1 +X 1"})
+        EXPECT_TRUE(refuses("", size, "", "no pixels, or more")) << size;
 }

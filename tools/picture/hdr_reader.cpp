@@ -1,7 +1,6 @@
-#include "tools/radiosity/read/hdr_reader.h"
+#include "tools/picture/hdr_reader.h"
 
 #include "tools/common/command_line.h"
-#include "tools/common/whole_file.h"
 
 #include <algorithm>
 #include <array>
@@ -10,13 +9,13 @@
 #include <cstdio>
 #include <cstring>
 
-namespace odraz::radiosity {
+namespace pictures {
 
 namespace {
 
 // Radiance keeps CIE XYZ in lumens, and red, green and blue in watts.
 constexpr double kLumensOfWatt = 179;
-constexpr double kMostLight = 1.7e38; // the largest value that a pixel can hold
+constexpr double kMostLight = 3e38; // what a float can hold
 
 // From CIE XYZ to linear red, green and blue with sRGB's primaries and white (IEC 61966-2-1).
 constexpr double kRgbOfXyz[3][3] = {
@@ -24,24 +23,24 @@ constexpr double kRgbOfXyz[3][3] = {
 
 class HdrReader {
 public:
-    explicit HdrReader(const std::string &path) : path(path), file(common::readWhole(path)) {}
+    explicit HdrReader(std::string_view file) : file(file) {}
 
-    HdrPicture read() {
+    Picture read() {
         readHead();
         readOrder();
         line.resize((size_t)perLine * 4);
-        for (int i = 0; i < lines;
-             ++i) { // memory grows with the data read, not with the size that the head claims
+        for (int i = 0; i < lines; ++i) {
+            // Memory grows with the data read, not with the size that the head claims
             readLine();
             for (int j = 0; j < perLine; ++j) addPixel(&line[(size_t)j * 4]);
         }
-        if (first == 'X' || !firstForward || !secondForward) picture.pixels = inOrder();
+        if (first == 'X' || !firstForward || !secondForward) picture.light = inOrder();
         return std::move(picture);
     }
 
 private:
-    const std::string &path, file;
-    HdrPicture picture = {};
+    std::string_view file;
+    Picture picture = {.bits = 32};
     size_t at = 0;
     bool xyz = false;
     std::array<double, 3> multiplied = {1, 1, 1}; // the factors by which pixels were multiplied
@@ -51,31 +50,35 @@ private:
     int lines = 0, perLine = 0;
     std::vector<uint8_t> line;
 
-    [[noreturn]] void refuse(const std::string &what) const { throw common::Refused(path + ": " + what); }
+    [[noreturn]] static void refuse(const std::string &what) { throw common::Refused(what); }
+
+    // A line of the head; it ends with LF or CR LF.
+    std::string text() {
+        size_t end = file.find('\n', at);
+        if (end == file.npos) refuse("it ends in its head");
+        std::string line(file.substr(at, end - at));
+        if (line.ends_with('\r')) line.pop_back();
+        at = end + 1;
+        return line;
+    }
 
     // The lines of text up to an empty one.
     void readHead() {
-        size_t end = file.find("\n\n");
-        if (file.compare(0, 2, "#?") != 0 || end == std::string::npos)
-            refuse("is not a picture in Radiance's HDR format");
-        for (; at < end; at = std::min(file.find('\n', at), end) + 1) {
-            std::string text = file.substr(at, std::min(file.find('\n', at), end) - at);
-            if (text.rfind("FORMAT=", 0) == 0)
-                readFormat(text.substr(7));
-            else if (text.rfind("EXPOSURE=", 0) == 0)
-                readFactors(text, 1);
-            else if (text.rfind("COLORCORR=", 0) == 0)
-                readFactors(text, 3);
-        }
-        at = end + 2;
+        for (std::string line = text(); !line.empty(); line = text())
+            if (line.starts_with("FORMAT="))
+                readFormat(line.substr(7));
+            else if (line.starts_with("EXPOSURE="))
+                readFactors(line, 1);
+            else if (line.starts_with("COLORCORR="))
+                readFactors(line, 3);
     }
 
     void readFormat(std::string format) {
-        format.erase(format.find_last_not_of(" \t\r") + 1);
+        format.erase(format.find_last_not_of(" \t") + 1);
         format.erase(0, format.find_first_not_of(' '));
         xyz = format == "32-bit_rle_xyze";
         if (!xyz && format != "32-bit_rle_rgbe")
-            refuse("has pixels of the format " + format +
+            refuse("it has pixels of the format " + format +
                    "; only 32-bit_rle_rgbe and 32-bit_rle_xyze are read");
     }
 
@@ -85,9 +88,9 @@ private:
         int got = std::sscanf(text.c_str() + text.find('=') + 1, "%lf %lf %lf", f, f + 1, f + 2);
         if (count == 1) f[1] = f[2] = f[0];
         for (size_t k = 0; k < 3; ++k) {
-            if (got >= count) multiplied[k] *= f[k];
+            if (got >= count && f[k] != 0) multiplied[k] *= f[k];
             if (got < count || !(multiplied[k] > 1e-18 && multiplied[k] < 1e18))
-                refuse("has a damaged line " + text);
+                refuse("it has a damaged line " + text);
         }
     }
 
@@ -95,23 +98,20 @@ private:
     // bottom, each from left to right.
     void readOrder() {
         char signs[2];
-        int read = 0;
-        std::string text = file.substr(at, file.find('\n', at) - at);
-        if (std::sscanf(text.c_str(), "%c%c %d %c%c %d%n", signs, &first, &lines, signs + 1, &second,
-                        &perLine, &read) != 6 ||
+        if (std::sscanf(text().c_str(), "%c%c %d %c%c %d", signs, &first, &lines, signs + 1, &second,
+                        &perLine) != 6 ||
             !((first == 'X' && second == 'Y') || (first == 'Y' && second == 'X')) ||
             !std::strchr("+-", signs[0]) || !std::strchr("+-", signs[1]))
-            refuse("has no line like -Y HEIGHT +X WIDTH before its pixels");
-        if (lines < 1 || perLine < 1 || (int64_t)lines * perLine > 1 << 27)
-            refuse("has no pixels, or more than 2^27");
+            refuse("it has no line like -Y HEIGHT +X WIDTH before its pixels");
+        if (lines < 1 || perLine < 1 || (int64_t)lines * perLine > kMostPixels)
+            refuse("it has no pixels, or more than 2^27");
         firstForward = (signs[0] == '+') == (first == 'X'),
         secondForward = (signs[1] == '+') == (second == 'X');
         picture.width = first == 'X' ? lines : perLine, picture.height = first == 'X' ? perLine : lines;
-        at += (size_t)read + 1;
     }
 
     uint8_t next() {
-        if (at >= file.size()) refuse("ends before its last pixel");
+        if (at >= file.size()) refuse("it ends before its last pixel");
         return (uint8_t)file[at++];
     }
 
@@ -129,7 +129,7 @@ private:
             for (int i = 0; i < perLine;) {
                 int count = next(), run = count > 128;
                 if (run) count -= 128;
-                if (count == 0 || i + count > perLine) refuse("is damaged: a run is longer than its row");
+                if (count == 0 || i + count > perLine) refuse("it is damaged: a run is longer than its row");
                 uint8_t value = run ? next() : 0;
                 for (; count; --count, ++i) line[(size_t)i * 4 + k] = run ? value : next();
             }
@@ -147,9 +147,9 @@ private:
                 ++i, shift = 0;
                 continue;
             }
-            if (i == 0) refuse("is damaged: a row begins with a run");
+            if (i == 0) refuse("it is damaged: a row begins with a run");
             uint64_t count = shift < 32 ? (uint64_t)p[3] << shift : p[3] ? UINT32_MAX : 0;
-            if (count > (uint64_t)(perLine - i)) refuse("is damaged: a run is longer than its row");
+            if (count > (uint64_t)(perLine - i)) refuse("it is damaged: a run is longer than its row");
             for (; count; --count, ++i, p += 4) std::memcpy(p, p - 4, 4);
             shift += 8;
         }
@@ -165,14 +165,14 @@ private:
                 for (size_t i = 0; i < 3; ++i) light += kRgbOfXyz[k][i] * c[i] / kLumensOfWatt;
             }
             // Colours below 0 are outside the gamut of these primaries
-            picture.pixels.push_back((float)std::clamp(light, 0., kMostLight));
+            picture.light.push_back((float)std::clamp(light, 0., kMostLight));
         }
     }
 
     // The pixels in rows from top to bottom, each from left to right.
     std::vector<float> inOrder() const {
-        std::vector<float> to(picture.pixels.size());
-        const float *from = picture.pixels.data();
+        std::vector<float> to(picture.light.size());
+        const float *from = picture.light.data();
         for (int i = 0; i < lines; ++i)
             for (int j = 0; j < perLine; ++j, from += 3) {
                 int a = firstForward ? i : lines - 1 - i, b = secondForward ? j : perLine - 1 - j;
@@ -185,6 +185,6 @@ private:
 
 } // namespace
 
-HdrPicture readHdr(const std::string &path) { return HdrReader(path).read(); }
+Picture readHdr(std::string_view file) { return HdrReader(file).read(); }
 
-} // namespace odraz::radiosity
+} // namespace pictures

@@ -1,0 +1,140 @@
+// OpenEXR by other writers (tests/support/pictures), value by value; and what is refused.
+#include "tests/support/thrown.h"
+#include "tools/common/whole_file.h"
+#include "tools/picture/exr_reader.h"
+
+#include <cstring>
+#include <gtest/gtest.h>
+
+using namespace pictures;
+using namespace std::string_literals;
+
+namespace {
+
+constexpr int kWidth = 21, kHeight = 19;
+
+std::string fileOf(const std::string &name) {
+    return common::readWhole(ODRAZ_SOURCE "/tests/support/pictures/" + name + ".exr");
+}
+
+float valueAt(int x, int y, char channel) {
+    return channel == 'G'   ? (float)y
+           : channel == 'B' ? (float)(x * y % 7) / 4
+           : channel == 'A' ? (float)(x % 4) / 4
+                            : (float)x + (float)y / 2;
+}
+
+// Pixel by pixel. The picture begins at the place x, y of the files' picture; outside that it is 0.
+void expectValues(const Picture &p, const std::string &channels, int x, int y) {
+    ASSERT_EQ(p.channels, (int)channels.size());
+    ASSERT_EQ(p.light.size(), p.pixels() * channels.size());
+    const float *value = p.light.data();
+    for (int j = y; j < y + p.height; ++j)
+        for (int i = x; i < x + p.width; ++i)
+            for (char c : channels) {
+                bool inside = i >= 0 && i < kWidth && j >= 0 && j < kHeight;
+                EXPECT_EQ(*value++, inside ? valueAt(i, j, c) : 0) << i << " " << j << " " << c;
+            }
+}
+
+// A copy with the value of an attribute of the head changed.
+std::string with(std::string file, const std::string &name, const std::string &type,
+                 std::initializer_list<int32_t> value) {
+    size_t at = file.find(name + '\0' + type + '\0') + name.size() + type.size() + 6;
+    uint32_t size;
+    std::memcpy(&size, &file[at - 4], 4);
+    for (int32_t v : value) std::memcpy(&file[at], &v, std::min(size, 4u)), at += 4;
+    return file;
+}
+
+} // namespace
+
+TEST(Exr, ReadsOtherWriters) {
+    struct Kind {
+        const char *name, *channels;
+        int bits;
+    };
+    for (auto [name, channels, bits] : {Kind{"none_half", "RGB", 16},
+                                        {"rle_float", "RGB", 32},
+                                        {"zips_half", "RGB", 16},
+                                        {"zip_rgba", "RGBA", 32},
+                                        {"zip_grey", "Y", 16},
+                                        {"tiled_piz_half", "RGB", 16},
+                                        {"one_tile_piz_rgba", "RGBA", 32},
+                                        {"ripmap_rle_grey", "Y", 16}}) {
+        SCOPED_TRACE(name);
+        std::string file = fileOf(name);
+        ASSERT_TRUE(isExr(file));
+        Picture p = readExr(file);
+        EXPECT_EQ(p.width, kWidth);
+        EXPECT_EQ(p.height, kHeight);
+        EXPECT_EQ(p.bits, bits);
+        expectValues(p, channels, 0, 0);
+    }
+}
+
+// Lines that are stored from the bottom are the same picture.
+TEST(Exr, IgnoresTheOrderOfLines) {
+    for (const char *name : {"none_half", "zips_half", "tiled_piz_half"})
+        expectValues(readExr(with(fileOf(name), "lineOrder", "lineOrder", {1})), "RGB", 0, 0);
+}
+
+// The display window is shown: a part of the data, or more.
+TEST(Exr, ShowsTheDisplayWindow) {
+    for (const char *name : {"none_half", "tiled_piz_half"})
+        for (auto [x, y, width, height] : {std::array{3, 5, 7, 4}, {-2, -4, 40, 30}, {100, -100, 2, 3}}) {
+            Picture p =
+                readExr(with(fileOf(name), "displayWindow", "box2i", {x, y, x + width - 1, y + height - 1}));
+            EXPECT_EQ(p.width, width);
+            EXPECT_EQ(p.height, height);
+            expectValues(p, "RGB", x, y);
+        }
+}
+
+TEST(Exr, RefusesByName) {
+    auto refused = [](const std::string &file, const std::string &why) {
+        std::string got = thrown<common::Refused>([&] { readExr(file); });
+        EXPECT_NE(got.find(why), std::string::npos) << got;
+    };
+    refused(fileOf("tiled_pxr24"), "it is compressed by PXR24; only none, RLE, ZIPS, ZIP and PIZ are read");
+    std::string file = fileOf("none_half");
+    for (int flag : {0x800, 0x1000}) { // deep, several parts
+        std::string other = file;
+        other[5] |= (char)(flag >> 8);
+        refused(other, "several parts, or deep pixels");
+    }
+    refused(with(file, "compression", "compression", {9}), "compressed by DWAB");
+    refused(with(file, "compression", "compression", {10}), "compressed by an unknown method");
+    std::string z = file;
+    z[z.find("R\0\1"s)] = 'Z';
+    refused(z, "it has the channels B G Z; only R, G and B, or Y, with or without A are read");
+    std::string whole = file;
+    whole[whole.find("R\0\1"s) + 2] = 0;
+    refused(whole, "its channel R has whole numbers");
+    refused(with(file, "dataWindow", "box2i", {0, 0, -1, 0}), "no pixels, or more than 2^27");
+    refused(with(file, "displayWindow", "box2i", {0, 0, 99999, 99999}), "no pixels, or more than 2^27");
+    refused(with(file, "dataWindow", "box2i", {INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX}),
+            "no pixels, or more");
+    refused(with(file, "dataWindow", "box2i", {0, 0, 9999, 9999}), "ends too early");
+    refused(with(file, "dataWindow", "box2i", {0, 1, 20, 18}), "damaged");
+    // The first line's place in the file: none, another line's, outside
+    size_t table = file.find("lavc") + 5; // the head's last value, and a zero
+    std::string lost = file, twice = file, outside = file;
+    lost.replace(table, 8, std::string(8, '\0'));
+    refused(lost, "it is not complete");
+    twice.replace(table, 8, file.substr(table + 8, 8));
+    refused(twice, "it has some of its pixels twice");
+    outside[table + 5] = 1;
+    refused(outside, "ends too early");
+}
+
+// Cut anywhere, none is read.
+TEST(Exr, RefusesWhatIsCutShort) {
+    for (const char *name : {"none_half", "rle_float", "zip_rgba", "tiled_piz_half"}) {
+        std::string file = fileOf(name);
+        // The smaller levels of the one with tiles follow; they are not read
+        size_t end = std::string(name) == "tiled_piz_half" ? 2 * file.size() / 3 : file.size();
+        for (size_t size = 4; size < end; size += size < 700 ? 1 : 97)
+            EXPECT_THROW(readExr(file.substr(0, size)), common::Refused) << name << " " << size;
+    }
+}

@@ -1,0 +1,198 @@
+// PNM byte by byte, and what stb_image reads: depth, alpha, several pictures, and files that are cut short or
+// damaged.
+#include "tests/support/thrown.h"
+#include "tools/common/command_line.h"
+#include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
+#include "tools/picture/picture_file.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace pictures;
+using namespace std::string_literals;
+
+namespace {
+
+Picture read(const std::string &bytes) {
+    PictureFile file("a", bytes);
+    Picture p = file.next();
+    EXPECT_FALSE(file.more());
+    return p;
+}
+
+void expectRefused(const std::string &bytes, const std::string &why) {
+    std::string got = thrown<common::Refused>([&] {
+        PictureFile file("a", bytes);
+        while (file.more()) file.next();
+    });
+    EXPECT_EQ(got.rfind("a: ", 0), 0u) << got;
+    EXPECT_NE(got.find(why), std::string::npos) << bytes.substr(0, 20) << ": " << got;
+}
+
+const std::string kFolder = ODRAZ_SOURCE "/tests/support/pictures/";
+using Encoded = std::vector<uint16_t>;
+
+std::string tga(int width, int height, int bits, const std::string &pixels, int kind = 2) {
+    std::string head(18, '\0');
+    head[2] = (char)kind, head[12] = (char)width, head[14] = (char)height, head[16] = (char)bits,
+    head[17] = 0x20;
+    return head + pixels;
+}
+
+std::string bmp(int width, int height, const std::string &pixels) {
+    std::string head(54, '\0');
+    head[0] = 'B', head[1] = 'M', head[10] = 54, head[14] = 40, head[18] = (char)width,
+    head[22] = (char)height, head[26] = 1, head[28] = 24;
+    return head + pixels;
+}
+
+} // namespace
+
+TEST(Pnm, ReadsGreyAndRgbOf8And16Bits) {
+    Picture p = read("P6\n2 1\n255\n\1\2\3\xff\0\x80"s);
+    EXPECT_EQ(p.width, 2);
+    EXPECT_EQ(p.height, 1);
+    EXPECT_EQ(p.channels, 3);
+    EXPECT_EQ(p.bits, 8);
+    EXPECT_EQ(p.encoded, (Encoded{257, 514, 771, 65535, 0, 32896}));
+    p = read("P6\n1 1\n65535\n\x00\x80\xff\x80\x12\x34"s); // the high byte comes first
+    EXPECT_EQ(p.bits, 16);
+    EXPECT_EQ(p.encoded, (Encoded{0x0080, 0xff80, 0x1234}));
+    p = read("P5\n2 2\n65535\n\x00\x00\x00\x01\x01\x00\xff\xff"s);
+    EXPECT_EQ(p.channels, 1);
+    EXPECT_EQ(p.encoded, (Encoded{0, 1, 256, 65535}));
+    EXPECT_EQ(read("P5 1 2 255\n\x80\xff"s).encoded, (Encoded{0x8080, 65535}));
+}
+
+TEST(Pnm, ScalesByItsLargestValue) {
+    EXPECT_EQ(read("P6\n1 1\n15\n\x0f\x00\x05"s).encoded, (Encoded{65535, 0, 21845}));
+    EXPECT_EQ(read("P5\n2 1\n1\n\x01\x00"s).encoded, (Encoded{65535, 0}));
+    EXPECT_EQ(read("P5\n1 1\n1023\n\x03\xff"s).encoded, (Encoded{65535}));
+    EXPECT_EQ(read("P5\n1 1\n256\n\x00\x80"s).encoded, (Encoded{32768})); // two bytes from 256 on
+    expectRefused("P5\n1 1\n15\n\x10", "a pixel above its largest value");
+    expectRefused("P5\n1 1\n1023\n\x04\x00"s, "a pixel above its largest value");
+}
+
+TEST(Pnm, ReadsCommentsAndText) {
+    EXPECT_EQ(read("P5#c\n# by GIMP 1 2 3\n1#\n #x\n\n2 # 7\r255#\n\1\2").encoded, (Encoded{257, 514}));
+    EXPECT_EQ(read("P5 1 1 255\n#").encoded, (Encoded{'#' * 257})); // a pixel
+    EXPECT_EQ(read("P2\n3 1 # c\n15\n0 5\n15\n").encoded, (Encoded{0, 21845, 65535}));
+    Picture p = read("P3 1 2 65535 1 2 3\t65535\n0 4096");
+    EXPECT_EQ(p.channels, 3);
+    EXPECT_EQ(p.encoded, (Encoded{1, 2, 3, 65535, 0, 4096}));
+}
+
+TEST(Pnm, ReadsAllPictures) {
+    for (std::string all : {"P6 1 1 255\nabcP5 2 1 65535\nABCDP2 1 1 9 9\n\nP5 1 1 255\nz",
+                            "P2 1 1 9 9 P2 1 1 9 9 P2 1 1 9 9 P2 1 1 9 8"}) {
+        PictureFile file("a", all);
+        int count = 0;
+        for (; file.more(); ++count) file.next();
+        EXPECT_EQ(count, 4) << all;
+    }
+    expectRefused("P6 1 1 255\nabc\n", "1 bytes follow its last pixel");
+    expectRefused("P6 1 1 255\nabcP6", "2 bytes follow its last pixel");
+    expectRefused("P5 1 1 255\naP5 1 1 255\n", "ends before its last pixel");
+    expectRefused("P2 1 1 9 9 9", "1 bytes follow its last pixel");
+    common::TemporaryFolder folder;
+    common::writeWhole(folder / "two", "P5 1 1 255\naP5 1 1 255\nb");
+    EXPECT_THROW(readPicture(folder / "two"), common::Refused);
+}
+
+TEST(Pnm, RefusesWhatIsDamaged) {
+    for (const char *file : {"P6 1 1 255\nab", "P6 1 1 255", "P6 640 480 255\n", "P6 1 1", "P6 ",
+                             "P5 1 1 65535\na", "P3 1 1 255 1 2", "P3 1 1 255 1 2 ", "P2 30000 4000 255 1"})
+        expectRefused(file, "it ends before its last pixel");
+    for (const char *file :
+         {"P6 0 1 255\n", "P6 1 0 255\n", "P6 -1 1 255\n", "P6 99999999999999999999 1 255\nx", "P6 x"})
+        expectRefused(file, "that is not from 1 to 134217728");
+    for (const char *file : {"P6 1 1 0\nabc", "P6 1 1 65536\nabcdef"})
+        expectRefused(file, "a largest value that is not from 1 to 65535");
+    expectRefused("P2 1 1 9 10", "a pixel that is not from 0 to 9");
+    expectRefused("P6 40000 40000 255\nabc", "more than 2^27 pixels");
+    expectRefused("P6 1 1 255abc", "it has no space between its head and its pixels");
+    for (char kind : "147Ff"s)
+        expectRefused("P"s + kind + " 1 1 255\nabc", "only P2, P3, P5 and P6 are read");
+}
+
+TEST(PictureFile, RefusesOtherFiles) {
+    expectRefused("", "it is empty");
+    for (const char *file : {"P", "P6", "newmtl m\nKd 1 1 1\n", "GIF89a\1\0\1\0\x80", "\x89PNG\r\n\x1a\n"})
+        expectRefused(file,
+                      "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read");
+    EXPECT_THROW(readPicture("/tmp"), common::Refused);
+    EXPECT_THROW(readPicture("/dev/zero"), common::Refused);
+}
+
+// All 16 bits are kept, and alpha.
+TEST(PictureFile, ReadsPngAndJpeg) {
+    std::string png = common::readWhole(kFolder + "small.png"),
+                jpg = common::readWhole(kFolder + "small.jpg");
+    Picture p = read(png);
+    EXPECT_EQ(p.bits, 16);
+    EXPECT_EQ(p.channels, 4);
+    EXPECT_EQ(p.encoded, (Encoded{0x0080, 0x1234, 0xffff, 0x8000, 1, 2, 3, 0xffff}));
+    EXPECT_EQ(read(jpg).encoded.size(), 9u * 5 * 3);
+    for (size_t size = 60; size < png.size() - 12; ++size)
+        expectRefused(png.substr(0, size), "it is damaged");
+    for (size_t size = jpg.size() - 140; size < jpg.size(); ++size)
+        expectRefused(jpg.substr(0, size), "it is damaged");
+    // stb_image copies empty parts, and believes that a table of codes has at most 256
+    std::string parts = png, codes = jpg;
+    parts.insert(33, "\0\0\0\0IDAT\x35\xaf\x06\x1e"s);
+    EXPECT_EQ(read(parts).encoded, p.encoded);
+    codes.replace(codes.find("\xff\xc4") + 5, 16, 16, '\xff');
+    expectRefused(codes, "it is damaged");
+    // A picture that is too large: the head alone decides
+    expectRefused("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x23\x28\0\0\x23\x28\10\2\0\0\0xxxx"s,
+                  "more than 2^26 pixels");
+}
+
+TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
+    std::string pixels = "\1\2\3\x80\4\5\6\xff"; // blue, green, red, alpha
+    Picture p = read(tga(2, 1, 32, pixels));
+    EXPECT_EQ(p.channels, 4);
+    EXPECT_EQ(p.encoded, (Encoded{771, 514, 257, 32896, 1542, 1285, 1028, 65535}));
+    EXPECT_EQ(read(bmp(1, 2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{1542, 1285, 1028, 771, 514, 257}));
+    for (std::string file : {tga(2, 1, 32, pixels), tga(2, 1, 8, "ab", 3),
+                             tga(200, 100, 24, std::string(60000, 'x')), bmp(2, 2, std::string(16, 'x'))}) {
+        read(file);
+        for (size_t size = file.size() - 1; size > 60; size = size * 9 / 10)
+            expectRefused(file.substr(0, size), "it ends before its last pixel");
+    }
+}
+
+TEST(Picture, HasStepsAndLinearLight) {
+    Picture grey = read("P5 1 1 65535\n\x80\x80");
+    EXPECT_EQ(grey.steps(0), (std::array<double, 4>{128, 128, 128, 255}));
+    EXPECT_NEAR(grey.linear(0)[1], std::pow((128 / 255. + 0.055) / 1.055, 2.4), 1e-6);
+    Picture clear = read(tga(1, 1, 32, "\1\2\3\4"));
+    EXPECT_EQ(clear.steps(0), (std::array<double, 4>{3, 2, 1, 4}));
+    Picture light = {2, 1, 4, 32, {}, {0.5f, 2, -1, 0.25f, 0, 0, 0, 1}};
+    EXPECT_EQ(light.steps(0), (std::array<double, 4>{127.5, 510, -255, 63.75}));
+    EXPECT_EQ(light.linear(0), (std::array<float, 3>{0.5f, 2, -1}));
+    EXPECT_EQ(toImage(light).rgb, (std::vector<uint8_t>{188, 255, 0, 0, 0, 0}));
+    EXPECT_EQ(toImage(read("P5 4 1 65535\n\x00\x80\x00\x81\xff\x7e\xff\xff"s)).rgb,
+              (std::vector<uint8_t>{0, 0, 0, 1, 1, 1, 254, 254, 254, 255, 255, 255}));
+    EXPECT_EQ(linearToImage(read("P5 2 2 65535\n\0\0\xff\xff\xff\xff\0\0"s), 2).rgb,
+              (std::vector<uint8_t>{188, 188, 188}));
+    EXPECT_THROW(linearToImage(light, 2), common::Refused);
+}
+
+// Sums of these must be floats, too.
+TEST(PictureFile, RefusesLightThatIsNoNumberOrTooMuch) {
+    auto hdr = [](const char *pixel) {
+        return "#?RADIANCE\n\n-Y 1 +X 2\n\x80\x80\x80\x80"s + std::string(pixel, 4);
+    };
+    EXPECT_EQ(read(hdr("\x80\0\0\xa0")).light[3], 0.5f * 4294967296.f);
+    expectRefused(hdr("\xff\xff\xff\xff"),
+                  "its pixel 1,0 is 1.69477e+38: light must be a number up to 1e+12");
+    expectRefused(hdr("\0\x80\0\xa9"), "its pixel 1,0 is 1.09951e+12");
+    std::string exr = common::readWhole(kFolder + "none_half.exr");
+    for (const char *value : {"\0\x7c", "\0\xfc", "\1\x7e"}) { // infinite, and not a number
+        std::string changed = exr;
+        changed.replace(exr.size() - 2, 2, value, 2);
+        expectRefused(changed, "its pixel 20,18 is ");
+    }
+}

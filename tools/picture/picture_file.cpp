@@ -1,0 +1,68 @@
+#include "tools/picture/picture_file.h"
+
+#include "tools/common/text.h"
+#include "tools/common/whole_file.h"
+#include "tools/picture/exr_reader.h"
+#include "tools/picture/hdr_reader.h"
+#include "tools/picture/pnm_reader.h"
+#include "tools/picture/stb_reader.h"
+
+#include <cmath>
+#include <utility>
+
+namespace pictures {
+
+namespace {
+
+constexpr float kMostLight = 1e12f; // as for light that options give: sums of it must be floats, too
+
+// Reads the first picture of `rest` and removes it.
+Picture takePicture(std::string_view &rest) {
+    if (isPnm(rest)) return takePnm(rest);
+    std::string_view file = std::exchange(rest, {});
+    return isHdr(file) ? readHdr(file) : isExr(file) ? readExr(file) : readByStb(file);
+}
+
+void checkLight(const Picture &p) {
+    for (size_t i = 0; i < p.light.size(); ++i)
+        if (!(std::fabs(p.light[i]) <= kMostLight)) {
+            size_t pixel = i / (size_t)p.channels, width = (size_t)p.width;
+            throw common::Refused(common::format("its pixel %zu,%zu is %g: light must be a number up to %g",
+                                                 pixel % width, pixel / width, (double)p.light[i],
+                                                 (double)kMostLight));
+        }
+}
+
+template <class Body> auto withMemory(const std::string &name, Body body) {
+    try {
+        return body();
+    } catch (const std::bad_alloc &) {
+        throw common::Refused(name + ": there is not enough memory");
+    }
+}
+
+} // namespace
+
+PictureFile::PictureFile(const std::string &path)
+    : PictureFile(path, withMemory(path, [&] { return common::readWhole(path); })) {}
+
+PictureFile::PictureFile(const std::string &name, std::string bytes) : name(name), bytes(std::move(bytes)) {
+    common::need(more(), name + ": it is empty");
+}
+
+Picture PictureFile::next() {
+    std::string_view rest = std::string_view(bytes).substr(at);
+    Picture p = withMemory(name, [&] { return common::inFile(name, [&] { return takePicture(rest); }); });
+    at = bytes.size() - rest.size();
+    common::inFile(name, [&] { checkLight(p); });
+    return p;
+}
+
+Picture readPicture(const std::string &path) {
+    PictureFile file(path);
+    Picture p = file.next();
+    common::need(!file.more(), path + ": it holds more than one picture");
+    return p;
+}
+
+} // namespace pictures

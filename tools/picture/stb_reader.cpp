@@ -1,0 +1,96 @@
+#include "tools/picture/stb_reader.h"
+
+#include "tools/common/command_line.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+// A PNG may have empty parts: nothing is copied to nowhere
+#define memcpy(to, from, size) ((size) > 0 ? memcpy(to, from, size) : (to))
+// Memory that stb_image does not fill is 0: it uses tables that a damaged JPEG lacks
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(memory, size) std::realloc(memory, size)
+#define STBI_FREE(memory) std::free(memory)
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_TGA
+#define STBI_ONLY_BMP
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+#undef memcpy
+
+namespace pictures {
+
+namespace {
+
+// stb_image takes what is missing at the end of a file for zeros, or leaves pixels as memory was. So it gets
+// zeros there, at least as many as it reads at once (a row of TGA), and whether it took any is then visible.
+constexpr size_t kZeros = 65536 * 4;
+constexpr int64_t kMostByStb = 1 << 26;
+
+template <class Sample>
+Picture read(std::string_view file, Sample *(*load)(stbi__context *, int *, int *, int *, int)) {
+    std::string padded(file);
+    padded.append(kZeros, '\0');
+    stbi__context from;
+    stbi__start_mem(&from, (const stbi_uc *)padded.data(), (int)padded.size());
+    Picture p;
+    std::unique_ptr<Sample, void (*)(void *)> pixels(load(&from, &p.width, &p.height, &p.channels, 0),
+                                                     stbi_image_free);
+    if (!pixels && std::string_view(stbi_failure_reason()) == "outofmem") throw std::bad_alloc();
+    common::need(from.img_buffer <= (const stbi_uc *)padded.data() + file.size(),
+                 "it is damaged: it ends before its last pixel");
+    common::need(pixels != nullptr, "it is damaged");
+    p.bits = 8 * (int)sizeof(Sample);
+    p.encoded.resize(p.pixels() * (size_t)p.channels);
+    for (size_t i = 0; i < p.encoded.size(); ++i)
+        p.encoded[i] = (uint16_t)(pixels.get()[i] * (sizeof(Sample) == 1 ? 257 : 1));
+    return p;
+}
+
+// Whether the tables of Huffman codes in a JPEG have at most 256 codes, as stb_image believes. What lies
+// between its segments is skipped, as are pixels; there 255 stands before 0, or before the mark of a restart.
+bool tablesFit(std::string_view jpeg) {
+    auto byte = [&](size_t at) { return at < jpeg.size() ? (uint8_t)jpeg[at] : 0; };
+    for (size_t at = 2; at + 4 <= jpeg.size();) {
+        int mark = byte(at + 1);
+        if (byte(at) != 0xff || mark == 0xff) {
+            ++at;
+            continue;
+        }
+        at += 2;
+        if (mark == 0 || (mark >= 0xd0 && mark <= 0xd8)) continue; // nothing belongs to these marks
+        size_t end = at + (size_t)(byte(at) * 256 + byte(at + 1));
+        for (size_t table = at + 2; mark == 0xc4 && table < end;) {
+            int codes = 0;
+            for (size_t k = 1; k <= 16; ++k) codes += byte(table + k);
+            if (codes > 256) return false;
+            table += 17 + (size_t)codes;
+        }
+        at = std::max(end, at);
+    }
+    return true;
+}
+
+} // namespace
+
+Picture readByStb(std::string_view file) {
+    common::need(file.size() <= (size_t)256 << 20, "it has more than 256 MB");
+    if (file.starts_with("\xff\xd8")) common::need(tablesFit(file), "it is damaged");
+    auto *bytes = (const stbi_uc *)file.data();
+    int width, height, channels, size = (int)file.size();
+    common::need(stbi_info_from_memory(bytes, size, &width, &height, &channels),
+                 "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read");
+    common::need((int64_t)width * height <= kMostByStb, "it has more than 2^26 pixels");
+    return stbi_is_16_bit_from_memory(bytes, size)
+               ? read<stbi__uint16>(file, stbi__load_and_postprocess_16bit)
+               : read<stbi_uc>(file, stbi__load_and_postprocess_8bit);
+}
+
+} // namespace pictures

@@ -1,0 +1,13 @@
+// Reads PNG, JPEG, TGA and BMP by stb_image, with 16 bits where the file has them.
+#pragma once
+
+#include "tools/picture/picture.h"
+
+#include <string_view>
+
+namespace pictures {
+
+// Reads up to 2^26 pixels and 256 MB. Throws Refused.
+Picture readByStb(std::string_view file);
+
+} // namespace pictures
