@@ -1,31 +1,9 @@
 #include "packer/report/report.h"
-#include "tools/common/text.h"
 
 #include <algorithm>
 #include <sstream>
 
 namespace pack {
-
-namespace {
-
-std::string printCosts(const Costs &all, const char *title, size_t most) {
-    if (!hasNames(all)) return "";
-    std::vector<std::pair<std::string, Cost>> sorted(all.begin(), all.end());
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](auto &a, auto &b) { return a.second.bits > b.second.bits; });
-    if (sorted.size() > most) sorted.resize(most);
-    constexpr size_t kWidth = 60;
-    std::string text = common::format("%-60s %7s %7s\n", title, "packed", "before");
-    for (auto &[name, cost] : sorted) {
-        std::string label = name.substr(0, kWidth);
-        if (name.size() > kWidth) label.replace(kWidth - 3, 3, "...");
-        text += common::format("%-60s %7.0f %7llu\n", label.c_str(), cost.bits / 8,
-                               (unsigned long long)cost.bytes);
-    }
-    return text;
-}
-
-} // namespace
 
 bool hasNames(const Costs &costs) {
     return std::any_of(costs.begin(), costs.end(),
@@ -90,11 +68,6 @@ Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits
     report.rest = 8.0 * (double)(fileSize - overhead) - all;
     report.stretches = std::move(stretches);
     return report;
-}
-
-std::string printReport(const Report &report) {
-    return printCosts(report.objects, "object", SIZE_MAX) +
-           printCosts(report.symbols, "the 20 costliest symbols", 20);
 }
 
 void arrange(Report &before, const Report &now) {

@@ -1,4 +1,4 @@
-// For a comment on a change: the total and the largest changes.
+// Reports as text: what parts cost; and for a comment on a change, the total and the largest changes.
 #include "packer/report/report.h"
 #include "tools/common/text.h"
 
@@ -36,10 +36,25 @@ std::vector<Change> compare(const Costs &now, const Costs &was) {
     return changes;
 }
 
+std::string shorten(std::string text, size_t width) {
+    if (text.size() > width) text.replace(width - 3, std::string::npos, "...");
+    return text;
+}
+
+std::string printCosts(const Costs &all, const char *title, size_t most) {
+    if (!hasNames(all)) return "";
+    std::vector<Change> parts = compare(all, {});
+    parts.resize(std::min(parts.size(), most));
+    std::string text = common::format("%-60s %7s %7s\n", title, "packed", "before");
+    for (const Change &part : parts)
+        common::append(text, "%-60s %7.0f %7llu\n", shorten(part.name, 60).c_str(), part.now,
+                       (unsigned long long)all.at(part.name).bytes);
+    return text;
+}
+
 // Any text as code in a cell of a table, in which | and ` cannot stand.
 std::string cell(std::string text) {
-    constexpr size_t kWidth = 90;
-    if (text.size() > kWidth) text.replace(kWidth - 3, std::string::npos, "...");
+    text = shorten(text, 90);
     std::replace(text.begin(), text.end(), '|', '/');
     std::replace(text.begin(), text.end(), '`', '\'');
     return "`" + text + "`";
@@ -71,6 +86,11 @@ Kind finest(const Report &report, const Report *before) {
 }
 
 } // namespace
+
+std::string printReport(const Report &report) {
+    return printCosts(report.objects, "object", SIZE_MAX) +
+           printCosts(report.symbols, "the 20 costliest symbols", 20);
+}
 
 std::string printMarkdown(const std::string &name, const Report &report, const Report *before, long budget) {
     std::string text = headline(name, (double)report.fileSize, before, (double)budget);
