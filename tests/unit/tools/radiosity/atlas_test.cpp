@@ -47,27 +47,21 @@ struct Element {
     int chart, cell;
     Vec3 middle;
     Rgb radiosity; // from the CSV: its mean over triangles
+    float area;
 };
 std::vector<Element> elementsOf(const Solution &b) {
     std::vector<Element> all;
-    float area = 0;
-    auto finish = [&] {
-        if (all.empty()) return;
-        all.back().middle = all.back().middle * (1 / area);
-        all.back().radiosity = all.back().radiosity * (1 / area);
-        area = 0;
-    };
     b.forPieces([&](int chart, int cell, const std::vector<SolutionPoint> &piece) {
-        if (all.empty() || cell != all.back().cell) finish(), all.push_back({chart, cell, {}, {}});
+        if (all.empty() || cell != all.back().cell) all.push_back({chart, cell, {}, {}, 0});
+        Element &e = all.back();
         for (size_t i = 2; i < piece.size(); ++i) {
             const SolutionPoint *t[3] = {&piece[0], &piece[i - 1], &piece[i]};
             float third = length(cross(t[1]->p - t[0]->p, t[2]->p - t[0]->p)) / 6;
-            for (const SolutionPoint *q : t)
-                all.back().middle += q->p * third, all.back().radiosity += q->radiosity * third;
-            area += 3 * third;
+            for (const SolutionPoint *q : t) e.middle += q->p * third, e.radiosity += q->radiosity * third;
+            e.area += 3 * third;
         }
     });
-    finish();
+    for (Element &e : all) e.middle = e.middle * (1 / e.area), e.radiosity = e.radiosity * (1 / e.area);
     return all;
 }
 
@@ -76,7 +70,7 @@ float most(const Rgb &c) { return std::max({std::fabs(c.x), std::fabs(c.y), std:
 // The differences of a folder's pages from the solution, at the middles of elements, and from the CSV. The
 // worst differences are shares of the largest of red, green and blue, because a page stores eight bits.
 struct Difference {
-    float worst = 0, ofTable = 0;
+    float worst = 0;
     double squareOfTable = 0;
     int count = 0, lost = 0;
 };
@@ -97,7 +91,6 @@ Difference compare(const Solution &b, const Exported &out) {
             b.lightIn(e.cell, dot(p, c.u), dot(p, c.v)) * b.reflectsOf(e.cell) + b.emits[(size_t)e.chart];
         float share = most(shown - e.radiosity) / (most(e.radiosity) + 0.02f * mean);
         d.worst = std::max(d.worst, most(shown - exact) / (most(exact) + 1e-4f * mean));
-        d.ofTable = std::max(d.ofTable, share);
         d.squareOfTable += (double)(share * share);
         ++d.count;
     }
