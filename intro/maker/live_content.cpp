@@ -13,7 +13,7 @@ struct Hash {
         for (int i = 0; i < count; ++i) {
             T copy = data[i];
             __builtin_clear_padding(&copy); // which is what the stack had there
-            for (size_t k = 0; k < sizeof copy; ++k) value = common::fnv1a(value, ((uint8_t *)&copy)[k]);
+            value = common::fnv1a({(const char *)&copy, sizeof copy}, value);
         }
     }
 };

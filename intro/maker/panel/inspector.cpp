@@ -4,6 +4,8 @@
 #include "show/events.h"
 #include "tools/common/hash.h"
 
+#include <utility>
+
 namespace odraz::maker {
 
 namespace {
@@ -23,15 +25,8 @@ int shots(ShotInfo *to, int most) {
 // Ends with the enumerator's name: "... Id = odraz::kLightIsBorn]"
 template <EventId Id> const char *enumerator() { return __PRETTY_FUNCTION__; }
 
-template <int I = 0> const char *enumeratorOf(int id) {
-    if constexpr (I + 1 < kEventCount)
-        return id == I ? enumerator<(EventId)I>() : enumeratorOf<I + 1>(id);
-    else
-        return enumerator<(EventId)I>();
-}
-
-void nameOf(int id, EventInfo &to) {
-    const char *from = enumeratorOf(id), *begin = from;
+template <int... Ids> void nameOf(int id, EventInfo &to, std::integer_sequence<int, Ids...>) {
+    const char *const all[] = {enumerator<(EventId)Ids>()...}, *from = all[id], *begin = from;
     for (const char *c = from; *c; ++c)
         if (*c == ':' || *c == ' ') begin = c + 1;
     for (int i = 0; i + 1 < (int)sizeof to.name && begin[i] && begin[i] != ']' && begin[i] != ';'; ++i)
@@ -47,7 +42,7 @@ int events(EventInfo *to, int most) {
         if (!shot || count == most) continue;
         EventInfo &event =
             to[count++] = {(shot->storyRow + e.row) / kRowsPerSecond, (float)e.row, e.heard, {}};
-        nameOf(e.id, event);
+        nameOf(e.id, event, std::make_integer_sequence<int, kEventCount>());
     }
     return count;
 }
@@ -56,18 +51,13 @@ int events(EventInfo *to, int most) {
 
 const Scene &lastScene(const Intro &intro) { return *intro.slots[0].traced.scene; }
 
-uint64_t hashOf(const Material &m) {
-    uint64_t hash = common::kFnvStart;
-    for (size_t i = 0; i < sizeof m; ++i) hash = common::fnv1a(hash, ((const uint8_t *)&m)[i]);
-    return hash;
-}
-
 int materials(const Intro &intro, MaterialInfo *to) {
     static_assert(kMostMaterials >= kMaxMaterials);
     const Scene &scene = lastScene(intro);
     for (int i = 0; i < scene.materialCount; ++i) {
         const Material &m = scene.materials[i];
-        to[i] = {hashOf(m), 0, m.reflect > 0, m.ior > 0, maxComponent(m.emit) > 0, !m.plain()};
+        uint64_t hash = common::fnv1a({(const char *)&m, sizeof m});
+        to[i] = {hash, 0, m.reflect > 0, m.ior > 0, maxComponent(m.emit) > 0, !m.plain()};
     }
     for (int i = 0; i < scene.shapeCount; ++i) ++to[scene.shapes[i].material].shapes;
     return scene.materialCount;

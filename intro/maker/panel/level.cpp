@@ -2,7 +2,6 @@
 
 #include "maker/panel/mapped_arena.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace odraz::maker {
@@ -27,10 +26,8 @@ void Envelope::render(const Inspector &inspector) {
     for (size_t i = 0; i < blocks.size() && !leave; ++i) {
         float stereo[2 * kSoundBlock];
         inspector.soundBlock(*sound, stereo);
-        for (int k = 0; k < kSoundBlock; ++k) {
-            blocks[i].left = std::max(blocks[i].left, std::abs(stereo[2 * k]));
-            blocks[i].right = std::max(blocks[i].right, std::abs(stereo[2 * k + 1]));
-        }
+        for (int k = 0; k < kSoundBlock; ++k)
+            blocks[i].raise({std::abs(stereo[2 * k]), std::abs(stereo[2 * k + 1])});
         done.store((int)i + 1, std::memory_order_release);
     }
 }
@@ -39,10 +36,7 @@ Level Envelope::most(double from, double to) const {
     int count = done.load(std::memory_order_acquire), first = std::max((int)(from / kBlock), 0),
         end = std::min(std::max((int)std::ceil(to / kBlock), first + 1), count);
     Level level;
-    for (int i = first; i < end; ++i) {
-        level.left = std::max(level.left, blocks[(size_t)i].left);
-        level.right = std::max(level.right, blocks[(size_t)i].right);
-    }
+    for (int i = first; i < end; ++i) level.raise(blocks[(size_t)i]);
     return level;
 }
 

@@ -3,6 +3,7 @@
 
 #include "maker/panel/canvas.h"
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 #include <vector>
@@ -12,6 +13,8 @@ namespace odraz::maker {
 // The greatest amplitude of each side, 0 .. 1.
 struct Level {
     float left = 0, right = 0;
+
+    void raise(Level to) { left = std::max(left, to.left), right = std::max(right, to.right); }
 };
 
 // The level along the film. It is rendered once, on a thread of its own, from a copy of the music.
