@@ -9,12 +9,53 @@ function(odraz_scripts function folder)
     endwhile()
 endfunction()
 odraz_scripts(odraz_script .
-    binary 10 ci 5 doctor 5 house 1 install 5 ledger 1 measure 30 memcheck 30 new_film 2 odr 8 pack_any 50 pack_link 25
-    pack_process 15 packed 20 packing 30 pages 8 panel 10 pictures 30 playing 32 radiosity 60 radiosity_atlas 5
-    radiosity_errors 15 radiosity_foreign 25 radiosity_materials 8 radiosity_models 40 radiosity_pictures 10
-    radiosity_progress 10 radiosity_relight 60 radiosity_resume 60 radiosity_study 60 radiosity_transfer 60
-    radiosity_view 60 radiosity_view_transfer 40 release 60 render 40 render_hosts 40 render_resumed 40 report 4 rocket 25
-    screens 20 shown 10 soak_faults 12 sound 25 tradeoff_pack 30 tradeoff_trace 15 tradeoff_transfer 4 window 60)
+    binary 10
+    ci 5
+    doctor 5
+    house 1
+    install 5
+    ledger 1
+    measure 30
+    memcheck 30
+    new_film 2
+    odr 8
+    pack_any 50
+    pack_link 25
+    pack_process 15
+    packed 20
+    packing 30
+    pages 8
+    panel 10
+    pictures 30
+    playing 32
+    radiosity 60
+    radiosity_atlas 5
+    radiosity_errors 15
+    radiosity_foreign 25
+    radiosity_materials 8
+    radiosity_models 40
+    radiosity_pictures 10
+    radiosity_progress 10
+    radiosity_relight 60
+    radiosity_resume 60
+    radiosity_study 60
+    radiosity_transfer 60
+    radiosity_view 60
+    radiosity_view_transfer 40
+    release 60
+    render 40
+    render_hosts 40
+    render_resumed 40
+    report 4
+    rocket 25
+    screens 20
+    shown 10
+    soak_faults 12
+    sound 25
+    tradeoff_pack 30
+    tradeoff_trace 15
+    tradeoff_transfer 4
+    window 60)
 odraz_script(hostile_damaged 15 hostile/damaged 8)
 odraz_script(hostile_killed 12 hostile/killed 6)
 odraz_script(hostile_surroundings 40 hostile/surroundings odraz-safe)
@@ -32,7 +73,14 @@ function(odraz_long_script name seconds script)
     odraz_long(${name} ${seconds})
 endfunction()
 odraz_scripts(odraz_long_script long
-    binary_again 80 doubleclick 100 live 300 pack_kernels 120 pack_programs 500 report_page 60 systems 200 threads 120
+    binary_again 80
+    doubleclick 100
+    live 300
+    pack_kernels 120
+    pack_programs 500
+    report_page 60
+    systems 200
+    threads 120
     whole 150)
 odraz_long_script(commandline_film 120 commandline packed)
 odraz_long_script(hostile_damaged_often 120 hostile/damaged 400)
@@ -62,5 +110,11 @@ function(odraz_windows_script name seconds script)
     set_tests_properties(windows_${name} PROPERTIES RESOURCE_LOCK wine LABELS windows)
 endfunction()
 odraz_scripts(odraz_windows_script windows
-    packer 30 film 130 sound 40 libraries 60 outputs 90 probe 30 window 150)
+    packer 30
+    film 130
+    sound 40
+    libraries 60
+    outputs 90
+    probe 30
+    window 150)
 add_subdirectory(windows/probe)
