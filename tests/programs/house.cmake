@@ -21,7 +21,7 @@ odraz_scripts(odraz_script .
     odr 8
     pack_any 50
     pack_link 25
-    pack_process 15
+    pack_process 25
     packed 20
     packing 30
     pages 8
