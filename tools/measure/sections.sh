@@ -118,13 +118,17 @@ verdict() {
 
 # made_by COMMAND...: puts a command into the section's head, with paths as a reader would write them
 made_by() {
-    local words="$*"
+    local words=$1 word
+    for word in "${@:2}"; do
+        [[ $word != *" "* ]] || word="\"$word\""
+        words+=" $word"
+    done
     words=${words//"$WORK/"/} words=${words//"$PLOTS/"/} words=${words//"$BUILD/"/build/}
     echo "${words//"$ODRAZ/"/}" >>"$WORK/commands"
 }
 # ... and runs it
 run() {
-    made_by "$*"
+    made_by "$@"
     "$@"
 }
 # In hundredths of a second: how long the processors worked, how long a process and its children worked, the clock
