@@ -58,7 +58,7 @@ Picture read(std::string_view file, Sample *(*load)(stbi__context *, int *, int 
 // between its segments is skipped, as are pixels; there 255 stands before 0, or before the mark of a restart.
 bool tablesFit(std::string_view jpeg) {
     auto byte = [&](size_t at) { return at < jpeg.size() ? (uint8_t)jpeg[at] : 0; };
-    for (size_t at = 2; at + 4 <= jpeg.size();) {
+    for (size_t at = 0; at + 4 <= jpeg.size();) {
         int mark = byte(at + 1);
         if (byte(at) != 0xff || mark == 0xff) {
             ++at;
@@ -82,12 +82,13 @@ bool tablesFit(std::string_view jpeg) {
 
 Picture readByStb(std::string_view file) {
     common::need(file.size() <= (size_t)256 << 20, "it has more than 256 MB");
-    if (file.starts_with("\xff\xd8")) common::need(tablesFit(file), "it is damaged");
+    if (file.starts_with('\xff')) common::need(tablesFit(file), "it is damaged");
     auto *bytes = (const stbi_uc *)file.data();
     int width, height, channels, size = (int)file.size();
     common::need(stbi_info_from_memory(bytes, size, &width, &height, &channels),
                  "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read");
-    common::need((int64_t)width * height <= kMostByStb, "it has more than 2^26 pixels");
+    int64_t pixels = std::abs((int64_t)width * height); // the height is below 0 if lines go down
+    common::need(pixels > 0 && pixels <= kMostByStb, "it has no pixels, or more than 2^26");
     return stbi_is_16_bit_from_memory(bytes, size)
                ? read<stbi__uint16>(file, stbi__load_and_postprocess_16bit)
                : read<stbi_uc>(file, stbi__load_and_postprocess_8bit);

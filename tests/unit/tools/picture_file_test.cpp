@@ -42,8 +42,9 @@ std::string tga(int width, int height, int bits, const std::string &pixels, int 
 
 std::string bmp(int width, int height, const std::string &pixels) {
     std::string head(54, '\0');
-    head[0] = 'B', head[1] = 'M', head[10] = 54, head[14] = 40, head[18] = (char)width,
-    head[22] = (char)height, head[26] = 1, head[28] = 24;
+    head[0] = 'B', head[1] = 'M', head[10] = 54, head[14] = 40, head[18] = (char)width, head[26] = 1,
+    head[28] = 24;
+    for (size_t k = 0; k < 4; ++k) head[22 + k] = (char)(height >> (8 * k)); // below 0: from the top
     return head + pixels;
 }
 
@@ -144,9 +145,10 @@ TEST(PictureFile, ReadsPngAndJpeg) {
     EXPECT_EQ(read(parts).encoded, p.encoded);
     codes.replace(codes.find("\xff\xc4") + 5, 16, 16, '\xff');
     expectRefused(codes, "it is damaged");
+    expectRefused("\xff" + codes, "it is damaged");
     // A picture that is too large: the head alone decides
     expectRefused("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x23\x28\0\0\x23\x28\10\2\0\0\0xxxx"s,
-                  "more than 2^26 pixels");
+                  "no pixels, or more than 2^26");
 }
 
 TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
@@ -155,6 +157,10 @@ TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
     EXPECT_EQ(p.channels, 4);
     EXPECT_EQ(p.encoded, (Encoded{771, 514, 257, 32896, 1542, 1285, 1028, 65535}));
     EXPECT_EQ(read(bmp(1, 2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{1542, 1285, 1028, 771, 514, 257}));
+    EXPECT_EQ(read(bmp(1, -2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{771, 514, 257, 1542, 1285, 1028}));
+    expectRefused(bmp(1, -(1 << 24), ""), "it ends before its last pixel");
+    expectRefused(bmp(127, -(1 << 24), ""), "no pixels, or more than 2^26");
+    expectRefused(bmp(0, 9, "abcd"), "no pixels, or more than 2^26");
     for (std::string file : {tga(2, 1, 32, pixels), tga(2, 1, 8, "ab", 3),
                              tga(200, 100, 24, std::string(60000, 'x')), bmp(2, 2, std::string(16, 'x'))}) {
         read(file);
