@@ -41,11 +41,13 @@ seeds_for_obj() {
     done
     printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0 1 1 1\nv -1 -1 .5e0\nf 1 2/1 3/2/3 -1//4\ng a\ns 1\nf -4 -3 -2\nl 1 2\np 1\xffnewmtl m\nKd .5 1 0\nKe 1 2 3\nd .5\nmap_Kd -o 1 -s 2 2 2 -bm 1 a.png\nillum 2\n' >seeds/all
     printf 'v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r' >seeds/cr
+    printf 'v 0 0 0\nv 9 0 0\nv 9 9 0\nv 5 1 0\nv 0 9 0\nv 1 1 0\nv 7 1 0\nf 1// 2/ 3//0 4/1/ 5\nf 6 7 4 3\nF 1 3 2 5\nvt 0 1\n' >seeds/shapes
+    printf '\377\376v\0 \0' >seeds/utf16
     # What OBJ and MTL are made of
     printf '"%s"\n' 'v ' 'f ' 'vn ' 'vt ' 'vp ' 'l ' 'p ' 'g ' 'o ' 's ' 's off' 'usemtl m' 'usemtl l' 'mtllib m.mtl' \
-        'mtllib m.obj' 'mtllib ' 'newmtl m' 'newmtl ' 'Kd ' 'Ke ' 'Ka ' 'Ks ' 'Ns ' 'Ni ' 'Tf ' 'Tr ' 'd ' 'illum ' 'map_Kd ' \
+        'mtllib m.obj' 'mtllib ' 'newmtl m' 'newmtl ' 'Kd ' 'Ke ' 'Ka ' 'Ks ' 'Ns ' 'Ni ' 'Tf ' 'Tr ' 'd ' 'illum ' 'map_Kd ' 'map_Ke ' \
         'map_Bump ' 'bump ' 'refl ' '-bm ' '-blendu on' '-boost ' '-clamp on' '-imfchan r' '-mm ' '-o ' '-s ' '-t ' '-texres ' \
-        '-type sphere' '-type cube_top' '-colorspace ' 'norm ' 'disp ' 'Pr ' 'Pm ' 'aniso ' // 1/1/1 -1 -2 99999999 2147483648 \
+        '-type sphere' '-type cube_top' '-colorspace ' 'norm ' 'disp ' 'Pr ' 'Pm ' 'aniso ' // 1// /0 1/1/1 -1 -2 99999999 2147483648 \
         -2147483648 1e18 1e-30 1e38 nan inf '\x0d' '\x0d\x0a' '\x0a' '\x00' '\xff' '\\\x0a' '#' >words
     options=(-max_len=8192 -dict=words)
 }

@@ -32,9 +32,11 @@ sound "no material file" "${square}f 1 2 3 4\n"
 check "... reflects 0.7 of a sky of 1, everywhere" table m.csv 'if ($9 < 0.6999 || $9 > 0.7001) ++off' 'off + 0 == 0'
 check "... which is reported" grep -q 'nothing in the model emits light: an even sky is added' err
 sound "one that is missing" "mtllib none.mtl\nusemtl m\n${square}f 1 2 3 4\n" 'its materials cannot be read: cannot read none.mtl'
-sound "an undefined material" "mtllib m.mtl\nusemtl who\n${square}f 1 2 3 4\n"
+sound "an undefined material" "mtllib m.mtl\nusemtl Rd\n${square}f 1 2 3 4\n" 'no material file has Rd: it reflects 0.7; the nearest name is red$'
+sound "... that no polygon has" "mtllib m.mtl\nusemtl Rd\nusemtl red\n${square}f 1 2 3 4\n"
+sound "materials without a file" "usemtl m\n${square}f 1 2 3 4\n" 'no material file has m: it reflects 0.7$'
 sound "usemtl without a name" "mtllib m.mtl\nusemtl\n${square}f 1 2 3 4\n"
-sound "mtllib without a name" "mtllib\nusemtl m\n${square}f 1 2 3 4\n"
+sound "mtllib without a name" "mtllib\nusemtl m\n${square}f 1 2 3 4\n" 'no material file has m'
 sound "mtllib behind its use" "usemtl red\n${square}f 1 2 3 4\nmtllib m.mtl\n"
 check "... counts" reflects 0.8 0.1
 sound "several material files" "mtllib a.mtl m.mtl\nusemtl red\n${square}f 1 2 3 4\n" 'cannot read a.mtl'
@@ -93,11 +95,39 @@ sound "... turned inside out" "${box}f 4 3 2 1\nf 6 7 8 5\nf 2 6 5 1\nf 4 8 7 3\
 for size in 1e-9 1e-5 1e-3 1e4 1e7 5e8; do
     sound "of size $size" "${square//1/$size}f 1 2 3 4\n"
 done
-for far in 1000 500000 1e7; do
+for far in 1000 500000 1e7 1e12; do
     coarse=
-    [ $far = 1000 ] || coarse='too far from the origin for precise coordinates'
+    [ $far != 1e12 ] || coarse='too far from the origin for precise coordinates'
     sound "a metre, $far away" "$(awk -v f=$far 'BEGIN { split("0 0 0 1 1 1 1 0", p); for (i = 0; i < 4; ++i) printf "v %.1f 0 %.1f\\n", f + p[2 * i + 1], f + p[2 * i + 2] }')f 1 2 3 4\n" ${coarse:+"$coarse"}
 done
+far_room() { # far_room FILE X Y Z: a room with a lamp, moved by X Y Z
+    awk -v x="$2" -v y="$3" -v z="$4" 'BEGIN { print "mtllib room.mtl"
+        for (k = 0; k < 8; ++k) printf "v %.3f %.3f %.3f\n", x - 1 + 2 * int(k / 4), y + 2 * (int(k / 2) % 2), z - 1 + 2 * (k % 2)
+        for (k = 0; k < 4; ++k) printf "v %.3f %.3f %.3f\n", x + (k == 0 || k == 3 ? -.3 : .3), y + 1.998, z + (k < 2 ? -.3 : .3)
+        print "usemtl floor\nf 1 2 6 5\nusemtl wall\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\nf 1 3 4 2\nf 5 6 8 7\nusemtl lamp\nf 9 10 11 12" }' >"$1.obj"
+    "$radiosity" solve "$1.obj" -o "$1.rad" --rays 64 --lamp "$(awk "BEGIN { printf \"%.3f,%.3f,%.3f\", $2 + .5, $3 + 1, $4 }"),0.2,3,3,3" >/dev/null && "$radiosity" export "$1.rad" --csv "$1.csv"
+}
+printf 'newmtl floor\nKd .7 .7 .7\nnewmtl wall\nKd .5 .5 .5\nnewmtl lamp\nKd 0 0 0\nKe 10 10 10\n' >room.mtl
+check "a room with two lamps" far_room near 0 0 0
+check "... in survey coordinates" far_room survey 460123.5 210 5411234.25
+check "... and in earth-centred ones" far_room earth 3980581.25 -12345.5 4966824.75
+for far in survey earth; do
+    # Places, normals, areas and light of every element
+    check "... has the same light ($far)" eval "paste -d, near.csv $far.csv | awk -F, 'function off(a, b) { return a > b ? a - b : b - a }
+        NR > 1 { ++n; s += off(\$9, \$20); light += \$9; if (off(\$6, \$17) > 1e-6 || off(\$8, \$19) > 1e-5 * \$8) ++bad
+            for (k = 2; k < 5; ++k) { d = \$(k + 11) - \$k; if (n == 1) first[k] = d; if (off(d, first[k]) > 2e-6) ++bad } }
+        END { exit !(n > 1000 && s < 0.001 * light && bad + 0 == 0) }'"
+done
+check "the camera, too" "$radiosity" render survey.rad -o survey.png --eye 460123.5,211,5411235.15 --at 460123.5,211,5411233.25 --size 80x60
+check "... sees the same" eval '"$radiosity" render near.rad -o near.png --eye 0,1,.9 --at 0,1,-1 --size 80x60 && [ "$(compare -metric AE -fuzz 2% near.png survey.png null: 2>&1)" -lt 20 ]'
+check "... is placed by itself" prints '^--eye 4601[0-9]{2}\.[0-9]+,2[0-9]+\.[0-9]+,54112[0-9]{2}\.[0-9]+ --at 460123\.[0-9]+,' "$radiosity" render survey.rad -o survey.png --size 80x60
+for kind in ply obj; do
+    "$radiosity" export survey.rad --$kind survey.$kind
+    check "... $kind has all digits" eval '[ "$(grep -cE "460122\.[0-9]{3,} 21[0-9.]+ 54112[0-9]{2}\.[0-9]{3,}" survey.'$kind')" -gt 100 ]'
+done
+check "lightmaps" "$radiosity" export survey.rad --atlas survey
+check "... in OBJ" grep -qE '^v 460122\.5[0-9]* 21[0-9.]* 54112[0-9]{2}\.' survey/model.obj
+check "... in glTF by a node" grep -q '"translation":\[460123' survey/model.gltf
 sound "one part far away" "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5 6 7\n"
 
 # --- Materials ---
@@ -106,7 +136,9 @@ material() { # material WHAT MTL [NOTE] [RED BLUE]
     sound "$1" "mtllib m.mtl\nusemtl m\n${square}f 1 2 3 4\n" ${3:+"$3"}
     [ $# -lt 5 ] || check "... reflects $4 and $5" reflects "$4" "$5"
 }
-material "all that a material can have" 'newmtl m\nKd 0.8 0.6 0.4\nKa 0.1 0.1 0.1\nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0.5\nTr 0.5\nNs 100\nsharpness 60\nNi 1.5\nmap_Ks none.png\nbump none.png\nPr 0.5\nnorm n.png\n' '' 0.8 0.4
+material "all that a material can have" 'newmtl m\nKd 0.8 0.6 0.4\nKa 0.1 0.1 0.1\nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0.5\nTr 0.5\nNs 100\nsharpness 60\nNi 1.5\nPr 0.5\n' '' 0.8 0.4
+material "a picture that is not used" 'newmtl m\nKd 0.8 0.6 0.4\nmap_Ks none.png\nnewmtl n\nKd 1 1 1\nmap_Ks none.png\n' 'map_Ks is not used: material m and 1 more' 0.8 0.4
+material "keywords in capitals" 'NEWMTL m\nKd 0.8 0.6 0.4\n' 'm.mtl: NEWMTL is read as newmtl'
 material "names with blanks at their ends" '\tnewmtl  m \t\n  Kd 0.8 0.6 0.4  \n' '' 0.8 0.4
 material "no Kd" 'newmtl m\nKs 1 1 1\n' 'it has no Kd: it reflects 0.7' 0.7 0.7
 material "Kd of one number" 'newmtl m\nKd 0.5\n' '' 0.5 0.5
@@ -116,8 +148,8 @@ material "Kd above 1" 'newmtl m\nKd 2 0.5 0.25\n' 'more counts as 1' 1 0.25
 material "Kd of 0 in all" 'newmtl m\nKd 0 0 0\nKs 1 1 1\n' 'everything would be black: it reflects 0.7' 0.7 0.7
 material "a picture alone, and missing" 'newmtl m\nmap_Kd none.png\n' "cannot read none.png" 0.7 0.7
 material "a material given twice" 'newmtl m\nKd 0.8 0.8 0.8\nnewmtl m\nKd 0.1 0.1 0.1\n' '' 0.8 0.8
-material "a file that is empty" ''
-material "a file of something else" '\x7fELF\0\1\2\n\xff\xfe'
+material "a file that is empty" '' 'm.mtl: has no material'
+material "a file of something else" '\x7fELF\0\1\2\n\xff\xfe' 'm.mtl: is not a text file'
 printf 'newmtl a b\nKd 0.8 0.1 0.1\nnewmtl a\nKd 0.1 0.1 0.1\nnewmtl a#1\nKd 0.1 0.1 0.8\n' >m.mtl
 sound "a name with blanks" "mtllib m.mtl\nusemtl a b\n${square}f 1 2 3 4\n"
 check "... is one" reflects 0.8 0.1

@@ -21,6 +21,7 @@ static void mustBeSound(const Mesh &mesh) {
     for (const MeshMaterial &m : mesh.materials)
         for (size_t k = 0; k < 3; ++k)
             good &= m.reflects[k] >= 0 && m.reflects[k] <= 1 && m.emits[k] >= 0 && std::isfinite(m.emits[k]);
+    good &= mesh.coordinates.empty() || mesh.coordinates.size() == mesh.triangles.size();
     for (const Triangle &t : mesh.triangles) {
         good &= t.material >= 0 && (size_t)t.material < mesh.materials.size();
         for (int corner : t.corners) good &= corner >= 0 && (size_t)corner < mesh.points.size();

@@ -84,8 +84,11 @@ std::string objOf(const AtlasModel &m) {
                    "# by odraz: vt are places on %s-N.png and .hdr; every plane is a smoothing group\n"
                    "mtllib model.mtl\n",
                    m.name.c_str());
-    for (const AtlasPoint &p : m.points)
-        common::append(text, "v %.8g %.8g %.8g\n", (double)p.p.x, (double)p.p.y, (double)p.p.z);
+    const int digits = m.solution.digits() + 1;
+    for (const AtlasPoint &p : m.points) {
+        Vec3d at = m.solution.inModel(p.p);
+        common::append(text, "v %.*g %.*g %.*g\n", digits, at.x, digits, at.y, digits, at.z);
+    }
     for (const AtlasPoint &p : m.points)
         common::append(text, "vt %.8f %.8f\n", (double)p.u, 1 - (double)p.v); // v is counted from the bottom
     for (const Chart &c : m.solution.charts)

@@ -147,11 +147,14 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
         textures.push_back({{"source", i}, {"sampler", 0}});
     }
     Json sampler = {{"magFilter", kLinear}, {"minFilter", kLinear}, {"wrapS", kClamp}, {"wrapT", kClamp}};
+    Json node = {{"mesh", 0}};
+    if (const Vec3 &place = m.solution.place; length(place) > 0)
+        node["translation"] = {place.x, place.y, place.z};
     Json all = {{"asset", {{"version", "2.0"}, {"generator", "odraz radiosity"}}},
                 {"extensionsUsed", extensions},
                 {"scene", 0},
                 {"scenes", Json::array({{{"nodes", Json::array({0})}}})},
-                {"nodes", Json::array({{{"mesh", 0}}})},
+                {"nodes", Json::array({node})},
                 {"meshes", Json::array({{{"primitives", primitives}}})},
                 {"materials", materials},
                 {"textures", textures},

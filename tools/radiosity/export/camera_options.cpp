@@ -1,5 +1,6 @@
 #include "tools/radiosity/export/camera_options.h"
 
+#include "tools/common/text.h"
 #include "trace/picture/frame.h"
 
 #include <cmath>
@@ -9,9 +10,9 @@ namespace odraz::radiosity {
 
 namespace {
 
-Vec3 placeOf(const std::string &option, const std::string &text) {
+Vec3d placeOf(const std::string &option, const std::string &text) {
     std::vector<double> p = common::numbersOf(option, text, 3);
-    return {(float)p[0], (float)p[1], (float)p[2]};
+    return {p[0], p[1], p[2]};
 }
 
 void readSize(const std::string &text, int &width, int &height) {
@@ -22,10 +23,11 @@ void readSize(const std::string &text, int &width, int &height) {
 }
 
 // Writes a point as an option, and sets it to the rounded value that was written.
-std::string pointOption(const char *option, Vec3 &p) {
-    char text[96];
-    std::snprintf(text, sizeof text, "%g,%g,%g", (double)p.x, (double)p.y, (double)p.z);
-    p = placeOf(option, text);
+std::string pointOption(const char *option, Vec3 &p, const Vec3 &place) {
+    Vec3d at = toDouble(place) + toDouble(p);
+    int digits = Solution::digitsAt(place) - 1;
+    std::string text = common::format("%.*g,%.*g,%.*g", digits, at.x, digits, at.y, digits, at.z);
+    p = toFloat(placeOf(option, text) - toDouble(place));
     return std::string(option) + " " + text;
 }
 
@@ -34,12 +36,12 @@ std::string pointOption(const char *option, Vec3 &p) {
 void CameraOptions::addTo(common::CommandLine &line) {
     RenderSettings &s = settings;
     line.group("Camera");
-    auto place = [&](const std::string &option, Vec3 &to, const std::string &what) {
+    auto place = [&](const std::string &option, Vec3d &to, const std::string &what) {
         line.option(
             option, "X,Y,Z", [&to, option](const std::string &text) { to = placeOf(option, text); }, what);
     };
-    place("--eye", s.eye, "the camera's position; without --eye and --at it shows the whole model");
-    place("--at", s.target, "the point that it looks at");
+    place("--eye", eye, "the camera's position; without --eye and --at it shows the whole model");
+    place("--at", target, "the point that it looks at");
     line.option("--lens", "DEGREES", s.lens, {1, 170}, "vertical field of view");
     line.option("--up", {"y", "z"}, s.upIsZ, "the axis that points up; by default y, or that of a room");
     line.option(
@@ -55,9 +57,14 @@ void CameraOptions::finish(const common::CommandLine &line) {
     if (placed != line.has("--at")) line.refuse("--eye and --at go together: give both, or neither");
 }
 
+void CameraOptions::moveTo(const Vec3 &place) {
+    settings.place = place;
+    settings.eye = toFloat(eye - toDouble(place)), settings.target = toFloat(target - toDouble(place));
+}
+
 std::string placeOptions(RenderSettings &s) {
-    std::string first = pointOption("--eye", s.eye);
-    return first + " " + pointOption("--at", s.target);
+    std::string first = pointOption("--eye", s.eye, s.place);
+    return first + " " + pointOption("--at", s.target, s.place);
 }
 
 std::string cameraLine(RenderSettings s) {

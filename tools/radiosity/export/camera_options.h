@@ -17,11 +17,15 @@ public:
         if (!up) settings.upIsZ = upIsZ;
     }
 
+    // Makes the camera's places in `settings` relative to Solution::place. Call it for every solution.
+    void moveTo(const Vec3 &place);
+
     RenderSettings settings;
     bool placed = false; // by options
 
 private:
     bool up = false;
+    Vec3d eye = {}, target = {}; // in the model's coordinates
 };
 
 // The options that place this camera: --eye X,Y,Z --at X,Y,Z. Moves the camera to the rounded numbers.

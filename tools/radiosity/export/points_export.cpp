@@ -63,6 +63,13 @@ struct Corners {
     }
 };
 
+// A point's coordinates in the model.
+std::string placeText(const Solution &solution, const Vec3 &point) {
+    const int digits = solution.digits();
+    Vec3d p = solution.inModel(point);
+    return common::format("%.*g %.*g %.*g", digits, p.x, digits, p.y, digits, p.z);
+}
+
 } // namespace
 
 void exportCsv(const Solution &solution, const std::string &path) {
@@ -70,16 +77,17 @@ void exportCsv(const Solution &solution, const std::string &path) {
     struct Sum {
         double area, p[3], light[3];
     };
+    const int digits = solution.digits();
     // The pieces of an element are consecutive
     int chart = -1, cell = -1;
     Sum sum = {};
     auto put = [&] {
         if (!(sum.area > 0)) return;
         Vec3 n = solution.charts[(size_t)chart].n;
-        common::append(text, "%d,%.7g,%.7g,%.7g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g\n", chart,
-                       sum.p[0] / sum.area, sum.p[1] / sum.area, sum.p[2] / sum.area, (double)n.x,
-                       (double)n.y, (double)n.z, sum.area, sum.light[0] / sum.area, sum.light[1] / sum.area,
-                       sum.light[2] / sum.area);
+        Vec3d p = toDouble(solution.place) + Vec3d{sum.p[0], sum.p[1], sum.p[2]} / sum.area;
+        common::append(text, "%d,%.*g,%.*g,%.*g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g\n", chart, digits, p.x,
+                       digits, p.y, digits, p.z, (double)n.x, (double)n.y, (double)n.z, sum.area,
+                       sum.light[0] / sum.area, sum.light[1] / sum.area, sum.light[2] / sum.area);
         sum = {};
     };
     solution.forPieces([&](int c, int e, const std::vector<SolutionPoint> &piece) {
@@ -104,6 +112,7 @@ void exportCsv(const Solution &solution, const std::string &path) {
 void exportPolygons(const Solution &solution, const std::string &path, bool ply) {
     Shown shown(solution);
     Corners corners(solution);
+    const char *type = length(solution.place) > 0 ? "double" : "float";
     std::string text;
     common::append(
         text,
@@ -112,13 +121,12 @@ void exportPolygons(const Solution &solution, const std::string &path, bool ply)
         1 / (double)shown.scale);
     if (ply)
         common::append(text,
-                       "element vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
+                       "element vertex %zu\nproperty %s x\nproperty %s y\nproperty %s z\n"
                        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
                        "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
-                       corners.points.size(), corners.faces.size());
+                       corners.points.size(), type, type, type, corners.faces.size());
     for (const SolutionPoint &p : corners.points) {
-        common::append(text, "%s%.7g %.7g %.7g", ply ? "" : "v ", (double)p.p.x, (double)p.p.y,
-                       (double)p.p.z);
+        text += (ply ? "" : "v ") + placeText(solution, p.p);
         for (float c : {shown(p.radiosity.x), shown(p.radiosity.y), shown(p.radiosity.z)})
             ply ? common::append(text, " %d", (int)(c * 255 + 0.5f))
                 : common::append(text, " %.4f", (double)c);

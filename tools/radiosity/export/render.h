@@ -11,7 +11,8 @@
 namespace odraz::radiosity {
 
 struct RenderSettings {
-    Vec3 eye, target; // in the model's coordinates
+    Vec3 eye, target; // in the solution's coordinates
+    Vec3 place = {};  // Solution::place
     bool upIsZ = false;
     float lens = 60; // vertical field of view, degrees
     int width = 1280, height = 720;

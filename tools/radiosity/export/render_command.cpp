@@ -31,6 +31,7 @@ int runRender(common::CommandLine &line) {
         TransferRoom room = TransferRoom::read(in);
         relight.changeClusters(room, workers);
         camera.upOf(room.upIsZ);
+        camera.moveTo(room.model.place);
         if (!camera.placed) placeCamera(room.model, camera.settings);
         picturesOf(room, relight.of(room).lighting, camera.settings, workers, pictures);
         return 0;
@@ -42,6 +43,7 @@ int runRender(common::CommandLine &line) {
     RenderSettings &s = camera.settings;
     auto eyeFor = [&](const Solution &solution, const TransferRoom *room) {
         if (room) camera.upOf(room->upIsZ);
+        camera.moveTo(solution.place);
         if (!camera.placed) {
             placeCamera(solution, s);
             std::printf("%s\n", placeOptions(s).c_str());

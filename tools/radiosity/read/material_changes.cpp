@@ -11,8 +11,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr double kMostPower = 1e12; // the limit for material files, too
-
 bool emits(const MeshMaterial &m) { return m.emits[0] + m.emits[1] + m.emits[2] > 0; }
 
 [[noreturn]] void refuse(const MaterialChange &c, const std::string &why) {

@@ -11,6 +11,8 @@ namespace odraz::radiosity {
 
 struct MeshMaterial;
 
+inline constexpr double kMostPower = 1e12; // of --power and of Ke
+
 // The value of `--reflectance` or `--power`: [NAME=]R,G,B or [NAME=]FACTOR.
 struct MaterialChange {
     std::string option, text; // as they were given

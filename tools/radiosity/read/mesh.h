@@ -17,7 +17,8 @@ struct ModelError : common::Refused {
     using common::Refused::Refused;
 };
 
-// A map_Kd: the material reflects `tint` times the picture at the coordinates times `scale` plus `offset`.
+// A map_Kd or map_Ke: the material reflects or emits `tint` times the picture at the coordinates times
+// `scale` plus `offset`.
 struct MeshPicture {
     std::string path; // empty: no picture
     std::array<float, 3> tint = {1, 1, 1};
@@ -28,7 +29,7 @@ struct MeshPicture {
 struct MeshMaterial {
     std::string name;
     std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka if that is above 1, 0 ..
-    MeshPicture picture = {};
+    MeshPicture picture = {}, glow = {};  // of the reflectance; of the emission
 };
 
 struct Triangle {
@@ -46,6 +47,8 @@ struct MaterialNames {
 };
 
 struct Mesh {
+    Vec3 place =
+        {}; // the origin of `points` in the model's coordinates: 0, unless the model lies far from it
     std::vector<Vec3d> points; // all different
     std::vector<Triangle> triangles;
     // Texture coordinates of each triangle's corners, NaN for a triangle that has none; empty if no material

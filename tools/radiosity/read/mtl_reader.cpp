@@ -1,15 +1,15 @@
 #include "tools/radiosity/read/mtl_reader.h"
 
-#include "tools/common/whole_file.h"
-#include "tools/radiosity/read/obj_text.h"
+#include "tools/radiosity/read/text_lines.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
+#include <strings.h>
 
 namespace odraz::radiosity {
 
@@ -38,23 +38,34 @@ bool readColour(const std::string &words, Colour &c) {
     return true;
 }
 
+constexpr const char *kKeywords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke"};
+enum Keyword { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap };
+
+// Whether a keyword names a picture.
+bool isMap(std::string_view word) {
+    static const std::set<std::string_view> others = {"bump", "disp", "decal", "refl", "norm"};
+    return others.count(word) || (!strncasecmp(word.data(), "map_", std::min<size_t>(word.size(), 4)) &&
+                                  word.size() > 4 && word != "map_aat");
+}
+
 struct Reader {
     const std::string &model;
     std::vector<std::string> &notes;
-    std::vector<MeshMaterial> materials;
+    std::vector<MeshMaterial> materials = {};
+    std::map<std::string, std::vector<std::string>, std::less<>> unused = {}; // maps, and their materials
 
     void note(const std::string &name, const std::string &what) {
         notes.push_back(model + ": material " + name + ": " + what);
     }
 
     // The material that is being read.
-    MeshMaterial m;
-    Colour kd, ke, ka;
-    bool open = false, hasKd, spectral;
+    MeshMaterial m = {};
+    Colour kd = {}, ke = {}, ka = {};
+    bool open = false, hasKd = false, spectral = false;
 
     void begin(const std::string &name) {
         finish();
-        m = {name, {}, {}, {}};
+        m = {name, {}, {}};
         kd = ke = ka = {};
         hasKd = spectral = false;
         open = true;
@@ -67,12 +78,8 @@ struct Reader {
             ke = ka;
             note(m.name, "its Ka is above 1 and is used as Ke");
         }
-        bool pictured = !m.picture.path.empty();
-        // A picture is multiplied by Kd, unless Kd is 0: then the picture alone is meant
-        if (pictured)
-            for (size_t k = 0; k < 3; ++k)
-                m.picture.tint[k] = hasKd && kd != Colour{} ? (float)std::min(kd[k], 1.) : 1;
-        if (!hasKd && (pictured || ke == Colour{})) {
+        bool pictured = !m.picture.path.empty(), glows = !m.glow.path.empty();
+        if (!hasKd && (pictured || (ke == Colour{} && !glows))) {
             kd = {0.7, 0.7, 0.7};
             if (!pictured)
                 note(m.name, spectral ? "its Kd is a spectrum, which is not read: it reflects 0.7"
@@ -80,21 +87,26 @@ struct Reader {
         }
         bool above = false;
         for (size_t k = 0; k < 3; ++k) {
-            if (!(kd[k] >= 0 && kd[k] < 1e12) || !(ke[k] >= 0 && ke[k] < 1e12))
-                throw ModelError(model + ": material " + m.name +
-                                 ": Kd must lie between 0 and 1, Ke must not be negative");
+            for (auto [colour, name] : {std::pair{&kd, "Kd"}, std::pair{&ke, "Ke"}})
+                if (!((*colour)[k] >= 0 && (*colour)[k] <= kMostPower))
+                    throw ModelError(model + ": material " + m.name + ": " + name +
+                                     " must lie between 0 and " + (colour == &kd ? "1" : "1e12"));
             above |= kd[k] > 1;
             m.reflects[k] = (float)std::min(kd[k], 1.), m.emits[k] = (float)ke[k];
         }
         if (above) note(m.name, "its Kd must lie between 0 and 1: more counts as 1");
+        // A picture is multiplied by the colour, unless that is 0: then the picture alone is meant
+        if (pictured && hasKd && kd != Colour{}) m.picture.tint = m.reflects;
+        if (glows && ke != Colour{}) m.glow.tint = m.emits;
         materials.push_back(m);
     }
 
     // Reads options with their values, and the file's name, which may have blanks.
-    void picture(const std::string &folder, const std::string &words) {
+    void picture(const std::string &folder, const TextLines &line, MeshPicture &picture) {
         static const std::map<std::string, int> numbers = {{"-o", 3}, {"-s", 3}, {"-t", 3}, {"-mm", 2}};
         static const std::set<std::string> others = {"-blendu", "-blendv",  "-boost",  "-bm",  "-cc",
                                                      "-clamp",  "-imfchan", "-texres", "-type"};
+        const std::string words(line.rest);
         MeshPicture to;
         std::istringstream in(words);
         std::string word, value;
@@ -117,8 +129,8 @@ struct Reader {
                     break;
                 }
                 if (!(std::fabs(number) < 1e6f))
-                    throw ModelError(model + ": material " + m.name +
-                                     ": map_Kd: a scale or offset is not a number below 1e6");
+                    throw ModelError(model + ": material " + m.name + ": " + std::string(line.word) +
+                                     ": a scale or offset is not a number below 1e6");
                 if (k < 2 && word == "-s") to.scale[(size_t)k] = number;
                 if (k < 2 && word == "-o") to.offset[(size_t)k] = number;
             }
@@ -126,28 +138,53 @@ struct Reader {
         if (at < 0 || !in) return; // no name
         std::string name = words.substr((size_t)at);
         to.path = findFile(folder, name.substr(name.find_first_not_of(" \t")));
-        m.picture = to;
+        picture = to;
     }
 
     void read(const std::string &path) {
-        std::istringstream in(plainText(common::readWhole(path)));
-        std::string line, rest;
-        while (std::getline(in, line)) {
-            if (isLine(line, "newmtl", rest))
+        TextLines lines(path);
+        const size_t before = materials.size();
+        while (lines.next()) {
+            const int keyword = lines.keyword(kKeywords);
+            const std::string rest(lines.rest);
+            if (keyword == kNew) {
                 begin(rest);
-            else if (!open)
                 continue;
-            else if (isLine(line, "Kd", rest)) {
+            }
+            if (!open) continue;
+            switch (keyword) {
+            case kDiffuse:
                 hasKd = readColour(rest, kd);
                 spectral = !hasKd;
-            } else if (isLine(line, "Ke", rest)) {
+                break;
+            case kEmission:
                 if (!readColour(rest, ke)) ke = {};
-            } else if (isLine(line, "Ka", rest)) {
+                break;
+            case kAmbient:
                 if (!readColour(rest, ka)) ka = {};
-            } else if (isLine(line, "map_Kd", rest) || isLine(line, "map_kd", rest))
-                picture(folderOf(path), rest);
+                break;
+            case kDiffuseMap:
+                picture(folderOf(path), lines, m.picture);
+                break;
+            case kEmissionMap:
+                picture(folderOf(path), lines, m.glow);
+                break;
+            default:
+                if (isMap(lines.word) && !rest.empty()) unused[std::string(lines.word)].push_back(m.name);
+            }
         }
         finish();
+        for (const auto &[word, keyword] : lines.otherCase)
+            notes.push_back(path + ": " + word + " is read as " + keyword);
+        if (materials.size() == before)
+            notes.push_back(path + (lines.isText ? ": has no material (newmtl)"
+                                                 : ": is not a text file, and has no materials"));
+    }
+
+    void noteUnused() {
+        for (const auto &[map, names] : unused)
+            notes.push_back(model + ": " + map + " is not used: material " + names[0] +
+                            (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : ""));
     }
 };
 
@@ -176,8 +213,8 @@ std::string findFile(const std::string &folder, std::string name) {
 
 std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vector<std::string> &libraries,
                                         std::vector<std::string> &notes) {
-    Reader reader = {model, notes, {}, {}, {}, {}, {}, false, false, false};
-    std::string folder = folderOf(model), wrong;
+    Reader reader = {model, notes};
+    std::string folder = folderOf(model);
     for (const std::string &words : libraries) {
         // One name with blanks, or several
         std::vector<std::string> names = {words};
@@ -193,10 +230,10 @@ std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vec
             } catch (const ModelError &) {
                 throw;
             } catch (const common::Refused &e) {
-                wrong = e.what();
+                notes.push_back(model + ": its materials cannot be read: " + e.what());
             }
     }
-    if (!wrong.empty()) notes.push_back(model + ": its materials cannot be read: " + wrong);
+    reader.noteUnused();
     return reader.materials;
 }
 

@@ -1,6 +1,7 @@
 #include "tools/radiosity/read/surroundings.h"
 
 #include "base/maths.h"
+#include "tools/engine/vec3d.h"
 #include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/upright.h"
 
@@ -161,6 +162,11 @@ private:
 };
 
 } // namespace
+
+void Surroundings::moveTo(const Vec3 &origin) {
+    for (BallLamp &lamp : lamps)
+        lamp.centre = toFloat(toDouble(lamp.centre) - toDouble(origin) + toDouble(lamp.rest)), lamp.rest = {};
+}
 
 SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns) {
     return SkyReader(pictures::readPicture(path), upIsZ).read(suns);

@@ -24,6 +24,7 @@ struct BallLamp {
     Vec3 centre;
     float radius;
     Rgb radiance;
+    Vec3 rest = {}; // what `centre` lacks for being rounded
 };
 
 struct SkyPicture {
@@ -39,6 +40,8 @@ struct Surroundings {
     std::vector<Sun> suns;
     std::vector<BallLamp> lamps;
 
+    // Makes the places of lamps relative to a point.
+    void moveTo(const Vec3 &origin);
     bool any() const { return sky.width || !suns.empty() || !lamps.empty(); }
 };
 

@@ -11,7 +11,7 @@ namespace {
 // The first line of each kind of file, and the errors for another kind and for a damaged file.
 constexpr struct {
     const char *magic, *other, *again;
-} kKinds[] = {{"odraz radiosity state 2\n", "is not a state of 'radiosity solve' of this version",
+} kKinds[] = {{"odraz radiosity state 3\n", "is not a state of 'radiosity solve' of this version",
                "solve the model again"},
               {"odraz radiosity rows 3\n", "holds no rows of 'radiosity solve --keep-rows' of this version",
                "solve with --keep-rows again"}};
@@ -39,7 +39,7 @@ void Kept::save(const std::string &path, Kind kind) const {
     const size_t sumAt = all.size(), body = sumAt + sizeof(uint64_t);
     all.reserve(rows.size() + prepared.size() + 65536);
     all.resize(body);
-    put(all, std::vector<uint64_t>{model, sky, solution, evenSky}, away);
+    put(all, std::vector<uint64_t>{model, sky, solution, evenSky}, place);
     for (const auto *list : {&words, &names.libraries, &names.asked, &names.all}) putWords(all, *list);
     put(all, names.known, names.used, prepared);
     // Rows are used in place, so align them for their items
@@ -55,8 +55,8 @@ Kept::Kept(const std::string &path, Kind kind) : file(common::readWholeFile(path
     if (!at) throw common::Refused(path + ": " + kKinds[(int)kind].other);
     std::vector<uint64_t> head;
     std::string_view padding;
-    bool good = at != std::string::npos && get(all, at, head, away) && head.size() == 4 &&
-                (kind == Kind::kState || away.size() == 3);
+    bool good = at != std::string::npos && get(all, at, head, place) && head.size() == 4 &&
+                (kind == Kind::kState || place.size() == 1);
     for (auto *list : {&words, &names.libraries, &names.asked, &names.all})
         good = good && getWords(all, at, *list);
     good = good && get(all, at, names.known, names.used, prepared, padding, rows) && at == all.size() &&
@@ -87,7 +87,7 @@ static uint64_t sumOfPicture(const std::string &path) {
 uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
     std::string all;
     std::map<std::string, uint64_t> pictures;
-    put(all, mesh.points);
+    put(all, mesh.points), put(all, std::vector<Vec3>{mesh.place});
     for (const Triangle &t : mesh.triangles) {
         const int words[4] = {t.corners[0], t.corners[1], t.corners[2], t.material};
         all.append((const char *)words, sizeof words);

@@ -35,7 +35,7 @@ struct Kept {
     uint64_t solution = 0; // the checksum in the head of the solution's file
     bool evenSky = false;  // an even sky was added, because nothing emitted light
     MaterialNames names;
-    std::vector<double> away;  // three: by how much the model was moved before it was solved
+    std::vector<Vec3> place;   // one: Mesh::place
     std::string_view prepared; // a PreparedSolve; empty: the model must be divided again
 
 private:

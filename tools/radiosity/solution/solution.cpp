@@ -11,17 +11,23 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr char kMagic[] = "odraz radiosity 2\n";
+constexpr char kMagic[] = "odraz radiosity 3\n";
 
 } // namespace
 
 void Solution::put(std::string &to) const {
-    radiosity::put(to, charts, facets, cells, texels, light, reflects, emits, cellReflects);
+    const std::vector<Vec3> origin = {place};
+    radiosity::put(to, origin, charts, facets, cells, texels, light, reflects, emits, cellReflects);
 }
 
 bool Solution::get(const std::string &from, size_t &at) {
-    return radiosity::get(from, at, charts, facets, cells, texels, light, reflects, emits, cellReflects) &&
-           valid(*this);
+    std::vector<Vec3> origin;
+    if (!radiosity::get(from, at, origin, charts, facets, cells, texels, light, reflects, emits,
+                        cellReflects) ||
+        origin.size() != 1)
+        return false;
+    place = origin[0];
+    return valid(*this);
 }
 
 void Solution::save(const std::string &path) const {

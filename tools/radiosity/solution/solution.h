@@ -5,6 +5,7 @@
 #pragma once
 
 #include "radiosity/model.h"
+#include "tools/engine/vec3d.h"
 
 #include <functional>
 #include <string>
@@ -19,6 +20,7 @@ struct SolutionPoint {
 };
 
 struct Solution {
+    Vec3 place = {}; // the origin of its coordinates in the model's; files and options have the model's
     std::vector<Chart> charts;
     std::vector<Facet> facets;
     std::vector<Cell> cells;
@@ -45,6 +47,11 @@ struct Solution {
     // its corners on the common side are points of the outline too.
     void forPieces(
         const std::function<void(int chart, int cell, const std::vector<SolutionPoint> &)> &visit) const;
+
+    // A point in the model's coordinates, and the digits that it needs as text.
+    Vec3d inModel(const Vec3 &p) const { return toDouble(place) + toDouble(p); }
+    int digits() const { return digitsAt(place); }
+    static int digitsAt(const Vec3 &place) { return length(place) > 0 ? 13 : 7; }
 
     // The number of elements with at least one piece.
     size_t elements() const;

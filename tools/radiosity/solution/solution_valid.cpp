@@ -56,9 +56,10 @@ bool valid(const Solution &b) {
         return all(list, [](const Rgb &c) { return moderate(c); });
     };
     size_t number = 0;
-    return !b.charts.empty() && b.light.size() == b.texels.size() && b.reflects.size() == b.charts.size() &&
-           b.emits.size() == b.charts.size() && finite(b.light) && finite(b.reflects) && finite(b.emits) &&
-           finite(b.cellReflects) && (b.cellReflects.empty() || b.cellReflects.size() == b.cells.size()) &&
+    return moderate(b.place) && !b.charts.empty() && b.light.size() == b.texels.size() &&
+           b.reflects.size() == b.charts.size() && b.emits.size() == b.charts.size() && finite(b.light) &&
+           finite(b.reflects) && finite(b.emits) && finite(b.cellReflects) &&
+           (b.cellReflects.empty() || b.cellReflects.size() == b.cells.size()) &&
            all(b.charts, [&](const Chart &c) { return valid(c, b); }) &&
            all(b.facets, [&](const Facet &f) { return valid(f, b); }) &&
            all(b.texels, [&](const Texel &t) { return valid(t, b); }) &&

@@ -44,6 +44,8 @@ SolveTask::SolveTask(const Mesh &mesh, const PreparedSolve &prepared, const Solv
 }
 
 void SolveTask::takeMaterials() {
+    solution.place = mesh.place;
+    settings.surroundings.moveTo(mesh.place);
     for (int material : regions.material) {
         const MeshMaterial &m = mesh.materials[(size_t)material];
         solution.reflects.push_back({m.reflects[0], m.reflects[1], m.reflects[2]});

@@ -46,10 +46,10 @@ struct PreparedSolve {
 };
 
 struct SolveTask {
-    const Mesh &mesh; // placed near the origin, where floats are finest
-    SolveSettings settings;
-    Workers &workers; // they watch no abort flag
-    const int *stop;  // a value other than 0 ends it early, with the light found so far
+    const Mesh &mesh;
+    SolveSettings settings; // the places of its lamps are relative to the mesh's
+    Workers &workers;       // they watch no abort flag
+    const int *stop;        // a value other than 0 ends it early, with the light found so far
     const SolveProgress &progress;
 
     Regions regions;   // the mesh as charts, divided into cells of cellSide()

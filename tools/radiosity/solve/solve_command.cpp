@@ -104,9 +104,7 @@ private:
         SolveSettings &settings = job.options.settings;
         Solved solved = solveNamed(job.model, [&] {
             if (prepared) {
-                const std::vector<double> &away = job.kept->away;
-                return relightModel(mesh, *prepared, job.kept->evenSky, {away[0], away[1], away[2]}, settings,
-                                    workers, &stop, progress);
+                return relightModel(mesh, *prepared, job.kept->evenSky, settings, workers, &stop, progress);
             }
             if (settings.way == Way::kPatches) gl = openGl();
             return solveModel(mesh, settings, gl, workers, &stop, progress);
@@ -147,6 +145,7 @@ private:
     bool prepare(const Kept &from) {
         if (from.prepared.empty()) return false;
         std::vector<std::string> notes;
+        mesh.place = from.place[0];
         mesh.materials = readMaterialsAgain(job.model, from.names, job.options.read.changes, notes);
         std::vector<int> emitters;
         for (size_t i = 0; i < mesh.materials.size(); ++i) {
@@ -166,7 +165,7 @@ private:
         toKeep.solution = sumOfSolution(job.out);
         toKeep.evenSky = solved.evenSky;
         toKeep.names = mesh.names;
-        toKeep.away = {solved.away[0], solved.away[1], solved.away[2]};
+        toKeep.place = {mesh.place};
         toKeep.rows = rows, toKeep.prepared = preparation;
         toKeep.save(rowsFile(job.out), Kept::Kind::kRows);
     }

@@ -124,8 +124,9 @@ void SolveOptions::finish(const common::CommandLine &line) {
     for (const std::string &text : lamps) {
         auto l = common::numbersOf("--lamp", text, 7);
         if (!(l[3] > 0)) throw common::Refused("--lamp: its size must be above 0");
-        to.lamps.push_back(
-            {{(float)l[0], (float)l[1], (float)l[2]}, (float)l[3] / 2, lightOf("--lamp", &l[4])});
+        Vec3d centre = {l[0], l[1], l[2]};
+        to.lamps.push_back({toFloat(centre), (float)l[3] / 2, lightOf("--lamp", &l[4]),
+                            toFloat(centre - toDouble(toFloat(centre)))});
     }
     if (to.suns.size() > kMaxSuns || to.lamps.size() > kMaxLamps)
         throw common::Refused("at most " + std::to_string(kMaxSuns) +

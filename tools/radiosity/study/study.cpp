@@ -60,10 +60,6 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
 
 void Study::compare(const Solution &byRays, const Surroundings &around) {
     ReferenceErrors &e = referenceErrors;
-    if (length(offsetOf(mesh)) > 0) {
-        e.unknown = "the model lies far from the origin";
-        return;
-    }
     // Estimate from the time of a few paths the number that can be traced
     constexpr int kPlaces = 300, kFewest = 8, kMost = 128;
     const double seconds = std::min(settings.minutes * 60 * 0.03, 30.);

@@ -19,7 +19,7 @@ public:
     TransferFinder(const Mesh &mesh, const TransferSettings &s, Workers &workers,
                    const std::function<void(const char *, float)> &progress, TransferReport &report)
         : mesh(mesh), s(s), workers(workers), progress(progress), report(report),
-          task(mesh, s.solve, workers, &kNever, none), lamps(lampsOf(mesh, s.solve.surroundings)) {
+          task(mesh, s.solve, workers, &kNever, none), lamps(lampsOf(mesh, task.settings.surroundings)) {
         joinLamps(lamps, report.notes);
         report.notes.insert(report.notes.begin(), task.report.notes.begin(), task.report.notes.end());
     }
@@ -272,17 +272,9 @@ std::vector<float> columnScale(const TransferRoom &room, const std::vector<float
     return scale;
 }
 
-TransferRoom findTransfer(const Mesh &given, const TransferSettings &settings, Workers &workers,
+TransferRoom findTransfer(const Mesh &mesh, const TransferSettings &settings, Workers &workers,
                           const std::function<void(const char *, float)> &progress, TransferReport &report) {
-    Vec3d away = offsetOf(given);
-    bool far = length(away) > 0;
-    Mesh near;
-    if (far) near = moved(given, away);
-    TransferSettings moved = settings;
-    for (BallLamp &lamp : moved.solve.surroundings.lamps) lamp.centre = lamp.centre - toFloat(away);
-    TransferRoom room = TransferFinder(far ? near : given, moved, workers, progress, report).find();
-    for (Chart &chart : room.model.charts) chart.corner += toFloat(away);
-    return room;
+    return TransferFinder(mesh, settings, workers, progress, report).find();
 }
 
 } // namespace odraz::radiosity

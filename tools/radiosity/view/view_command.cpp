@@ -69,7 +69,6 @@ void readJob(common::CommandLine &line, Job &job) {
     job.solve.finish(line);
     if (!job.view.screenshot.empty()) common::checkWritable(job.view.screenshot);
     job.view.name = job.in.substr(job.in.rfind('/') + 1);
-    job.view.camera = job.camera.settings;
     job.view.placed = job.camera.placed;
 }
 
@@ -87,7 +86,8 @@ int runView(common::CommandLine &line) {
         Workers workers = allProcessors();
         job.relight.changeClusters(given, workers);
         job.camera.upOf(given.upIsZ);
-        job.view.camera.upIsZ = job.camera.settings.upIsZ;
+        job.camera.moveTo(given.model.place);
+        job.view.camera = job.camera.settings;
         RelitRoom room(std::move(given), job.relight, ViewWindow::wake);
         ViewWindow window(job.view);
         keys();
@@ -99,6 +99,8 @@ int runView(common::CommandLine &line) {
     }
     if (!isModel(job.in)) {
         Solution solution(job.in);
+        job.camera.moveTo(solution.place);
+        job.view.camera = job.camera.settings;
         auto mesh = std::make_shared<const ViewMesh>(solution);
         ViewWindow window(job.view);
         keys();
@@ -110,6 +112,8 @@ int runView(common::CommandLine &line) {
     }
     std::vector<std::string> notes;
     Mesh mesh = readModel(job.in, job.solve.read, notes);
+    job.camera.moveTo(mesh.place);
+    job.view.camera = job.camera.settings;
     ViewWindow window(job.view);
     keys();
     printNotes(notes);

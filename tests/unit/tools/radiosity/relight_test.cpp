@@ -59,7 +59,7 @@ protected:
     Solution relit(const Mesh &materials, std::string_view rowsNow, std::string_view preparedNow) {
         settings.resumed = rowsNow;
         PreparedSolve ready(preparedNow, materials.materials.size());
-        return relightModel(materials, ready, keptSky, {}, settings, workers(), &kNever, {}).solution;
+        return relightModel(materials, ready, keptSky, settings, workers(), &kNever, {}).solution;
     }
 };
 
@@ -165,7 +165,7 @@ TEST(Kept, RowsAreReadAsTheyWereWritten) {
     a.words = {"m.obj", "-o", "", "a\nb"};
     a.model = 1, a.sky = 2, a.solution = 3, a.evenSky = true;
     a.names = {{"a.mtl"}, {"x", "y"}, {1, 0}, {"x", "(none)"}, {1, 1}};
-    a.away = {1, 2, 3};
+    a.place = {{1, 2, 3}};
     a.rows = "rows", a.prepared = "the rest";
     a.save(folder / "a.rows", Kept::Kind::kRows);
     Kept b(folder / "a.rows", Kept::Kind::kRows);
@@ -177,7 +177,7 @@ TEST(Kept, RowsAreReadAsTheyWereWritten) {
     EXPECT_EQ(b.names.known, a.names.known);
     EXPECT_EQ(b.names.all, a.names.all);
     EXPECT_EQ(b.names.used, a.names.used);
-    EXPECT_EQ(b.away, a.away);
+    EXPECT_EQ(b.place[0].z, a.place[0].z);
     EXPECT_EQ(b.rows, a.rows);
     EXPECT_EQ((uintptr_t)b.rows.data() % 8, 0u);
     EXPECT_EQ(b.prepared, a.prepared);

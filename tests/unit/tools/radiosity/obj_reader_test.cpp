@@ -1,0 +1,131 @@
+// Wavefront OBJ as other programs write it: its text, its numbers, its materials, and the notes about them.
+#include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/read/mesh.h"
+
+#include <gtest/gtest.h>
+
+using namespace odraz;
+using namespace odraz::radiosity;
+
+namespace {
+
+struct Read {
+    Mesh mesh;
+    std::vector<std::string> notes;
+    std::string error;
+
+    explicit Read(const std::string &obj, const std::string &mtl = "", const ReadSettings &settings = {}) {
+        common::TemporaryFolder folder;
+        common::writeWhole(folder / "m.obj", obj);
+        if (!mtl.empty()) common::writeWhole(folder / "m.mtl", mtl);
+        try {
+            mesh = readModel(folder / "m.obj", settings, notes);
+        } catch (const common::Refused &e) {
+            error = e.what();
+        }
+        cut(error, folder / "");
+        for (std::string &note : notes) cut(note, folder / "");
+    }
+    double area() const { return areaOf(mesh); }
+
+private:
+    static void cut(std::string &text, const std::string &folder) {
+        for (size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
+    }
+};
+using Lines = std::vector<std::string>;
+
+const std::string kSquare = "v 0 0 0\nv 0 0 12\nv 12 0 12\nv 12 0 0\n";
+
+std::string utf16(const std::string &text, bool mark, bool bigEndian) {
+    std::string to;
+    auto put = [&](uint16_t unit) {
+        char low = (char)(unit & 255), high = (char)(unit >> 8);
+        to += bigEndian ? high : low, to += bigEndian ? low : high;
+    };
+    if (mark) put(0xfeff);
+    for (char c : text) put((uint8_t)c);
+    return to;
+}
+
+} // namespace
+
+TEST(ObjReader, TakesAllFormsOfCorners) {
+    for (const char *polygon : {"f 1 2 3 4", "f 1/ 2/ 3/ 4/", "f 1// 2// 3// 4//", "f 1//0 2//0 3//0 4//0",
+                                "f 1/0/0 2/0 3/0/ 4", "f -4 -3/-1 -2//-1 -1/1/1", "fo 1 2 3 4",
+                                "f 1 2 \\\n3 4", "f 1 2 3 4 # 5", "f 1/9/9 2//9 3/-9 4"}) {
+        Read r(kSquare + "vt 0 0\nvn 0 1 0\n" + polygon + "\n");
+        EXPECT_EQ(r.error, "") << polygon;
+        EXPECT_NEAR(r.area(), 144, 1e-9) << polygon;
+        EXPECT_EQ(r.notes, Lines{}) << polygon;
+    }
+}
+
+TEST(ObjReader, TakesAllKindsOfText) {
+    const std::string text = kSquare + "f 1 2 3 4\n";
+    for (bool big : {false, true})
+        for (bool mark : {false, true}) EXPECT_NEAR(Read(utf16(text, mark, big)).area(), 144, 1e-9);
+    EXPECT_NEAR(Read("\xef\xbb\xbf" + text).area(), 144, 1e-9);
+    // Names beyond ASCII are the same in both files
+    std::string obj = utf16("mtllib m.mtl\n" + kSquare + "usemtl caf?\nf 1 2 3 4\n", true, false);
+    obj[obj.find('?')] = '\xe9';
+    Read r(obj, "newmtl caf\xc3\xa9\nKd 0 1 0\n");
+    EXPECT_EQ(r.notes, Lines{});
+    EXPECT_EQ(r.mesh.materials[0].reflects[1], 1);
+    EXPECT_EQ(r.mesh.materials.size(), 1u);
+}
+
+// Lines are counted as editors do.
+TEST(ObjReader, NamesTheLine) {
+    EXPECT_EQ(Read("v 0 0 0\r\nv 0 0 \\\r\n 1\r\nf 1 2 9\r\n").error,
+              "m.obj:4: there is no point 9: there are 2");
+    EXPECT_EQ(Read("\xef\xbb\xbfv 0 0\n").error, "m.obj:1: a point needs three coordinates");
+    EXPECT_EQ(Read("# a\\\n\nv 0 0 0,5\n").error, "m.obj:3: a point needs three coordinates");
+    EXPECT_EQ(Read("v 0 0 1e400\n").error, "m.obj:1: a coordinate is not a number below 1e18");
+    EXPECT_EQ(Read(kSquare + "f 1 2/x 3\n").error, "m.obj:5: a polygon's points are numbers");
+    EXPECT_EQ(Read(kSquare + "f 1 2 0/1\n").error, "m.obj:5: there is no point 0 before this polygon");
+}
+
+TEST(ObjReader, NotesUnknownMaterials) {
+    const std::string mtl = "newmtl floor\nKd 1 1 1\nnewmtl lamp\nKe 1 1 1\nnewmtl wall\nKd .5 .5 .5\n";
+    auto with = [&](const std::string &name) {
+        return Read("mtllib m.mtl\n" + kSquare + "usemtl " + name + "\nf 1 2 3 4\n", mtl).notes;
+    };
+    EXPECT_EQ(with("wall"), Lines{});
+    EXPECT_EQ(with("Lamp"),
+              Lines{"m.obj: no material file has Lamp: it reflects 0.7; the nearest name is lamp"});
+    EXPECT_EQ(with("floor_mat"),
+              Lines{"m.obj: no material file has floor_mat: it reflects 0.7; the nearest name is floor"});
+}
+
+TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
+    const std::string obj = "MTLLIB m.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n";
+    Read r(obj, "newmtl a\nKD 1 0 0\nmap_d a.png\nbump b.png\nnewmtl b\nKd 1 1 1\nMAP_BUMP b.png\n");
+    EXPECT_EQ(r.notes,
+              (Lines{"m.obj: MTLLIB is read as mtllib", "m.mtl: KD is read as Kd",
+                     "m.obj: MAP_BUMP is not used: material b", "m.obj: bump is not used: material a",
+                     "m.obj: map_d is not used: material a"}));
+    EXPECT_EQ(r.mesh.materials[0].reflects, (std::array<float, 3>{1, 0, 0}));
+    EXPECT_EQ(Read("mtllib m.mtl\n" + kSquare + "f 1 2 3 4\n", std::string("\x89PNG\0\0", 6)).notes,
+              Lines{"m.mtl: is not a text file, and has no materials"});
+}
+
+TEST(ObjReader, LimitsColours) {
+    auto with = [](const std::string &line) {
+        return Read("mtllib m.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n", "newmtl a\n" + line + "\n");
+    };
+    EXPECT_EQ(with("Ke 1e12").mesh.materials[0].emits[0], 1e12f);
+    EXPECT_EQ(with("Ke 2e12").error, "m.obj: material a: Ke must lie between 0 and 1e12");
+    EXPECT_EQ(with("Kd -1").error, "m.obj: material a: Kd must lie between 0 and 1");
+}
+
+// A model far away is moved to the origin; what is written has the model's coordinates.
+TEST(ObjReader, MovesFarModels) {
+    Read far("v 460123 210 5411233\nv 460123 210 5411235.5\nv 460125 210 5411235.5\nv 460125 210 5411233\nf "
+             "1 2 3 4\n");
+    EXPECT_NEAR(far.area(), 5, 1e-8);
+    EXPECT_GT(length(far.mesh.place), 5e6f);
+    for (const Vec3d &p : far.mesh.points) EXPECT_LT(length(p), 4);
+    EXPECT_EQ(length(Read(kSquare + "f 1 2 3 4\n").mesh.place), 0);
+}

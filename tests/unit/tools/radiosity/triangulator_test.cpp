@@ -1,0 +1,172 @@
+// Polygons of any shape, at any place: their triangles have Newell's area and all face the same way.
+#include "tools/radiosity/read/mesh_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <random>
+
+using namespace odraz;
+using namespace odraz::radiosity;
+
+namespace {
+
+using Outline = std::vector<std::array<double, 2>>;
+
+double side(const std::array<double, 2> &a, const std::array<double, 2> &b, const std::array<double, 2> &c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+bool crosses(const Outline &p, size_t i, size_t k) { // the sides that begin at i and k
+    const auto &a = p[i], &b = p[(i + 1) % p.size()], &c = p[k], &d = p[(k + 1) % p.size()];
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
+// Random points in random order, with parts of the outline turned round until nothing crosses.
+Outline untangled(size_t count, std::mt19937 &random) {
+    std::uniform_real_distribution<double> uniform(0, 1);
+    Outline p(count);
+    for (auto &at : p) at = {uniform(random), uniform(random)};
+    for (bool again = true; again;) {
+        again = false;
+        for (size_t i = 0; i < count; ++i)
+            for (size_t k = i + 2; k < count; ++k)
+                if ((k + 1) % count != i && crosses(p, i, k)) {
+                    std::reverse(p.begin() + (long)i + 1, p.begin() + (long)k + 1);
+                    again = true;
+                }
+    }
+    return p;
+}
+
+// Points around a middle, near and far.
+Outline star(size_t count, std::mt19937 &random) {
+    std::uniform_real_distribution<double> uniform(0.1, 1);
+    Outline p;
+    for (size_t i = 0; i < count; ++i) {
+        double angle = 6.283185307 * (double)i / (double)count, r = uniform(random);
+        p.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    return p;
+}
+
+Vec3d newell(const std::vector<Vec3d> &p) {
+    Vec3d sum = {};
+    for (size_t i = 0; i < p.size(); ++i) sum = sum + cross(p[i] - p[0], p[(i + 1) % p.size()] - p[0]);
+    return sum / 2;
+}
+
+struct Built {
+    Mesh mesh;
+    std::vector<std::string> notes;
+    double area = 0; // of all triangles along Newell's normal; not a number if one faces the other way
+
+    explicit Built(const std::vector<Vec3d> &points) {
+        Polygons polygons;
+        polygons.points = points;
+        polygons.polygons.push_back({0, -1, 1});
+        for (size_t i = 0; i < points.size(); ++i) polygons.corners.push_back({(int)i, -1});
+        mesh = buildMesh("m", polygons, {}, {}, notes);
+        Vec3d up = normalize(newell(points));
+        for (const Triangle &t : mesh.triangles) {
+            double along = dot(normalOf(mesh, t), up) / 2;
+            area += along > 0 ? along : NAN;
+        }
+    }
+};
+
+// The polygon in a plane with these axes.
+std::vector<Vec3d> placed(const Outline &p, const Vec3d &u, const Vec3d &v, const Vec3d &at) {
+    std::vector<Vec3d> points;
+    for (const auto &q : p) points.push_back(at + u * q[0] + v * q[1]);
+    return points;
+}
+std::vector<Vec3d> onFloor(const Outline &p) { return placed(p, {0, 0, 1}, {1, 0, 0}, {}); }
+
+} // namespace
+
+TEST(Triangulator, DividesTenThousandRandomPolygons) {
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    int wrong = 0;
+    for (size_t k = 0; k < 10000; ++k) {
+        Outline p = k % 2 ? untangled(4 + k % 37, random) : star(4 + k % 37, random);
+        auto axis = [&] { return normalize(Vec3d{normal(random), normal(random), normal(random)}); };
+        Vec3d n = axis(), u = normalize(cross(n, axis())), v = cross(n, u);
+        if (k % 4 < 2) u = {0, 0, 1}, v = {1, 0, 0};
+        if (k % 3 == 0) std::reverse(p.begin(), p.end());
+        for (double far : {0., 1e6}) {
+            std::vector<Vec3d> points = placed(p, u, v, {far, -far, far});
+            Built built(points);
+            double area = length(newell(points));
+            wrong += !(std::fabs(built.area - area) <= 1e-6 * area) || !built.notes.empty();
+        }
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST(Triangulator, KeepsCornersInALine) {
+    Built built(onFloor({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}, {0, 1}}));
+    EXPECT_EQ(built.mesh.triangles.size(), 5u);
+    EXPECT_NEAR(built.area, 4, 1e-9);
+    EXPECT_TRUE(built.notes.empty());
+}
+
+TEST(Triangulator, DividesQuadsWithANotch) {
+    for (const Outline &p : {Outline{{0, 0}, {1, 1}, {2, 0}, {1, 8}}, Outline{{1, 8}, {0, 0}, {1, 1}, {2, 0}},
+                             Outline{{0, 0}, {10, 1}, {0, 2}, {1, 1}}})
+        for (int turned : {0, 1}) {
+            Outline q = p;
+            if (turned) std::reverse(q.begin(), q.end());
+            Built built(onFloor(q));
+            EXPECT_NEAR(built.area, length(newell(onFloor(q))), 1e-9);
+            EXPECT_EQ(built.mesh.triangles.size(), 2u);
+        }
+}
+
+// Holes are joined to the outline by bridges, of which two end in one corner.
+TEST(Triangulator, LeavesHoles) {
+    Built one(onFloor({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {1, 1}, {1, 8}, {8, 8}, {8, 1}, {1, 1}}));
+    EXPECT_NEAR(one.area, 81 - 49, 1e-9);
+    EXPECT_TRUE(one.notes.empty());
+    Built two(onFloor({{0, 0},
+                       {9, 0},
+                       {9, 9},
+                       {0, 9},
+                       {0, 0},
+                       {1, 5},
+                       {1, 8},
+                       {4, 8},
+                       {4, 5},
+                       {1, 5},
+                       {0, 0},
+                       {5, 1},
+                       {5, 4},
+                       {8, 4},
+                       {8, 1},
+                       {5, 1}}));
+    EXPECT_NEAR(two.area, 81 - 18, 1e-9);
+    EXPECT_TRUE(two.notes.empty());
+}
+
+TEST(Triangulator, NotesCrossings) {
+    Outline star;
+    for (int k = 0; k < 5; ++k) star.push_back({std::cos(k * 2.5132741), std::sin(k * 2.5132741)});
+    for (const Outline &p : {star, Outline{{0, 0}, {4, 0}, {1, 2}, {3, 2}}}) {
+        Built built(onFloor(p));
+        ASSERT_FALSE(built.notes.empty());
+        EXPECT_NE(built.notes.back().find("cross themselves"), std::string::npos);
+        EXPECT_GT(built.area, 0);
+    }
+}
+
+// A polygon of N corners takes about N log N: a comb of many teeth.
+TEST(Triangulator, DividesLargePolygons) {
+    Outline comb = {{0, -1e4}};
+    const int teeth = 20000;
+    comb.push_back({2. * teeth, -1e4});
+    for (int k = teeth; k > 0; --k) comb.push_back({2. * k - 1, 1. * teeth}), comb.push_back({2. * k - 2, 0});
+    Built built(onFloor(comb));
+    EXPECT_NEAR(built.area / length(newell(onFloor(comb))), 1, 1e-9);
+}

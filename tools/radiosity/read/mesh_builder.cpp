@@ -1,0 +1,236 @@
+#include "tools/radiosity/read/mesh_builder.h"
+
+#include "tools/radiosity/read/triangulator.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace odraz::radiosity {
+
+MeshMaterial noMaterial() { return {kNoMaterial, {0.7f, 0.7f, 0.7f}, {}}; }
+
+void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
+               std::vector<std::string> &notes) {
+    std::vector<MeshMaterial *> black;
+    int seen = 0;
+    for (size_t i = 0; i < used.size(); ++i) {
+        MeshMaterial &m = materials[i];
+        auto none = [](const std::array<float, 3> &c) { return c[0] + c[1] + c[2] == 0; };
+        if (!used[i]) continue;
+        if (none(m.reflects) && none(m.emits) && m.picture.path.empty() && m.glow.path.empty())
+            black.push_back(&m);
+        else
+            ++seen;
+    }
+    for (MeshMaterial *m : black) {
+        notes.push_back(path + ": material " + m->name +
+                        (seen ? " stays black: its Kd is 0, as it is for mirrors and glass"
+                              : ": its Kd is 0, and everything would be black: it reflects 0.7"));
+        if (!seen) m->reflects = {0.7f, 0.7f, 0.7f};
+    }
+}
+
+namespace {
+
+class MeshBuilder {
+public:
+    MeshBuilder(const std::string &path, Polygons &&given, const ReadSettings &settings,
+                std::vector<std::string> &notes)
+        : path(path), settings(settings), notes(notes), given(std::move(given)) {}
+
+    Mesh build(std::vector<MeshMaterial> &&materials) {
+        mesh.materials = std::move(materials);
+        for (const MeshMaterial &m : mesh.materials)
+            pictured |= !m.picture.path.empty() || !m.glow.path.empty();
+        weldPoints();
+        collectTriangles();
+        dropTwice();
+        if (mesh.triangles.empty()) throw ModelError(path + ": holds no polygon with an area");
+        std::vector<bool> used(mesh.materials.size());
+        for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
+        noteBlack(mesh.materials, used, path, notes);
+        changeMaterials(mesh.materials, used, settings.changes);
+        for (const MeshMaterial &m : mesh.materials) mesh.names.all.push_back(m.name);
+        mesh.names.used.assign(used.begin(), used.end());
+        noteLeftOut();
+        return std::move(mesh);
+    }
+
+private:
+    const std::string &path;
+    const ReadSettings &settings;
+    std::vector<std::string> &notes;
+    Polygons given;
+    Mesh mesh;
+    double grid = 0;           // points closer than this are merged
+    std::vector<int> number;   // for each point of the file: its point in the mesh
+    std::vector<int> crossing; // polygons that cross themselves
+    int shortPolygons = 0;     // with fewer than three points
+    bool pictured = false;     // a material has a picture, so texture coordinates are kept
+
+    // Merges points within a millionth of the model's size.
+    void weldPoints() {
+        if (given.points.empty()) throw ModelError(path + ": holds no point");
+        for (Vec3d &p : given.points) p = p * settings.scale;
+        auto [lo, hi] = boxOf(given.points);
+        double size = length(hi - lo);
+        if (!(size < 1e9)) throw ModelError(path + ": is larger than 1e9: give --scale");
+        if (size > 0 && size < 1e-10) throw ModelError(path + ": is smaller than 1e-10: give --scale");
+        grid = std::max(size * 1e-6, 1e-300);
+        // Floats are finest near the origin
+        Vec3d middle = (lo + hi) / 2;
+        if (length(middle) >= 4 * size) mesh.place = toFloat(middle);
+        if (!(length(middle) < 1e15)) throw ModelError(path + ": lies further than 1e15 from the origin");
+        if (size < length(middle) * 1e-11)
+            notes.push_back(path + ": lies too far from the origin for precise coordinates: move it closer");
+        // A hash table of the mesh's points, by their cells of the grid
+        using Place = std::array<int, 3>;
+        std::vector<Place> places;
+        std::vector<int> table(std::bit_ceil(given.points.size() * 2), -1);
+        number.reserve(given.points.size());
+        for (const Vec3d &p : given.points) {
+            Place place;
+            for (size_t k = 0; k < 3; ++k) place[k] = (int)std::lround((p[k] - lo[k]) / grid);
+            size_t at = ((size_t)place[0] * 0x9e3779b97f4a7c15 + (size_t)place[1]) * 0x9e3779b97f4a7c15 +
+                        (size_t)place[2] * 0xc2b2ae3d27d4eb4f;
+            for (at ^= at >> 32;; ++at) {
+                int &entry = table[at & (table.size() - 1)];
+                if (entry < 0) {
+                    entry = (int)places.size();
+                    places.push_back(place), mesh.points.push_back(p - toDouble(mesh.place));
+                } else if (places[(size_t)entry] != place)
+                    continue;
+                number.push_back(entry);
+                break;
+            }
+        }
+        given.points = {};
+    }
+
+    void collectTriangles() {
+        const int materials = (int)mesh.materials.size();
+        bool plain = false; // a triangle has no material
+        Triangulator triangulator;
+        std::vector<Polygons::Corner> corners; // of a polygon, without repetitions
+        std::vector<Vec3d> places;
+        for (size_t i = 0; i < given.polygons.size(); ++i) {
+            const Polygons::Polygon &p = given.polygons[i];
+            size_t end = i + 1 < given.polygons.size() ? given.polygons[i + 1].firstCorner
+                                                       : given.corners.size(),
+                   count = end - p.firstCorner;
+            if (count < 3) {
+                ++shortPolygons;
+                continue;
+            }
+            corners.clear(), places.clear();
+            for (size_t k = p.firstCorner; k < end; ++k) {
+                Polygons::Corner corner = given.corners[k];
+                corner.point = number[(size_t)corner.point];
+                if (!corners.empty() && corner.point == corners.back().point) continue;
+                corners.push_back(corner);
+            }
+            while (corners.size() > 1 && corners.back().point == corners[0].point) corners.pop_back();
+            for (const Polygons::Corner &c : corners) places.push_back(mesh.points[(size_t)c.point]);
+            triangulator.triangles.clear();
+            if (corners.size() > 2) triangulator.divide(places, grid * 2);
+            if (corners.size() > 2 && triangulator.crosses) crossing.push_back((int)i);
+            mesh.flat += (int)(count - 2 - triangulator.triangles.size());
+            plain |= p.material < 0;
+            for (const auto &triangle : triangulator.triangles)
+                add(corners, triangle, p.material < 0 ? materials : p.material);
+        }
+        if (plain) mesh.materials.push_back(noMaterial());
+    }
+
+    void add(const std::vector<Polygons::Corner> &corners, const std::array<int, 3> &which, int material) {
+        Triangle t = {{}, material};
+        std::array<float, 6> at;
+        for (size_t k = 0; k < 3; ++k) {
+            const Polygons::Corner &corner = corners[(size_t)which[k]];
+            t.corners[k] = corner.point;
+            if (!pictured) continue;
+            bool known = corner.coordinate >= 0 && (size_t)corner.coordinate < given.coordinates.size();
+            for (size_t c = 0; c < 2; ++c)
+                at[2 * k + c] = known ? given.coordinates[(size_t)corner.coordinate][c] : NAN;
+        }
+        if (isFlat(t)) {
+            ++mesh.flat;
+            return;
+        }
+        mesh.triangles.push_back(t);
+        if (pictured) mesh.coordinates.push_back(at);
+        if (!settings.twoSided) return;
+        std::swap(t.corners[1], t.corners[2]);
+        mesh.triangles.push_back(t);
+        if (pictured) mesh.coordinates.push_back({at[0], at[1], at[4], at[5], at[2], at[3]});
+    }
+
+    // Whether the triangle is less than two steps of the grid high.
+    bool isFlat(const Triangle &t) const {
+        double longest = 0;
+        for (size_t k = 0; k < 3; ++k)
+            longest = std::max(longest, length(mesh.points[(size_t)t.corners[k]] -
+                                               mesh.points[(size_t)t.corners[(k + 1) % 3]]));
+        return !(length(normalOf(mesh, t)) > longest * grid * 2);
+    }
+
+    // Keeps only the first of triangles with the same corners in the same direction.
+    void dropTwice() {
+        using Key = std::pair<std::array<int, 3>, int>; // corners, the least one first; the triangle
+        std::vector<Key> keys;
+        for (const Triangle &t : mesh.triangles) {
+            auto c = t.corners;
+            std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+            keys.push_back({c, (int)keys.size()});
+        }
+        std::sort(keys.begin(), keys.end());
+        std::vector<bool> drop(keys.size());
+        for (size_t i = 1; i < keys.size(); ++i)
+            if (keys[i].first == keys[i - 1].first) drop[(size_t)keys[i].second] = true, ++mesh.twice;
+        size_t kept = 0;
+        for (size_t i = 0; i < drop.size(); ++i)
+            if (!drop[i]) {
+                if (pictured) mesh.coordinates[kept] = mesh.coordinates[i];
+                mesh.triangles[kept++] = mesh.triangles[i];
+            }
+        mesh.triangles.resize(kept);
+        if (pictured) mesh.coordinates.resize(kept);
+    }
+
+    void noteLeftOut() {
+        auto note = [&](size_t count, const std::string &what) {
+            if (count) notes.push_back(path + ": " + std::to_string(count) + what);
+        };
+        note((size_t)shortPolygons, " polygons of less than three points left out");
+        note((size_t)mesh.flat, " triangles without area left out");
+        note((size_t)mesh.twice, " triangles given twice left out");
+        std::vector<std::string> lines;
+        for (int i : crossing) lines.push_back(lineOf(i));
+        noteLines("polygons cross themselves, and may be lit wrongly: ", lines);
+    }
+
+    void noteLines(const std::string &what, const std::vector<std::string> &lines) {
+        constexpr size_t kMost = 5;
+        std::string text;
+        for (size_t i = 0; i < std::min(lines.size(), kMost); ++i) text += (i ? ", " : "") + lines[i];
+        if (lines.size() > kMost) text += " and " + std::to_string(lines.size() - kMost) + " more";
+        if (!lines.empty()) notes.push_back(path + ": " + what + text);
+    }
+
+    // A polygon's line and material.
+    std::string lineOf(int polygon) const {
+        const Polygons::Polygon &p = given.polygons[(size_t)(polygon < 0 ? ~polygon : polygon)];
+        return "line " + std::to_string(p.line) + " (" +
+               (p.material < 0 ? std::string("none") : mesh.materials[(size_t)p.material].name) + ")";
+    }
+};
+
+} // namespace
+
+Mesh buildMesh(const std::string &path, Polygons polygons, std::vector<MeshMaterial> materials,
+               const ReadSettings &settings, std::vector<std::string> &notes) {
+    return MeshBuilder(path, std::move(polygons), settings, notes).build(std::move(materials));
+}
+
+} // namespace odraz::radiosity

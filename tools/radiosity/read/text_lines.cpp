@@ -1,0 +1,119 @@
+#include "tools/radiosity/read/text_lines.h"
+
+#include "tools/common/whole_file.h"
+
+#include <algorithm>
+#include <cstring>
+#include <strings.h>
+
+namespace odraz::radiosity {
+
+namespace {
+
+bool blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+
+std::string_view trimmed(std::string_view s) {
+    while (!s.empty() && blank(s.front())) s.remove_prefix(1);
+    while (!s.empty() && blank(s.back())) s.remove_suffix(1);
+    return s;
+}
+
+void appendUtf8(std::string &to, uint32_t c) {
+    if (c < 0x80) {
+        to += (char)c;
+        return;
+    }
+    int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+    to += (char)((0xff00 >> (more + 1) & 0xff) | c >> (6 * more)); // as many ones as there are bytes
+    while (more--) to += (char)(0x80 | (c >> (6 * more) & 0x3f));
+}
+
+// UTF-16 as UTF-8; `high` is the index of each unit's high byte.
+std::string fromUtf16(std::string_view s, size_t high) {
+    std::string to;
+    uint32_t first = 0; // of a surrogate pair
+    for (size_t i = 0; i + 1 < s.size(); i += 2) {
+        uint32_t unit = (uint32_t)(uint8_t)s[i + high] << 8 | (uint8_t)s[i + 1 - high];
+        if (unit >> 10 == 0x36)
+            first = unit;
+        else if (unit >> 10 == 0x37)
+            appendUtf8(to, first ? 0x10000 + ((first & 0x3ff) << 10 | (unit & 0x3ff)) : 0xfffd);
+        else
+            appendUtf8(to, unit);
+        if (unit >> 10 != 0x36) first = 0;
+    }
+    return to;
+}
+
+std::string decoded(std::string text) {
+    auto begins = [&](std::string_view mark) { return text.compare(0, mark.size(), mark) == 0; };
+    if (begins("\xef\xbb\xbf")) return text.substr(3);
+    if (begins("\xff\xfe")) return fromUtf16(std::string_view(text).substr(2), 1);
+    if (begins("\xfe\xff")) return fromUtf16(std::string_view(text).substr(2), 0);
+    // Without a mark, the zero bytes of two ASCII characters tell
+    bool zero[4];
+    for (size_t i = 0; i < 4; ++i) zero[i] = i < text.size() && text[i] == 0;
+    if (text.size() < 4 || zero[0] == zero[1] || zero[0] != zero[2] || zero[1] != zero[3]) return text;
+    return fromUtf16(text, zero[1]);
+}
+
+} // namespace
+
+TextLines::TextLines(const std::string &path) : text(decoded(common::readWhole(path))) {
+    auto control = [](char c) {
+        return (uint8_t)c < ' ' && !blank(c) &&
+               std::string_view("\r\n\x1a").find(c) == std::string_view::npos;
+    };
+    isText = std::none_of(text.begin(), text.end(), control);
+    if (!isText) std::replace(text.begin(), text.end(), '\0', ' ');
+    if (text.find('\r') == std::string::npos) return;
+    size_t to = 0;
+    for (size_t i = 0; i < text.size(); ++i)
+        if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n')
+            text[to++] = text[i] == '\r' ? '\n' : text[i];
+    text.resize(to);
+}
+
+bool TextLines::next() {
+    while (at < text.size()) {
+        number = following;
+        auto physical = [&] {
+            size_t from = at, end = std::min(text.find('\n', at), text.size());
+            at = end + 1, ++following;
+            return std::string_view(text).substr(from, end - from);
+        };
+        std::string_view line = trimmed(physical());
+        if (!line.empty() && line.back() == '\\' && line.front() != '#') {
+            joined = line;
+            while (!joined.empty() && joined.back() == '\\' && at < text.size())
+                joined.back() = ' ', joined += physical();
+            line = trimmed(joined);
+        }
+        if (line.empty() || line.front() == '#') continue;
+        rest = line;
+        word = takeWord(rest);
+        return true;
+    }
+    return false;
+}
+
+int TextLines::keyword(std::span<const char *const> keywords) {
+    for (size_t i = 0; i < keywords.size(); ++i)
+        if (word == keywords[i]) return (int)i;
+    for (size_t i = 0; i < keywords.size(); ++i)
+        if (word.size() == std::strlen(keywords[i]) && !strncasecmp(word.data(), keywords[i], word.size())) {
+            otherCase.emplace(word, keywords[i]);
+            return (int)i;
+        }
+    return -1;
+}
+
+std::string_view takeWord(std::string_view &text) {
+    size_t end = 0;
+    while (end < text.size() && !blank(text[end])) ++end;
+    std::string_view word = text.substr(0, end);
+    text = trimmed(text.substr(end));
+    return word;
+}
+
+} // namespace odraz::radiosity
