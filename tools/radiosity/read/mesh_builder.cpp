@@ -1,5 +1,6 @@
 #include "tools/radiosity/read/mesh_builder.h"
 
+#include "tools/radiosity/read/overlaps.h"
 #include "tools/radiosity/read/triangulator.h"
 
 #include <algorithm>
@@ -46,6 +47,7 @@ public:
         weldPoints();
         collectTriangles();
         dropTwice();
+        overlaps = cutOverlaps(mesh, polygonOf, grid * 2);
         if (mesh.triangles.empty()) throw ModelError(path + ": holds no polygon with an area");
         std::vector<bool> used(mesh.materials.size());
         for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
@@ -63,11 +65,13 @@ private:
     std::vector<std::string> &notes;
     Polygons given;
     Mesh mesh;
-    double grid = 0;           // points closer than this are merged
-    std::vector<int> number;   // for each point of the file: its point in the mesh
-    std::vector<int> crossing; // polygons that cross themselves
-    int shortPolygons = 0;     // with fewer than three points
-    bool pictured = false;     // a material has a picture, so texture coordinates are kept
+    double grid = 0;            // points closer than this are merged
+    std::vector<int> number;    // for each point of the file: its point in the mesh
+    std::vector<int> polygonOf; // of each triangle; negative for a polygon that crosses itself
+    std::vector<int> crossing;  // polygons that cross themselves
+    std::set<PolygonPair> overlaps;
+    int shortPolygons = 0; // with fewer than three points
+    bool pictured = false; // a material has a picture, so texture coordinates are kept
 
     // Merges points within a millionth of the model's size.
     void weldPoints() {
@@ -134,11 +138,13 @@ private:
             for (const Polygons::Corner &c : corners) places.push_back(mesh.points[(size_t)c.point]);
             triangulator.triangles.clear();
             if (corners.size() > 2) triangulator.divide(places, grid * 2);
-            if (corners.size() > 2 && triangulator.crosses) crossing.push_back((int)i);
+            const bool crosses = corners.size() > 2 && triangulator.crosses;
+            if (crosses) crossing.push_back((int)i);
             mesh.flat += (int)(count - 2 - triangulator.triangles.size());
             plain |= p.material < 0;
             for (const auto &triangle : triangulator.triangles)
                 add(corners, triangle, p.material < 0 ? materials : p.material);
+            polygonOf.resize(mesh.triangles.size(), crosses ? ~(int)i : (int)i);
         }
         if (plain) mesh.materials.push_back(noMaterial());
     }
@@ -192,9 +198,10 @@ private:
         for (size_t i = 0; i < drop.size(); ++i)
             if (!drop[i]) {
                 if (pictured) mesh.coordinates[kept] = mesh.coordinates[i];
+                polygonOf[kept] = polygonOf[i];
                 mesh.triangles[kept++] = mesh.triangles[i];
             }
-        mesh.triangles.resize(kept);
+        mesh.triangles.resize(kept), polygonOf.resize(kept);
         if (pictured) mesh.coordinates.resize(kept);
     }
 
@@ -208,6 +215,10 @@ private:
         std::vector<std::string> lines;
         for (int i : crossing) lines.push_back(lineOf(i));
         noteLines("polygons cross themselves, and may be lit wrongly: ", lines);
+        lines.clear();
+        for (auto [front, behind] : overlaps)
+            if (front != behind) lines.push_back(lineOf(behind) + " behind " + lineOf(front));
+        noteLines("polygons overlap in one plane, and the first is in front: ", lines);
     }
 
     void noteLines(const std::string &what, const std::vector<std::string> &lines) {

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 using namespace odraz;
 using namespace odraz::radiosity;
 
@@ -128,4 +131,29 @@ TEST(ObjReader, MovesFarModels) {
     EXPECT_GT(length(far.mesh.place), 5e6f);
     for (const Vec3d &p : far.mesh.points) EXPECT_LT(length(p), 4);
     EXPECT_EQ(length(Read(kSquare + "f 1 2 3 4\n").mesh.place), 0);
+}
+
+TEST(ObjReader, PutsTheFirstPolygonInFront) {
+    const std::string mtl = "newmtl wall\nKd .1 .1 .1\nnewmtl decal\nKd .9 .9 .9\n",
+                      points = kSquare + "v 3 0 3\nv 3 0 15\nv 6 0 15\nv 6 0 3\n",
+                      wall = "usemtl wall\nf 1 2 3 4\n", decal = "usemtl decal\nf 5 6 7 8\n";
+    auto areas = [](const Mesh &mesh) {
+        std::map<std::string, double> of;
+        for (const Triangle &t : mesh.triangles)
+            of[mesh.materials[(size_t)t.material].name] += length(normalOf(mesh, t)) / 2;
+        return of;
+    };
+    Read wallFirst("mtllib m.mtl\n" + points + wall + decal, mtl);
+    EXPECT_NEAR(areas(wallFirst.mesh)["wall"], 144, 1e-9);
+    EXPECT_NEAR(areas(wallFirst.mesh)["decal"], 9, 1e-4); // it stands out by three
+    EXPECT_EQ(wallFirst.notes,
+              Lines{"m.obj: polygons overlap in one plane, and the first is in front: line 13 (decal) behind "
+                    "line 11 (wall)"});
+    Read decalFirst("mtllib m.mtl\n" + points + decal + wall, mtl);
+    EXPECT_NEAR(areas(decalFirst.mesh)["wall"], 144 - 27, 1e-4);
+    EXPECT_NEAR(areas(decalFirst.mesh)["decal"], 36, 1e-9);
+    // Backs, neighbours and what lies a little in front do not overlap
+    EXPECT_EQ(Read(points + "f 1 2 3 4\nf 8 7 6 5\n").notes, Lines{});
+    EXPECT_EQ(Read(points + "f 1 2 3\nf 1 3 4\n").notes, Lines{});
+    EXPECT_EQ(Read(kSquare + "v 3 .001 3\nv 3 .001 9\nv 6 .001 9\nf 1 2 3 4\nf 5 6 7\n").notes, Lines{});
 }

@@ -1,0 +1,264 @@
+#include "tools/radiosity/read/overlaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace odraz::radiosity {
+
+namespace {
+
+// Finds pairs of triangles that overlap.
+class PairFinder {
+public:
+    PairFinder(const Mesh &mesh, const std::vector<int> &polygonOf, double tiny)
+        : mesh(mesh), polygonOf(polygonOf), tiny(tiny) {
+        boxes.reserve(mesh.triangles.size());
+        for (const Triangle &t : mesh.triangles) {
+            const Vec3d &p = mesh.points[(size_t)t.corners[0]], &q = mesh.points[(size_t)t.corners[1]],
+                        &r = mesh.points[(size_t)t.corners[2]];
+            Box box = {{}, {}, (int)boxes.size()};
+            for (size_t k = 0; k < 3; ++k) {
+                auto [lo, hi] = std::minmax({p[k], q[k], r[k]});
+                box.lo[k] = (float)(lo - tiny), box.hi[k] = (float)(hi + tiny);
+            }
+            boxes.push_back(box);
+        }
+    }
+
+    // The triangles in front of each triangle that has some.
+    std::map<int, std::vector<int>> find() {
+        find(boxes, 0);
+        for (auto &[behind, fronts] : found) {
+            std::sort(fronts.begin(), fronts.end());
+            fronts.erase(std::unique(fronts.begin(), fronts.end()), fronts.end());
+        }
+        return std::move(found);
+    }
+
+private:
+    struct Box {
+        float lo[3], hi[3];
+        int triangle;
+    };
+    const Mesh &mesh;
+    const std::vector<int> &polygonOf;
+    double tiny;
+    std::vector<Box> boxes;
+    std::map<int, std::vector<int>> found;
+
+    // Divides a set of triangles in two, with those across the middle in both, until it is small or one axis
+    // after the other separates none.
+    void find(std::vector<Box> &some, int depth) {
+        constexpr size_t kFew = 200;
+        if (some.empty()) return;
+        const std::array<size_t, 3> axes = axesOf(some);
+        if (some.size() > kFew && depth < 60)
+            for (size_t axis : axes) {
+                std::vector<float> middles;
+                for (size_t i = 0; i < some.size(); i += 1 + some.size() / 100)
+                    middles.push_back(some[i].lo[axis] + some[i].hi[axis]);
+                auto middle = middles.begin() + (long)middles.size() / 2;
+                std::nth_element(middles.begin(), middle, middles.end());
+                const float at = *middle / 2;
+                std::vector<Box> low, high;
+                low.reserve(some.size()), high.reserve(some.size());
+                for (const Box &b : some) {
+                    if (b.lo[axis] <= at) low.push_back(b);
+                    if (b.hi[axis] >= at) high.push_back(b);
+                }
+                if (low.size() + high.size() > some.size() * 5 / 4) continue;
+                some = {};
+                find(low, depth + 1), low = {};
+                find(high, depth + 1);
+                return;
+            }
+        const size_t axis = axes[0];
+        std::sort(some.begin(), some.end(),
+                  [&](const Box &s, const Box &t) { return s.lo[axis] < t.lo[axis]; });
+        for (size_t i = 0; i < some.size(); ++i)
+            for (size_t k = i + 1; k < some.size() && some[k].lo[axis] <= some[i].hi[axis]; ++k) {
+                const Box &s = some[i], &t = some[k];
+                if (s.lo[axes[1]] > t.hi[axes[1]] || t.lo[axes[1]] > s.hi[axes[1]] ||
+                    s.lo[axes[2]] > t.hi[axes[2]] || t.lo[axes[2]] > s.hi[axes[2]])
+                    continue;
+                auto [front, behind] = std::minmax(s.triangle, t.triangle);
+                if (overlap(front, behind)) found[behind].push_back(front);
+            }
+    }
+
+    std::array<size_t, 3> axesOf(const std::vector<Box> &some) const {
+        Box all = some[0];
+        for (const Box &b : some)
+            for (size_t k = 0; k < 3; ++k)
+                all.lo[k] = std::min(all.lo[k], b.lo[k]), all.hi[k] = std::max(all.hi[k], b.hi[k]);
+        std::array<size_t, 3> axes = {0, 1, 2};
+        std::sort(axes.begin(), axes.end(),
+                  [&](size_t a, size_t b) { return all.hi[a] - all.lo[a] > all.hi[b] - all.lo[b]; });
+        return axes;
+    }
+
+    bool overlap(int a, int b) const {
+        if (polygonOf[(size_t)a] >= 0 && polygonOf[(size_t)a] == polygonOf[(size_t)b]) return false;
+        Vec3d n = normalOf(mesh, mesh.triangles[(size_t)a]),
+              other = normalOf(mesh, mesh.triangles[(size_t)b]);
+        if (!(dot(n, other) > 0.9 * length(n) * length(other))) return false;
+        if (dot(other, other) > dot(n, n)) std::swap(a, b), n = other; // the larger one's plane
+        n = normalize(n);
+        Vec3d p[2][3];
+        for (size_t k = 0; k < 3; ++k) {
+            p[0][k] = mesh.points[(size_t)mesh.triangles[(size_t)a].corners[k]];
+            p[1][k] = mesh.points[(size_t)mesh.triangles[(size_t)b].corners[k]];
+            if (std::fabs(dot(p[1][k] - p[0][0], n)) > tiny) return false;
+        }
+        // They overlap unless a line along one of their sides separates them
+        for (const auto &triangle : p)
+            for (size_t k = 0; k < 3; ++k) {
+                Vec3d out = normalize(cross(triangle[(k + 1) % 3] - triangle[k], n));
+                double deepest = 0; // into the triangle, of the other one's corners
+                for (const Vec3d &q : &triangle == p ? p[1] : p[0])
+                    deepest = std::max(deepest, dot(triangle[k] - q, out));
+                if (deepest <= 2 * tiny) return false;
+            }
+        return true;
+    }
+};
+
+// A corner of a piece, and its texture coordinates.
+struct Corner {
+    Vec3d p;
+    double at[2];
+};
+using Piece = std::vector<Corner>; // convex
+
+Corner between(const Corner &a, const Corner &b, double t) {
+    return {a.p + (b.p - a.p) * t, {a.at[0] + (b.at[0] - a.at[0]) * t, a.at[1] + (b.at[1] - a.at[1]) * t}};
+}
+
+// Divides a piece by a plane; either part may be empty.
+void divide(const Piece &piece, const Vec3d &on, const Vec3d &out, double tiny, Piece &inside,
+            Piece &outside) {
+    inside.clear(), outside.clear();
+    std::vector<double> distance;
+    for (const Corner &c : piece) {
+        double d = dot(c.p - on, out);
+        distance.push_back(std::fabs(d) <= tiny ? 0 : d);
+    }
+    bool in = false, beyond = false;
+    for (size_t i = 0; i < piece.size(); ++i) {
+        size_t next = (i + 1) % piece.size();
+        double d = distance[i], e = distance[next];
+        if (d <= 0) inside.push_back(piece[i]);
+        if (d >= 0) outside.push_back(piece[i]);
+        in |= d<0, beyond |= d> 0;
+        if ((d < 0 && e > 0) || (d > 0 && e < 0)) {
+            Corner c = between(piece[i], piece[next], d / (d - e));
+            inside.push_back(c), outside.push_back(c);
+        }
+    }
+    if (!in) inside.clear();
+    if (!beyond) outside.clear();
+}
+
+class Cutter {
+public:
+    Cutter(Mesh &mesh, std::vector<int> &polygonOf, double tiny)
+        : mesh(mesh), polygonOf(polygonOf), tiny(tiny) {}
+
+    std::set<PolygonPair> cut() {
+        auto found = PairFinder(mesh, polygonOf, tiny).find();
+        std::set<PolygonPair> pairs;
+        if (found.empty()) return pairs;
+        for (const auto &[behind, fronts] : found)
+            for (int t : fronts) {
+                pairs.insert({polygonOf[(size_t)t], polygonOf[(size_t)behind]});
+                for (int c : mesh.triangles[(size_t)t].corners) point(mesh.points[(size_t)c], c);
+                for (int c : mesh.triangles[(size_t)behind].corners) point(mesh.points[(size_t)c], c);
+            }
+        const std::vector<Triangle> triangles = std::move(mesh.triangles);
+        const std::vector<std::array<float, 6>> coordinates = std::move(mesh.coordinates);
+        const std::vector<int> polygons = std::move(polygonOf);
+        mesh.triangles.clear(), mesh.coordinates.clear(), polygonOf.clear();
+        for (size_t i = 0; i < triangles.size(); ++i) {
+            auto fronts = found.find((int)i);
+            const size_t before = mesh.triangles.size();
+            if (fronts == found.end()) {
+                mesh.triangles.push_back(triangles[i]);
+                if (!coordinates.empty()) mesh.coordinates.push_back(coordinates[i]);
+            } else
+                addRest(triangles, fronts->second, triangles[i],
+                        coordinates.empty() ? nullptr : coordinates[i].data());
+            polygonOf.insert(polygonOf.end(), mesh.triangles.size() - before, polygons[i]);
+        }
+        return pairs;
+    }
+
+private:
+    Mesh &mesh;
+    std::vector<int> &polygonOf;
+    double tiny;
+    std::map<std::array<int64_t, 3>, int> known; // points by their place on a grid
+
+    // The number of a point; `number`, or that of a new point, if there is none at this place.
+    int point(const Vec3d &p, int number = -1) {
+        std::array<int64_t, 3> place;
+        for (size_t k = 0; k < 3; ++k) place[k] = std::llround(p[k] / tiny);
+        auto [entry, added] = known.try_emplace(place, number);
+        if (added && number < 0) {
+            entry->second = (int)mesh.points.size();
+            mesh.points.push_back(p);
+        }
+        return entry->second;
+    }
+
+    // Adds the part of a triangle that no triangle in front covers.
+    void addRest(const std::vector<Triangle> &triangles, const std::vector<int> &fronts, const Triangle &t,
+                 const float *at) {
+        Piece whole, inside, outside;
+        for (size_t k = 0; k < 3; ++k)
+            whole.push_back({mesh.points[(size_t)t.corners[k]],
+                             {at ? (double)at[2 * k] : 0, at ? (double)at[2 * k + 1] : 0}});
+        const Vec3d n = normalize(normalOf(mesh, t));
+        std::vector<Piece> rest = {whole}, left;
+        for (int front : fronts) {
+            left.clear();
+            for (const Piece &piece : rest) {
+                Piece remains = piece;
+                const size_t before = left.size();
+                for (size_t k = 0; k < 3 && !remains.empty(); ++k) {
+                    const auto &c = triangles[(size_t)front].corners;
+                    const Vec3d &a = mesh.points[(size_t)c[k]], &b = mesh.points[(size_t)c[(k + 1) % 3]];
+                    divide(remains, a, normalize(cross(b - a, n)), tiny, inside, outside);
+                    if (!outside.empty()) left.push_back(outside);
+                    remains = inside;
+                }
+                if (remains.empty()) left.resize(before), left.push_back(piece); // they only touch
+            }
+            rest.swap(left);
+        }
+        for (const Piece &piece : rest)
+            for (size_t k = 2; k < piece.size(); ++k) {
+                const Corner *corners[3] = {&piece[0], &piece[k - 1], &piece[k]};
+                Triangle part = t;
+                std::array<float, 6> place;
+                double longest = 0;
+                for (size_t c = 0; c < 3; ++c) {
+                    part.corners[c] = point(corners[c]->p);
+                    place[2 * c] = (float)corners[c]->at[0], place[2 * c + 1] = (float)corners[c]->at[1];
+                    longest = std::max(longest, length(corners[c]->p - corners[(c + 1) % 3]->p));
+                }
+                if (!(dot(normalOf(mesh, part), n) > longest * tiny)) continue;
+                mesh.triangles.push_back(part);
+                if (at) mesh.coordinates.push_back(place);
+            }
+    }
+};
+
+} // namespace
+
+std::set<PolygonPair> cutOverlaps(Mesh &mesh, std::vector<int> &polygonOf, double tiny) {
+    return Cutter(mesh, polygonOf, tiny).cut();
+}
+
+} // namespace odraz::radiosity
