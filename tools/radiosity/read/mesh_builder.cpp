@@ -1,5 +1,6 @@
 #include "tools/radiosity/read/mesh_builder.h"
 
+#include "tools/radiosity/read/emission_picture.h"
 #include "tools/radiosity/read/overlaps.h"
 #include "tools/radiosity/read/triangulator.h"
 
@@ -49,6 +50,7 @@ public:
         dropTwice();
         overlaps = cutOverlaps(mesh, polygonOf, grid * 2);
         if (mesh.triangles.empty()) throw ModelError(path + ": holds no polygon with an area");
+        divideByEmission(mesh, notes);
         std::vector<bool> used(mesh.materials.size());
         for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
         noteBlack(mesh.materials, used, path, notes);

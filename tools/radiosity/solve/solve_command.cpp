@@ -150,7 +150,7 @@ private:
         std::vector<int> emitters;
         for (size_t i = 0; i < mesh.materials.size(); ++i) {
             const MeshMaterial &m = mesh.materials[i];
-            if (!m.picture.path.empty()) return false;
+            if (!m.picture.path.empty() || !m.glow.path.empty()) return false;
             if (from.names.used[i] && m.emits[0] + m.emits[1] + m.emits[2] > 0) emitters.push_back((int)i);
         }
         prepared = std::make_unique<PreparedSolve>(from.prepared, mesh.materials.size());

@@ -11,8 +11,16 @@ std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
     std::vector<bool> used(mesh.materials.size());
     for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
     for (size_t i = 0; i < mesh.materials.size(); ++i) {
-        const auto &e = mesh.materials[i].emits;
-        if (used[i] && std::max({e[0], e[1], e[2]}) > 0) lamps.push_back({mesh.materials[i].name, {i}, {}});
+        const MeshMaterial &m = mesh.materials[i];
+        if (!used[i] || !(std::max({m.emits[0], m.emits[1], m.emits[2]}) > 0)) continue;
+        // The parts of a picture are one lamp
+        auto whole = std::find_if(lamps.begin(), lamps.end(), [&](const LampSource &lamp) {
+            return !m.glow.path.empty() && lamp.name == m.name;
+        });
+        if (whole == lamps.end())
+            lamps.push_back({m.name, {i}, {}});
+        else
+            whole->materials.push_back(i);
     }
     for (size_t i = 0; i < around.lamps.size(); ++i)
         lamps.push_back({"ball " + std::to_string(i + 1), {}, {{}, {}, {around.lamps[i]}}});

@@ -1,6 +1,7 @@
 // Wavefront OBJ as other programs write it: its text, its numbers, its materials, and the notes about them.
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
+#include "tools/picture/picture.h"
 #include "tools/radiosity/read/mesh.h"
 
 #include <gtest/gtest.h>
@@ -156,4 +157,36 @@ TEST(ObjReader, PutsTheFirstPolygonInFront) {
     EXPECT_EQ(Read(points + "f 1 2 3 4\nf 8 7 6 5\n").notes, Lines{});
     EXPECT_EQ(Read(points + "f 1 2 3\nf 1 3 4\n").notes, Lines{});
     EXPECT_EQ(Read(kSquare + "v 3 .001 3\nv 3 .001 9\nv 6 .001 9\nf 1 2 3 4\nf 5 6 7\n").notes, Lines{});
+}
+
+TEST(ObjReader, DividesLampsByTheirPicture) {
+    const std::string obj =
+        "mtllib m.mtl\n" + kSquare + "vt 0 0\nvt 0 1\nvt 1 1\nvt 1 0\nusemtl a\nf 1/1 2/2 3/3 4/4\n";
+    common::TemporaryFolder folder;
+    pictures::Image half = {64, 64, std::vector<uint8_t>(64 * 64 * 3)};
+    for (size_t i = 0; i < half.rgb.size(); ++i) half.rgb[i] = i / 3 % 64 < 32 ? 0 : 255;
+    pictures::writePng(folder / "half.png", half);
+    Read r(obj, "newmtl a\nKd 0 0 0\nKe 10 20 0\nmap_Ke " + (folder / "half.png") + "\n");
+    EXPECT_EQ(r.notes, Lines{});
+    double dark = 0, lit = 0, power = 0;
+    for (const Triangle &t : r.mesh.triangles) {
+        const auto &m = r.mesh.materials[(size_t)t.material];
+        double area = length(normalOf(r.mesh, t)) / 2;
+        EXPECT_EQ(m.name, "a");
+        (m.emits[0] < 0.1f ? dark : lit) += m.emits[0] < 0.1f || m.emits[0] > 9.9f ? area : 0;
+        power += area * (double)m.emits[1];
+    }
+    EXPECT_NEAR(dark, 72, 4);
+    EXPECT_NEAR(lit, 72, 4);
+    EXPECT_NEAR(power, 20 * 72, 1);
+    // Without Ke the picture alone is meant; one that cannot be read leaves Ke
+    Read alone(obj, "newmtl a\nKd 0 0 0\nmap_Ke -clamp on " + (folder / "half.png") + "\n");
+    EXPECT_EQ(std::max_element(alone.mesh.materials.begin(), alone.mesh.materials.end(),
+                               [](auto &a, auto &b) { return a.emits[0] < b.emits[0]; })
+                  ->emits[0],
+              1);
+    Read none(obj, "newmtl a\nKe 5 5 5\nmap_Ke none.png\n");
+    EXPECT_EQ(none.mesh.materials[0].emits[0], 5);
+    ASSERT_EQ(none.notes.size(), 1u);
+    EXPECT_NE(none.notes[0].find("none.png"), std::string::npos);
 }
