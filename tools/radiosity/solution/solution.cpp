@@ -31,6 +31,8 @@ bool Solution::get(const std::string &from, size_t &at) {
 }
 
 void Solution::save(const std::string &path) const {
+    if (!valid(*this))
+        throw std::runtime_error(path + ": is not written: its numbers are too large for a solution");
     std::string body;
     put(body);
     common::writeWhole(path, withChecksum(body));

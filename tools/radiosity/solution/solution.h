@@ -35,7 +35,7 @@ struct Solution {
     // Reads a file. Throws std::runtime_error, with the file's name first, if it cannot be read or is not
     // valid().
     explicit Solution(const std::string &path);
-    // Writes beside the file and renames. Throws likewise.
+    // Writes beside the file and renames. Throws likewise, also if it is not valid().
     void save(const std::string &path) const;
     // Appends the arrays of a file; reads them from `at` on. False if they are damaged or not valid().
     void put(std::string &to) const;

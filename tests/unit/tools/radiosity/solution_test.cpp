@@ -2,6 +2,7 @@
 #include "tests/support/headless_gl.h"
 #include "tests/support/thrown.h"
 #include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
 
@@ -56,7 +57,9 @@ protected:
 
     // Whether the file is accepted; an accepted solution must be safe to use.
     bool taken(const Solution &b) {
-        b.save(path);
+        std::string body;
+        b.put(body);
+        common::writeWhole(path, Solution::withChecksum(body));
         std::string wrong = thrown([&] {
             Solution again(path);
             exportCsv(again, folder / "a.csv");
@@ -75,6 +78,13 @@ protected:
 } // namespace
 
 TEST_F(SolutionFile, ComesBackAsItWas) { EXPECT_TRUE(taken(small())); }
+
+TEST_F(SolutionFile, IsNotWrittenIfItCannotBeRead) {
+    Solution b = small();
+    b.light[4].y = 1e18f;
+    EXPECT_NE(thrown([&] { b.save(folder / "b.rad"); }).find("is not written"), std::string::npos);
+    EXPECT_THROW(common::readWhole(folder / "b.rad"), common::Refused);
+}
 
 TEST_F(SolutionFile, OfOthersIsRefused) {
     using Spoil = void (*)(Solution &);
