@@ -128,6 +128,30 @@ done
 check "lightmaps" "$radiosity" export survey.rad --atlas survey
 check "... in OBJ" grep -qE '^v 460122\.5[0-9]* 21[0-9.]* 54112[0-9]{2}\.' survey/model.obj
 check "... in glTF by a node" grep -q '"translation":\[460123' survey/model.gltf
+# A decal in the plane of a wall: the first in the file is in front, in the light by both methods and in the picture
+printf 'newmtl decal\nKd .9 .9 .9\nnewmtl wall\nKd .1 .1 .1\n' >decal.mtl
+decal_room() { # decal_room FILE before|after Z: the decal lies at Z; the wall at -1
+    local face='usemtl decal\nf 13 14 15 16\n'
+    { printf 'mtllib decal.mtl\n'; [ "$2" = after ] || printf "$face"; cat near.obj
+        printf 'v -.9 .1 %s\nv .9 .1 %s\nv .9 1.9 %s\nv -.9 1.9 %s\n' "$3" "$3" "$3" "$3"; [ "$2" = before ] || printf "$face"; } >"$1.obj"
+    for way in "--rays 256" "--hemicube 32"; do
+        # shellcheck disable=SC2086 # options are several words
+        "$radiosity" solve "$1.obj" -o "$1.rad" $way 2>err >/dev/null && "$radiosity" export "$1.rad" --csv "$1.csv" || return
+        awk -F, '$6 > .9 { a += $8; s += $8 * $9 } END { print s / a }' "$1.csv"
+    done >"$1.floor"
+    "$radiosity" render "$1.rad" -o "$1.png" --eye 0,1,.9 --at 0,1,-1 --size 160x120
+}
+alike() { # alike A B: floors within .5 %, and pictures
+    paste "$1.floor" "$2.floor" | awk '{ d = ($1 - $2) / $2; if (d * d > 0.000025) off = 1 } END { exit NR != 2 || off }' &&
+        [ "$(compare -metric AE -fuzz 4% "$1.png" "$2.png" null: 2>&1)" -lt 100 ]
+}
+check "a room with a decal a millimetre in front of a wall" decal_room front after -.999
+check "... with it far behind" decal_room behind after -9
+check "... behind the wall that comes first" decal_room last after -1
+check "... with a note" grep -q 'polygons overlap in one plane, and the first is in front: line [0-9]* (decal) behind line [0-9]* (wall)$' err
+check "... has the light and the picture without it" alike last behind
+check "... in front of the wall that comes later" decal_room first before -1
+check "... has those with it in front" alike first front
 sound "one part far away" "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5 6 7\n"
 
 # --- Materials ---
