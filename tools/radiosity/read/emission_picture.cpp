@@ -1,5 +1,6 @@
 #include "tools/radiosity/read/emission_picture.h"
 
+#include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 
 #include <algorithm>
@@ -132,7 +133,7 @@ void divideByEmission(Mesh &mesh, std::vector<std::string> &notes) {
                                          [&](const Triangle &t) { return t.material == i; }))
             continue;
         try {
-            divider.divide(i, ReflectancePicture(path));
+            divider.divide(i, ReflectancePicture(pictures::readPicture(path)));
         } catch (const common::Refused &e) {
             notes.push_back(std::string(e.what()) + "; the material's Ke is used");
         }
