@@ -104,6 +104,10 @@ seeds_for_picture() {
     printf '\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\40\40abcdABCD' >seeds/tga
     printf '\0\1\11\0\0\2\0\30\0\0\0\0\4\0\2\0\10\0abcdef\203\0\3\1\0\0\1' >seeds/tga_runs
     printf 'BM:\0\0\0\0\0\0\0\66\0\0\0\50\0\0\0\1\0\0\0\1\0\0\0\1\0\30\0%.24dabcd' 0 | tr 0 '\0' >seeds/bmp
+    # Earlier findings: a JPEG after a byte of 255, a table of more than 256 codes, a BMP without width
+    { printf '\377'; cat seeds/small.jpg; } >seeds/filled
+    perl -0777 -pe 's/\xff\xc4...\K.{16}/"\xff" x 16/se' seeds/small.jpg >seeds/codes
+    perl -0777 -pe 'substr($_, 18, 1) = "\0"' seeds/bmp >seeds/narrow
     options=(-max_len=16384)
 }
 
