@@ -54,10 +54,12 @@ Picture read(std::string_view file, Sample *(*load)(stbi__context *, int *, int 
     return p;
 }
 
-// Whether the tables of Huffman codes in a JPEG have at most 256 codes, as stb_image believes. What lies
-// between its segments is skipped, as are pixels; there 255 stands before 0, or before the mark of a restart.
-bool tablesFit(std::string_view jpeg) {
+// Whether a JPEG has tables before its pixels, of codes and of steps, and of codes at most 256 in each, as
+// stb_image believes. What lies between its segments is skipped, as are pixels; there 255 stands before 0, or
+// before the mark of a restart.
+bool hasTables(std::string_view jpeg) {
     auto byte = [&](size_t at) { return at < jpeg.size() ? (uint8_t)jpeg[at] : 0; };
+    bool codes = false, steps = false;
     for (size_t at = 0; at + 4 <= jpeg.size();) {
         int mark = byte(at + 1);
         if (byte(at) != 0xff || mark == 0xff) {
@@ -66,12 +68,14 @@ bool tablesFit(std::string_view jpeg) {
         }
         at += 2;
         if (mark == 0 || (mark >= 0xd0 && mark <= 0xd8)) continue; // nothing belongs to these marks
+        codes |= mark == 0xc4, steps |= mark == 0xdb;
+        if (mark == 0xda && !(codes && steps)) return false;
         size_t end = at + (size_t)(byte(at) * 256 + byte(at + 1));
         for (size_t table = at + 2; mark == 0xc4 && table < end;) {
-            int codes = 0;
-            for (size_t k = 1; k <= 16; ++k) codes += byte(table + k);
-            if (codes > 256) return false;
-            table += 17 + (size_t)codes;
+            int count = 0;
+            for (size_t k = 1; k <= 16; ++k) count += byte(table + k);
+            if (count > 256) return false;
+            table += 17 + (size_t)count;
         }
         at = std::max(end, at);
     }
@@ -82,7 +86,7 @@ bool tablesFit(std::string_view jpeg) {
 
 Picture readByStb(std::string_view file) {
     common::need(file.size() <= (size_t)256 << 20, "it has more than 256 MB");
-    if (file.starts_with('\xff')) common::need(tablesFit(file), "it is damaged");
+    if (file.starts_with('\xff')) common::need(hasTables(file), "it is damaged");
     auto *bytes = (const stbi_uc *)file.data();
     int width, height, channels, size = (int)file.size();
     common::need(stbi_info_from_memory(bytes, size, &width, &height, &channels),

@@ -146,6 +146,12 @@ TEST(PictureFile, ReadsPngAndJpeg) {
     codes.replace(codes.find("\xff\xc4") + 5, 16, 16, '\xff');
     expectRefused(codes, "it is damaged");
     expectRefused("\xff" + codes, "it is damaged");
+    // Without its tables it would be grey
+    for (const char *table : {"\xff\xc4", "\xff\xdb"}) {
+        std::string lacks = jpg;
+        for (size_t at; (at = lacks.find(table)) != lacks.npos;) lacks[at + 1] = '\xfe';
+        expectRefused(lacks, "it is damaged");
+    }
     // A picture that is too large: the head alone decides
     expectRefused("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x23\x28\0\0\x23\x28\10\2\0\0\0xxxx"s,
                   "no pixels, or more than 2^26");
