@@ -133,7 +133,15 @@ void divideByEmission(Mesh &mesh, std::vector<std::string> &notes) {
                                          [&](const Triangle &t) { return t.material == i; }))
             continue;
         try {
-            divider.divide(i, ReflectancePicture(pictures::readPicture(path)));
+            pictures::Picture picture = pictures::readPicture(path);
+            // Light above 1 becomes the material's
+            float most = 1;
+            for (float x : picture.light) most = std::max(most, x);
+            for (float &x : picture.light) x /= most;
+            for (float &x : mesh.materials[(size_t)i].glow.tint)
+                if (!((double)(x *= most) <= kMostPower))
+                    throw common::Refused("cannot read " + path + ": with Ke it has light above 1e12");
+            divider.divide(i, ReflectancePicture(picture));
         } catch (const common::Refused &e) {
             notes.push_back(std::string(e.what()) + "; the material's Ke is used");
         }

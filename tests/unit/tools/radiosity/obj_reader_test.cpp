@@ -185,6 +185,13 @@ TEST(ObjReader, DividesLampsByTheirPicture) {
                                [](auto &a, auto &b) { return a.emits[0] < b.emits[0]; })
                   ->emits[0],
               1);
+    // Light above 1, in a picture of one pixel of 4, 8, 1
+    common::writeWhole(folder / "bright.hdr",
+                       std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x40\x80\x10\x84"));
+    Read bright(obj, "newmtl a\nKd 0 0 0\nKe .5 .5 .5\nmap_Ke " + (folder / "bright.hdr") + "\n");
+    EXPECT_EQ(bright.notes, Lines{});
+    EXPECT_NEAR(bright.mesh.materials[0].emits[0], 2, 0.03);
+    EXPECT_NEAR(bright.mesh.materials[0].emits[1], 4, 0.03);
     Read none(obj, "newmtl a\nKe 5 5 5\nmap_Ke none.png\n");
     EXPECT_EQ(none.mesh.materials[0].emits[0], 5);
     ASSERT_EQ(none.notes.size(), 1u);
