@@ -185,6 +185,13 @@ TEST(RayTree, LooksThroughBacks) {
     EXPECT_EQ(tree.nearestFront({0, 0, 5.5f}, {0, 0, 1}).triangle, 9);
     EXPECT_EQ(tree.nearestFront({0, 0, 20.5f}, {0, 0, -1}).triangle, 18);
     EXPECT_EQ(tree.nearestFront({0, 0, 0.5f}, {0, 0, -1}).triangle, -1);
+    // A sheet, the same corners both ways round: from either side the one that faces there
+    Corners c = {Vec3{-1, -1, 1}, Vec3{0, 2, 1}, Vec3{2, -1, 1}};
+    RayTree sheet({c, {c[0], c[2], c[1]}}), turned({{c[0], c[2], c[1]}, c});
+    EXPECT_EQ(sheet.nearestFront({}, {0, 0, 1}).triangle, 0);
+    EXPECT_EQ(turned.nearestFront({}, {0, 0, 1}).triangle, 1);
+    EXPECT_EQ(sheet.nearestFront({0, 0, 2}, {0, 0, -1}).triangle, 1);
+    EXPECT_EQ(turned.nearestFront({0, 0, 2}, {0, 0, -1}).triangle, 0);
 }
 
 TEST(Obstacles, BallsAreMetFromOutsideAndInside) {
