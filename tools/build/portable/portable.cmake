@@ -21,7 +21,8 @@ function(portable program how)
     target_link_options(${program}-portable PRIVATE -static-libstdc++ -static-libgcc
         -Wl,--no-as-needed -l:libpthread.so.0 -l:libdl.so.2 -Wl,--as-needed)
     foreach(name arc4random dlopen dlsym fstat fstat64 hypot lstat pthread_create pthread_detach pthread_getspecific pthread_join
-            pthread_key_create pthread_key_delete pthread_once pthread_setspecific stat _dl_find_object
+            pthread_key_create pthread_key_delete pthread_once pthread_rwlock_rdlock
+            pthread_rwlock_unlock pthread_rwlock_wrlock pthread_setspecific stat _dl_find_object
             __libc_single_threaded __libc_start_main __pthread_key_create)
         target_link_options(${program}-portable PRIVATE -Wl,--wrap=${name})
     endforeach()
