@@ -10,7 +10,7 @@ SolveJob::SolveJob(std::vector<std::string> words) : line("radiosity solve", std
     line.argument(
         "MODEL", model,
         "a Wavefront OBJ. Polygons may have any number of points and are lit on the side from which these "
-        "run counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke)",
+        "run counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke, map_Ke)",
         false);
     line.option("-o", "OUT", out, "the file of the solution");
     line.option("--resume", "OUT.state", resume,
