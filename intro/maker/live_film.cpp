@@ -34,7 +34,9 @@ const Live *openLive(const std::string &file, std::string &wrong) {
     return get ? get() : nullptr;
 }
 
-void useLive(const Live *next, Sound *sound) { theUse = new InUse{next, sound}; } // the former may be in use
+void useLive(const Live *next, Sound *sound) {
+    theUse = new InUse{next, sound};
+} // the previous one may be in use
 
 const Inspector &inspector() { return theUse.load()->live->inspector(); }
 

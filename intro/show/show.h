@@ -42,7 +42,7 @@ struct SceneEntry {
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
-// What pictures are made with: a scene that is posed anew for each of them, and what all of them share.
+// What pictures are made with: a scene that is posed for each of them, and what all of them share.
 struct Film {
     Scene *scene;
     Hall *hall; // null where no scene needs it

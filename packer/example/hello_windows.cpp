@@ -11,7 +11,7 @@ __attribute__((noplt)) WINDOWS void *GetProcAddress(void *library, const char *n
 static int theSum = 40; // data must survive packing, too
 static int theZeros[1000];
 
-// Windows calls this function, hence its convention.
+// Windows calls this function, so it has the convention of Windows.
 extern "C" [[noreturn]] WINDOWS void _start() {
     void *kernel = LoadLibraryA("kernel32.dll");
     auto output = (void *(WINDOWS *)(unsigned))GetProcAddress(kernel, "GetStdHandle");

@@ -66,8 +66,8 @@
 // ERRORS. If the checksum is not 0 or a page is missing, the stub prints "damaged: get it afresh"; if it gets
 // no memory, "not enough free memory"; if the system does not let memory that was written be executed, "it
 // may not run packed", or which program to use instead (messages.h). Each is one line on standard error; the
-// exit status is 1, and nothing of the program has run. Once the checksum is right, the stub trusts the file
-// and examines nothing else. The checksum can guard neither the Front, which the loader reads first, nor the
+// exit status is 1, and nothing of the program has run. Once the checksum is right, the stub checks
+// nothing else. The checksum can guard neither the Front, which the loader reads first, nor the
 // 128 bytes of code that compute it.
 #pragma once
 

@@ -133,7 +133,7 @@ table() {
 await() {
     local end=$((SECONDS + PATIENCE))
     until "$@"; do
-        [ $SECONDS -lt $end ] || { echo "waited $PATIENCE s in vain for: $*" >&2; return 1; }
+        [ $SECONDS -lt $end ] || { echo "waited $PATIENCE s without success for: $*" >&2; return 1; }
         sleep 0.02
     done
 }

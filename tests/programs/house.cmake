@@ -13,7 +13,7 @@ odraz_scripts(odraz_script .
     ci 5
     doctor 5
     house 1
-    install 5
+    install 15
     ledger 1
     measure 30
     memcheck 30

@@ -142,7 +142,7 @@ cp "$WORK/before" "$to"
 sed -i 's/1,235/1,234/' README.md
 check "other figures than the sections'" \
     reports 1 '^README.md has other figures than RESULTS.md: tools/measure/all --readme$'
-check "... are written anew" "$all" --readme
+check "... are written again" "$all" --readme
 check "... as they were" reports 0 ''
 sed -i '/<!-- .figures -->/d' README.md
 check "a mark that is missing" reports 1 '^README.md: the marks <!-- figures --> and <!-- /figures --> are needed$'

@@ -13,7 +13,7 @@ foreign_room() {
         print "# an exporter\nmtllib $ARGV[0] of it.mtl\no Room\n";
         my ($points, $s) = (0, 7);
         sub random { $s = ($s * 1103515245 + 12345) % 2147483648; return ($s >> 8) / 8388608 }
-        # A grid of quads over a surface, all of its points anew; every fifth one as two triangles
+        # A grid of quads over a surface, all of its points given again; every fifth one as two triangles
         sub grid {
             my ($m, $n, $at, @materials) = @_;
             my $before = $points;

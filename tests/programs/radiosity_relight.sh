@@ -46,7 +46,7 @@ for method in "$rays" "--hemicube 16 --element 2"; do
     done
 done
 check "what was solved last is dark" table b.csv 's += $9 + $10 + $11' 's == 0'
-# What the kept light does not have: rows are used, direct light is found anew
+# What the kept light does not have: rows are used, direct light is found again
 like_fresh "another lamp" cube.obj "--hemicube 16 --element 2 --residual 1e-6" "--power white=1,2,3"
 check "... with dividing" slow
 like_fresh "a lamp that went out, and another" cube.obj "--hemicube 16 --element 2 --residual 1e-6" "--power 0 --power red=1,2,3"

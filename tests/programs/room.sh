@@ -1,4 +1,4 @@
-# Sourced by the tests of rooms that are lit anew, after common.sh.
+# Sourced by the tests of rooms that are relit, after common.sh.
 
 # like A B DB: two pictures with a PSNR above DB
 like() { less "$3" "$("$BUILD/compare" "$1" "$2" | sed -E 's/psnr (inf|[0-9.]+).*/\1/; s/inf/999/')"; }

@@ -9,7 +9,7 @@
 struct ExportedPage {
     int width = 0, height = 0;
     std::vector<float> hdr;   // three a texel, rows from above
-    std::vector<uint8_t> png; // likewise
+    std::vector<uint8_t> png; // the same
 
     // Samples bilinearly, as graphics processors do; texture coordinates count from the bottom.
     odraz::Rgb at(float u, float v) const;

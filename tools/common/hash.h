@@ -1,4 +1,4 @@
-// FNV-1a, the hash of Fowler, Noll and Vo: 64 bits, for telling contents apart, not for security.
+// FNV-1a, the hash of Fowler, Noll and Vo: 64 bits, to compare contents, not for security.
 #pragma once
 
 #include <cstddef>

@@ -10,15 +10,3 @@ display() {
     DISPLAY=:$(cat "$WORK/display")
     export DISPLAY
 }
-
-# A window manager on it, once it answers: a window that is mapped before may stay unmapped
-window_manager() {
-    openbox >/dev/null 2>&1 &
-    trap "kill $! $XVFB" EXIT
-    for _ in $(seq 100); do
-        xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q 'window id' && return
-        sleep 0.1
-    done
-    echo "${0##*/}: openbox does not start" >&2
-    return 1
-}

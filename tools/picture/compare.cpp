@@ -14,9 +14,10 @@ namespace pictures {
 namespace {
 
 struct Difference {
-    double squares = 0, largest = 0; // in steps of 1/255: sum over all channels, of one channel
-    size_t values = 0, pixels = 0, transparent = 0; // of all channels; pixels that differ, and those in alpha
-    Image enlarged;                                 // eight times
+    double squares = 0, largest = 0; // in steps of 1/255: the sum over all channels, the largest of a channel
+    size_t values = 0;               // compared, of all channels
+    size_t pixels = 0, transparent = 0; // that differ, and that differ in alpha
+    Image enlarged;                     // eight times
 };
 
 Difference between(const Picture &a, const Picture &b) {
@@ -45,7 +46,7 @@ std::string kindOf(const Picture &p) {
            (p.hasAlpha() ? " and alpha" : "");
 }
 
-// What --max and --psnr let pass, and what else shall be done with a difference.
+// The limits of --max and --psnr, and where a difference is written.
 struct Settings {
     double most = 0, leastPsnr = HUGE_VAL;
     bool seen = false;

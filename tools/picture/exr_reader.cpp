@@ -21,8 +21,8 @@ using common::need;
 constexpr uint32_t kTiled = 0x200, kLongNames = 0x400, kVersion = 2;
 constexpr const char *kCompressions[] = {"none",  "RLE", "ZIPS", "ZIP",  "PIZ",
                                          "PXR24", "B44", "B44A", "DWAA", "DWAB"};
-constexpr int kLinesOfChunk[] = {1, 1, 1, 16, 32}; // of those that are read, as are all of tinyexr's names
-constexpr int64_t kMostCompressed = 1100;          // how far zlib can compress; the others can less
+constexpr int kLinesOfChunk[] = {1, 1, 1, 16, 32}; // of the first five, which are read
+constexpr int64_t kMostCompressed = 1100;          // the largest ratio of zlib, which compresses most
 constexpr uint32_t kHuffmanCodes = (1 << 16) + 1;
 
 struct Window { // both ends included

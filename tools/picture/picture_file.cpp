@@ -14,7 +14,7 @@ namespace pictures {
 
 namespace {
 
-constexpr float kMostLight = 1e12f; // as for light that options give: sums of it must be floats, too
+constexpr float kMostLight = 1e12f; // the same bound as for light from options: sums must fit into a float
 
 // Reads the first picture of `rest` and removes it.
 Picture takePicture(std::string_view &rest) {

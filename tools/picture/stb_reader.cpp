@@ -29,7 +29,7 @@ namespace pictures {
 
 namespace {
 
-// stb_image takes what is missing at the end of a file for zeros, or leaves pixels as memory was. So it gets
+// stb_image reads zeros where a file ends early, or leaves pixels uninitialised. So it gets
 // zeros there, at least as many as it reads at once (a row of TGA), and whether it took any is then visible.
 constexpr size_t kZeros = 65536 * 4;
 constexpr int64_t kMostByStb = 1 << 26;
@@ -55,7 +55,7 @@ Picture read(std::string_view file, Sample *(*load)(stbi__context *, int *, int 
 }
 
 // Whether a JPEG has tables before its pixels, of codes and of steps, and of codes at most 256 in each, as
-// stb_image believes. What lies between its segments is skipped, as are pixels; there 255 stands before 0, or
+// stb_image expects. What lies between its segments is skipped, as are pixels; there 255 stands before 0, or
 // before the mark of a restart.
 bool hasTables(std::string_view jpeg) {
     auto byte = [&](size_t at) { return at < jpeg.size() ? (uint8_t)jpeg[at] : 0; };

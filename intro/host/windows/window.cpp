@@ -51,7 +51,7 @@ void leave() {
     return DefWindowProcA(window, message, a, b);
 }
 
-// Tells the desktop not to scale what we draw: on any display since Windows 10, only on the first one before.
+// Asks the desktop not to scale what we draw: on any display since Windows 10, only on the first one before.
 void beAware() {
     auto aware = (__attribute__((ms_abi)) int (*)(int64_t))GetProcAddress(LoadLibraryA("user32.dll"),
                                                                           "SetProcessDpiAwarenessContext");

@@ -25,7 +25,7 @@
 namespace odraz::maker::rocket {
 
 inline constexpr int kPort = 1338;
-inline constexpr uint32_t kMostRow = 1 << 24; // what is beyond is taken for garbage
+inline constexpr uint32_t kMostRow = 1 << 24; // larger values are refused as garbage
 
 class Client {
 public:

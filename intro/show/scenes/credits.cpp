@@ -1,4 +1,4 @@
-// Scene 7. The word that the last ball mirrored, on the marble of scene 1. Text tells what the film is, how
+// Scene 7. The word that the last ball mirrored, on the marble of scene 1. Text states what the film is, how
 // many bytes it has, who made it and what it ran on, and greets those it stands on.
 #include "base/text.h"
 #include "show/font.h"

@@ -41,7 +41,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     for (int i = 0; i < kStrips; ++i) light.strips[i] = burn * saturate(1 + sway * ((float)i - 3.5f));
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
     scene.exposure = value(track(kExposure), in.row);
-    // The night outside dims with the door, lest the entrance outshine the word that stands before it
+    // The night outside dims with the door, or the entrance would outshine the word before it
     Rgb night = Rgb{1, 1, 1} * min(0.3f + burn, 1.f);
     scene.sky.low *= night, scene.sky.slope *= night, scene.sky.curve *= night;
     // As the door dies, a cold light comes up behind it: the last ball keeps its outline and its shadow

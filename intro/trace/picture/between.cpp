@@ -26,7 +26,7 @@ constexpr float kAlike = 0.06f, kAlikeInFloor = 0.09f;
 // shows moves up to twenty times as fast: kTornInGlass is kTorn for glass of any shape.
 constexpr float kTorn = 0.0028f, kTornInGlass = 0.00014f, kGhosts = 0.0055f;
 constexpr float kBlinding = 2.5f; // times white
-// Samples in a pixel that is traced anew: how many, and how far apart across and down
+// Samples in a pixel that is traced again: how many, and how far apart across and down
 constexpr int kSamples = 3;
 constexpr float kAside = 0.33f;
 constexpr float kFetchedShare = 0.2f;        // of such a pixel's radiance
@@ -125,7 +125,7 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
 
 // Finds what every pixel of a tile and around it shows. Most rows lie between two that show the same, and
 // take it from them. On planes 1 / along is linear. Something small that is missed in this way is in the
-// traced pictures, so that the pixel is traced anew.
+// traced pictures, so that the pixel is traced again.
 ODRAZ_INLINE void findShown(const Tile &t, BetweenScratch &b) {
     const int sky = t.scene.shapeCount;
     const View &v = t.view;

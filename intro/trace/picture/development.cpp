@@ -26,8 +26,8 @@ void makeToneCurve(ToneCurve &curve) {
 
 namespace {
 
-// Keeps x in a register or on the stack. A constant is else made anew in every round of a loop, in up to
-// three steps.
+// Keeps x in a register or on the stack. Otherwise a constant is made again in every round of a loop, in up
+// to three steps.
 template <class T> ODRAZ_INLINE T kept(T x) {
     asm("" : "+x"(x));
     return x;

@@ -1,6 +1,6 @@
 // A scene, posed for one frame: shapes, materials, lights, sky, and the tree over the shapes.
 //
-// show/ fills it anew for every frame (clear, add, finish); nothing here allocates. By convention world units
+// show/ fills it for every frame (clear, add, finish); nothing here allocates. By convention world units
 // are metres. y is up, coordinates are right-handed. What does not fit replaces the last item of its kind,
 // and `overflow` reports it.
 #pragma once

@@ -36,7 +36,7 @@ else
         mkdir -p "$(dirname "$file")"
         ln -s "$BUILD/$file" "$file"
     done
-    # What includes a file that changed is compiled anew, and what is new in the room's list
+    # What includes a file that changed is compiled again, and what is new in the room's list
     of_build deps >"$WORK/deps"
     awk '
         NR == FNR { changed[$1] = 1; next }

@@ -155,7 +155,7 @@ TEST(Reader, TakesAProgramForWindows) {
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
 }
 
-// Cuts every file short and damages every byte: the reader must complain or give a program, never crash (run
+// Cuts every file short and damages every byte: the reader must refuse it or return a program, never crash (run
 // it under ASan).
 TEST(Reader, SurvivesDamage) {
     Bytes whole = Example().file();

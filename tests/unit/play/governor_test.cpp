@@ -278,7 +278,7 @@ TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
     }
 }
 
-// A size that goes up and down all the time would be seen as a picture that breathes.
+// A size that goes up and down all the time would be seen as pulsation.
 TEST(Governor, DoesNotPump) {
     for (double noise : {0., 0.1, 0.3})
         for (double cores = 1; cores < 4; cores *= 1.1) {

@@ -70,7 +70,7 @@ bool RaySystem::restore(std::string_view from, size_t &at) {
         return false;
     for (size_t i = 0; i < count; ++i)
         if (firstOf[i] >= firstOf[i + 1] || behind[i] + 1 >= 1 << grid.sites[i].places) return false;
-    // Without a sky, clear the light of the former one
+    // Without a sky, clear the light of the previous one
     if (!around.sky.width)
         std::fill(sky.begin(), sky.end(), Rgb{}), std::fill(skySquare.begin(), skySquare.end(), 0.f);
     bool good = true;

@@ -50,7 +50,7 @@ std::string decoded(std::string text) {
     if (begins("\xef\xbb\xbf")) return text.substr(3);
     if (begins("\xff\xfe")) return fromUtf16(std::string_view(text).substr(2), 1);
     if (begins("\xfe\xff")) return fromUtf16(std::string_view(text).substr(2), 0);
-    // Without a mark, the zero bytes of two ASCII characters tell
+    // Without a mark, the zero bytes of two ASCII characters decide
     bool zero[4];
     for (size_t i = 0; i < 4; ++i) zero[i] = i < text.size() && text[i] == 0;
     if (text.size() < 4 || zero[0] == zero[1] || zero[0] != zero[2] || zero[1] != zero[3]) return text;

@@ -56,7 +56,7 @@ struct SolveTask {
     Pictured pictured; // the reflectance of materials with pictures
     Solution solution; // both methods fill its cells, texels and light
     SolveReport report;
-    const PreparedSolve *prepared = nullptr; // null: the model is divided and direct light found anew
+    const PreparedSolve *prepared = nullptr; // null: the model is divided and direct light found again
 
     // Joins the mesh into regions, and sets the charts' reflectance and emission. Throws ModelError.
     SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,

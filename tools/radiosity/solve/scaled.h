@@ -1,5 +1,5 @@
 // Light is linear: if all lamps change by the same factor and nothing else does, a solution is scaled instead
-// of solved anew.
+// of solved again.
 #pragma once
 
 #include "tools/radiosity/read/mesh.h"
