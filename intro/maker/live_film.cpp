@@ -34,9 +34,8 @@ const Live *openLive(const std::string &file, std::string &wrong) {
     return get ? get() : nullptr;
 }
 
-void useLive(const Live *next, Sound *sound) {
-    theUse = new InUse{next, sound};
-} // the previous one may be in use
+// The previous one is kept, since it may be in use.
+void useLive(const Live *next, Sound *sound) { theUse = new InUse{next, sound}; }
 
 const Inspector &inspector() { return theUse.load()->live->inspector(); }
 

@@ -155,8 +155,8 @@ TEST(Reader, TakesAProgramForWindows) {
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
 }
 
-// Cuts every file short and damages every byte: the reader must refuse it or return a program, never crash (run
-// it under ASan).
+// Cuts every file short and damages every byte: the reader must refuse it or return a program, never crash
+// (run it under ASan).
 TEST(Reader, SurvivesDamage) {
     Bytes whole = Example().file();
     for (size_t size = 0; size < whole.size(); ++size)
