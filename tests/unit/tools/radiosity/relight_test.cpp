@@ -90,8 +90,8 @@ TEST_P(Relight, NeedsDirectLightOfTheLampsThatShine) {
     EXPECT_THROW(PreparedSolve(std::string_view(prepared).substr(0, 40), 9), std::runtime_error);
 }
 
-// Bytes are changed and the checksum computed again, as a forger would: the file is refused, or solved without
-// an error of the sanitizers.
+// Bytes are changed and the checksum computed again, as a forger would: the file is refused, or solved
+// without an error of the sanitizers.
 TEST_P(Relight, SurvivesForgedRows) {
     keep();
     settings.bounces = 1;
