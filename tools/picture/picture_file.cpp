@@ -58,11 +58,14 @@ Picture PictureFile::next() {
     return p;
 }
 
-Picture readPicture(const std::string &path) {
-    PictureFile file(path);
+static Picture onlyPicture(const std::string &name, PictureFile file) {
     Picture p = file.next();
-    common::need(!file.more(), path + ": it holds more than one picture");
+    common::need(!file.more(), name + ": it holds more than one picture");
     return p;
+}
+Picture readPicture(const std::string &path) { return onlyPicture(path, PictureFile(path)); }
+Picture readPicture(const std::string &name, std::string bytes) {
+    return onlyPicture(name, PictureFile(name, std::move(bytes)));
 }
 
 } // namespace pictures

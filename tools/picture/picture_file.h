@@ -25,7 +25,8 @@ private:
     size_t at = 0;
 };
 
-// The only picture of a file.
+// The only picture of a file; or of what was read already.
 Picture readPicture(const std::string &path);
+Picture readPicture(const std::string &name, std::string bytes);
 
 } // namespace pictures

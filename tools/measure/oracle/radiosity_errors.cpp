@@ -14,7 +14,7 @@ static int run(common::CommandLine &line) {
     int probes = 1000, side = 48;
     bool list = false, middles = false;
     line.about("Prints how far a solution of `radiosity solve` is from path tracing, at random places.");
-    line.argument("MODEL.obj", model, "the model");
+    line.argument("MODEL", model, "the model");
     line.argument("SOLUTION", file, "its solution");
     line.option("--probes", "N", probes, {1, 1000000}, "the number of places");
     line.option("--side", "N", side, {2, 4096}, "each place has N x N paths, twice");
@@ -24,8 +24,9 @@ static int run(common::CommandLine &line) {
     std::vector<std::string> notes;
     Mesh mesh = readModel(model, {}, notes);
     Solution solution(file);
-    Surroundings around;
-    if (!emitsLight(mesh)) around.sky = evenSky({1, 1, 1});
+    Surroundings around = mesh.lights;
+    around.moveTo(mesh.place);
+    if (!emitsLight(mesh) && !around.any()) around.sky = evenSky({1, 1, 1});
     Workers workers = allProcessors();
     auto all = placeMeshProbes(solution, probes, middles);
     tracePaths(mesh, around, all, side, workers);

@@ -115,7 +115,8 @@ std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, 
     }
     std::vector<Sum> sums;
     for (const auto &[path, triangles] : shown) try {
-            ReflectancePicture texture(pictures::readPicture(path));
+            ReflectancePicture texture(
+                mesh.materials[(size_t)mesh.triangles[triangles[0]].material].picture.read());
             sums.resize(cells.size());
             for (size_t i : triangles) {
                 const Chart &c = charts[(size_t)chartOf[i]];

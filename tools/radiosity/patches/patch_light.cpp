@@ -1,5 +1,6 @@
 #include "tools/radiosity/patches/patch_solver.h"
 
+#include "tools/common/text.h"
 #include "tools/radiosity/solution/memory.h"
 
 namespace odraz::radiosity {
@@ -8,6 +9,9 @@ void PatchSolver::findLights() {
     p.glows = findLamps(task.mesh, task.regions, m, s.lampSamples);
     report.lamps = p.glows.size();
     const Surroundings &around = s.surroundings;
+    if (around.suns.size() > (size_t)kMaxSuns || around.lamps.size() > (size_t)kMaxLamps)
+        throw ModelError(common::format("there are %zu suns and %zu lamps; between patches at most %d and %d",
+                                        around.suns.size(), around.lamps.size(), kMaxSuns, kMaxLamps));
     if (p.glows.size() > kManyLamps) s.analytic = false;
     r.bases.skyCount = 3;
     // Suns and lamps are separate bases until their direct light is found

@@ -1,6 +1,5 @@
 #include "tools/radiosity/read/emission_picture.h"
 
-#include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 
 #include <algorithm>
@@ -128,19 +127,19 @@ private:
 void divideByEmission(Mesh &mesh, std::vector<std::string> &notes) {
     Divider divider(mesh);
     for (int i = 0, count = (int)mesh.materials.size(); i < count; ++i) {
-        const std::string path = mesh.materials[(size_t)i].glow.path;
-        if (path.empty() || std::none_of(mesh.triangles.begin(), mesh.triangles.end(),
-                                         [&](const Triangle &t) { return t.material == i; }))
+        const MeshPicture glow = mesh.materials[(size_t)i].glow;
+        if (glow.path.empty() || std::none_of(mesh.triangles.begin(), mesh.triangles.end(),
+                                              [&](const Triangle &t) { return t.material == i; }))
             continue;
         try {
-            pictures::Picture picture = pictures::readPicture(path);
+            pictures::Picture picture = glow.read();
             // Light above 1 becomes the material's
             float most = 1;
             for (float x : picture.light) most = std::max(most, x);
             for (float &x : picture.light) x /= most;
             for (float &x : mesh.materials[(size_t)i].glow.tint)
                 if (!((double)(x *= most) <= kMostPower))
-                    throw common::Refused("cannot read " + path + ": with Ke it has light above 1e12");
+                    throw common::Refused("cannot read " + glow.path + ": with Ke it has light above 1e12");
             divider.divide(i, ReflectancePicture(picture));
         } catch (const common::Refused &e) {
             notes.push_back(std::string(e.what()) + "; the material's Ke is used");

@@ -1,9 +1,15 @@
 #include "tools/radiosity/read/mesh.h"
 
+#include "tools/picture/picture_file.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace odraz::radiosity {
+
+pictures::Picture MeshPicture::read() const {
+    return bytes ? pictures::readPicture(path, *bytes) : pictures::readPicture(path);
+}
 
 Vec3d normalOf(const Mesh &m, const Triangle &t) {
     Vec3d a = m.points[(size_t)t.corners[0]];

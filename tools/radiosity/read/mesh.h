@@ -3,10 +3,13 @@
 
 #include "tools/common/command_line.h"
 #include "tools/engine/vec3d.h"
+#include "tools/picture/picture.h"
 #include "tools/radiosity/read/material_changes.h"
+#include "tools/radiosity/read/surroundings.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,16 +23,20 @@ struct ModelError : common::Refused {
 // A map_Kd or map_Ke: the material reflects or emits `tint` times the picture at the coordinates times
 // `scale` plus `offset`.
 struct MeshPicture {
-    std::string path; // empty: no picture
+    std::string path;                                   // empty: no picture
+    std::shared_ptr<const std::string> bytes = nullptr; // the file, if it is part of another; `path` names it
     std::array<float, 3> tint = {1, 1, 1};
     std::array<float, 2> scale = {1, 1}, offset = {};
     bool clamp = false; // outside 0 .. 1: true repeats the border, false the picture
+
+    pictures::Picture read() const; // throws Refused
 };
 
 struct MeshMaterial {
     std::string name;
     std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka if that is above 1, 0 ..
     MeshPicture picture = {}, glow = {};  // of the reflectance; of the emission
+    bool twoSided = false;                // both sides are lit
 };
 
 struct Triangle {
@@ -39,6 +46,7 @@ struct Triangle {
 
 // The names of a model's materials, kept so that materials can be read again without the polygons.
 struct MaterialNames {
+    std::vector<std::string> parts;     // files of the polygons beside the model, from its folder
     std::vector<std::string> libraries; // the text after each mtllib
     std::vector<std::string> asked;     // named by usemtl, each once
     std::vector<uint8_t> known;         // for each of `asked`: whether a library has it
@@ -56,6 +64,7 @@ struct Mesh {
     std::vector<std::array<float, 6>> coordinates;
     std::vector<MeshMaterial> materials;
     MaterialNames names;
+    Surroundings lights;     // suns and balls that the model has, in its coordinates
     int flat = 0, twice = 0; // triangles left out: those without area; duplicates
 
     double size() const; // the diagonal of its bounding box
@@ -68,13 +77,12 @@ struct ReadSettings {
     std::vector<MaterialChange> changes;
 };
 
-// Whether a file's name has the ending of a model format.
+// Whether a file's name has the ending of a model format, or its content is that of one.
 bool isModel(const std::string &path);
 
-// Reads a model. The ending of its name selects the format (formats.cpp); files with another ending are read
-// as Wavefront OBJ. Divides polygons into triangles; those without a material reflect 0.7. Adds a line to
-// `notes` for each thing that was repaired or ignored. Throws ModelError, or Refused for changes that do not
-// fit.
+// Reads a model. Its content selects the format (formats.cpp): glTF 2.0, otherwise Wavefront OBJ. Divides
+// polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for each thing that
+// was repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
 
 // Reads a model's materials again, in the order of Mesh::materials; unused ones are left empty. Throws

@@ -33,6 +33,58 @@ void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &us
     }
 }
 
+void setColours(MeshMaterial &m, const std::array<double, 3> &reflects, const std::array<double, 3> &emits,
+                const std::array<const char *, 2> &names, const std::string &path,
+                std::vector<std::string> &notes) {
+    const std::string start = path + ": material " + m.name + ": ";
+    bool above = false;
+    for (size_t k = 0; k < 3; ++k) {
+        if (!(reflects[k] >= 0 && reflects[k] <= kMostPower))
+            throw ModelError(start + names[0] + " must lie between 0 and 1");
+        if (!(emits[k] >= 0 && emits[k] <= kMostPower))
+            throw ModelError(start + names[1] + " must lie between 0 and 1e12");
+        above |= reflects[k] > 1;
+        m.reflects[k] = (float)std::min(reflects[k], 1.), m.emits[k] = (float)emits[k];
+    }
+    if (above) notes.push_back(start + "its " + names[0] + " must lie between 0 and 1: more counts as 1");
+}
+
+void noteKinds(const std::string &path, const NotedKinds &kinds, std::vector<std::string> &notes) {
+    for (const auto &[kind, what] : kinds) {
+        const size_t more = std::set<std::string>(what.begin(), what.end()).size() - 1;
+        notes.push_back(path + ": " + kind + ": " + what[0] +
+                        (more ? " and " + std::to_string(more) + " more" : ""));
+    }
+}
+
+std::vector<int> findMaterials(const std::vector<std::string> &names,
+                               const std::vector<MeshMaterial> &materials) {
+    std::map<std::string, int> known;
+    for (size_t i = 0; i < materials.size(); ++i) known.try_emplace(materials[i].name, (int)i);
+    std::vector<int> found;
+    for (const std::string &name : names) {
+        auto at = known.find(name);
+        found.push_back(at == known.end() ? -1 : at->second);
+    }
+    return found;
+}
+
+std::vector<MeshMaterial> materialsAgain(const std::string &path, const std::vector<MeshMaterial> &given,
+                                         const MaterialNames &names,
+                                         const std::vector<MaterialChange> &changes,
+                                         std::vector<std::string> &notes) {
+    std::vector<MeshMaterial> all;
+    const std::vector<int> found = findMaterials(names.all, given);
+    const std::vector<bool> used(names.used.begin(), names.used.end());
+    for (size_t i = 0; i < found.size(); ++i)
+        all.push_back(!used[i]        ? MeshMaterial{names.all[i], {}, {}}
+                      : found[i] >= 0 ? given[(size_t)found[i]]
+                                      : noMaterial());
+    noteBlack(all, used, path, notes);
+    changeMaterials(all, used, changes);
+    return all;
+}
+
 namespace {
 
 class MeshBuilder {
@@ -168,7 +220,9 @@ private:
         }
         mesh.triangles.push_back(t);
         if (pictured) mesh.coordinates.push_back(at);
-        if (!settings.twoSided) return;
+        if (!settings.twoSided &&
+            !((size_t)material < mesh.materials.size() && mesh.materials[(size_t)material].twoSided))
+            return;
         std::swap(t.corners[1], t.corners[2]);
         mesh.triangles.push_back(t);
         if (pictured) mesh.coordinates.push_back({at[0], at[1], at[4], at[5], at[2], at[3]});
@@ -234,7 +288,7 @@ private:
     // A polygon's line and material.
     std::string lineOf(int polygon) const {
         const Polygons::Polygon &p = given.polygons[(size_t)(polygon < 0 ? ~polygon : polygon)];
-        return "line " + std::to_string(p.line) + " (" +
+        return given.unit + (" " + std::to_string(p.line)) + " (" +
                (p.material < 0 ? std::string("none") : mesh.materials[(size_t)p.material].name) + ")";
     }
 };

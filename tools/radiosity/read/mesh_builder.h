@@ -4,6 +4,8 @@
 
 #include "tools/radiosity/read/mesh.h"
 
+#include <map>
+
 namespace odraz::radiosity {
 
 // What the reader of a format finds.
@@ -14,22 +16,42 @@ struct Polygons {
     struct Polygon {
         size_t firstCorner; // the last one ends where the next polygon's begin
         int material;       // -1: none
-        int line;           // of the file
+        int line;           // of the file, or the number of this polygon
     };
     std::vector<Vec3d> points;
     std::vector<std::array<float, 2>> coordinates; // on pictures
     std::vector<Corner> corners;
+    const char *unit = "line"; // what Polygon::line counts
     std::vector<Polygon> polygons;
 };
 
 inline constexpr char kNoMaterial[] = "(none)"; // the name of the material of polygons without one
 MeshMaterial noMaterial();
 
+// Sets what a material reflects and emits, by the names in its file. More than 1 is reflected as 1, with a
+// note. Throws ModelError if a value is below 0, or above kMostPower.
+void setColours(MeshMaterial &material, const std::array<double, 3> &reflects,
+                const std::array<double, 3> &emits, const std::array<const char *, 2> &names,
+                const std::string &path, std::vector<std::string> &notes);
+
+// Kinds of things that are not used, each with what has them. A kind becomes one note.
+using NotedKinds = std::map<std::string, std::vector<std::string>>;
+void noteKinds(const std::string &path, const NotedKinds &kinds, std::vector<std::string> &notes);
+
 // The mesh of these polygons and materials, with a note for each kind of thing that is left out or doubtful.
 // Notes and errors begin with `path`. Throws ModelError if nothing is left, or if the model is too large or
 // too small.
 Mesh buildMesh(const std::string &path, Polygons polygons, std::vector<MeshMaterial> materials,
                const ReadSettings &settings, std::vector<std::string> &notes);
+
+// Finds each name's material: its index in `materials`, or -1.
+std::vector<int> findMaterials(const std::vector<std::string> &names,
+                               const std::vector<MeshMaterial> &materials);
+// What readMaterialsAgain() returns, of the materials that a file has now.
+std::vector<MeshMaterial> materialsAgain(const std::string &path, const std::vector<MeshMaterial> &given,
+                                         const MaterialNames &names,
+                                         const std::vector<MaterialChange> &changes,
+                                         std::vector<std::string> &notes);
 
 // Adds notes about used materials that are black. If all are, they become grey, because nothing would be
 // visible.

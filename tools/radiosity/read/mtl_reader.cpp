@@ -1,5 +1,6 @@
 #include "tools/radiosity/read/mtl_reader.h"
 
+#include "tools/radiosity/read/mesh_builder.h"
 #include "tools/radiosity/read/text_lines.h"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace odraz::radiosity {
 namespace {
 
 using Colour = std::array<double, 3>;
-
-std::string folderOf(const std::string &path) { return path.substr(0, path.rfind('/') + 1); }
 
 // Reads three numbers, one number for all three, or CIE XYZ (linear, in sRGB's primaries). False for spectra.
 bool readColour(const std::string &words, Colour &c) {
@@ -52,7 +51,7 @@ struct Reader {
     const std::string &model;
     std::vector<std::string> &notes;
     std::vector<MeshMaterial> materials = {};
-    std::map<std::string, std::vector<std::string>, std::less<>> unused = {}; // maps, and their materials
+    NotedKinds unused = {}; // maps
 
     void note(const std::string &name, const std::string &what) {
         notes.push_back(model + ": material " + name + ": " + what);
@@ -85,16 +84,7 @@ struct Reader {
                 note(m.name, spectral ? "its Kd is a spectrum, which is not read: it reflects 0.7"
                                       : "it has no Kd: it reflects 0.7");
         }
-        bool above = false;
-        for (size_t k = 0; k < 3; ++k) {
-            for (auto [colour, name] : {std::pair{&kd, "Kd"}, std::pair{&ke, "Ke"}})
-                if (!((*colour)[k] >= 0 && (*colour)[k] <= kMostPower))
-                    throw ModelError(model + ": material " + m.name + ": " + name +
-                                     " must lie between 0 and " + (colour == &kd ? "1" : "1e12"));
-            above |= kd[k] > 1;
-            m.reflects[k] = (float)std::min(kd[k], 1.), m.emits[k] = (float)ke[k];
-        }
-        if (above) note(m.name, "its Kd must lie between 0 and 1: more counts as 1");
+        setColours(m, kd, ke, {"Kd", "Ke"}, model, notes);
         // A picture is multiplied by the colour, unless that is 0: then the picture alone is meant
         if (pictured && hasKd && kd != Colour{}) m.picture.tint = m.reflects;
         if (glows && ke != Colour{}) m.glow.tint = m.emits;
@@ -170,7 +160,8 @@ struct Reader {
                 picture(folderOf(path), lines, m.glow);
                 break;
             default:
-                if (isMap(lines.word) && !rest.empty()) unused[std::string(lines.word)].push_back(m.name);
+                if (isMap(lines.word) && !rest.empty())
+                    unused[std::string(lines.word) + " is not used"].push_back("material " + m.name);
             }
         }
         finish();
@@ -180,15 +171,11 @@ struct Reader {
             notes.push_back(path + (lines.isText ? ": has no material (newmtl)"
                                                  : ": is not a text file, and has no materials"));
     }
-
-    void noteUnused() {
-        for (const auto &[map, names] : unused)
-            notes.push_back(model + ": " + map + " is not used: material " + names[0] +
-                            (names.size() > 1 ? " and " + std::to_string(names.size() - 1) + " more" : ""));
-    }
 };
 
 } // namespace
+
+std::string folderOf(const std::string &path) { return path.substr(0, path.rfind('/') + 1); }
 
 std::string findFile(const std::string &folder, std::string name) {
     namespace fs = std::filesystem;
@@ -233,7 +220,7 @@ std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vec
                 notes.push_back(model + ": its materials cannot be read: " + e.what());
             }
     }
-    reader.noteUnused();
+    noteKinds(model, reader.unused, notes);
     return reader.materials;
 }
 

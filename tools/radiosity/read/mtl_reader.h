@@ -5,6 +5,9 @@
 
 namespace odraz::radiosity {
 
+// A file's folder with its slash; empty if the name has none.
+std::string folderOf(const std::string &path);
+
 // Finds a file whose name was written by another program: it may have backslashes, folders of another system,
 // or different capitals. Searches `folder`, which ends with a slash or is empty. Returns folder and name
 // joined if there is no such file.

@@ -133,19 +133,6 @@ private:
     }
 };
 
-// Returns the material for each name: its index in `materials`, or -1.
-std::vector<int> findMaterials(const std::vector<std::string> &names,
-                               const std::vector<MeshMaterial> &materials) {
-    std::map<std::string, int> known;
-    for (size_t i = 0; i < materials.size(); ++i) known.try_emplace(materials[i].name, (int)i);
-    std::vector<int> found;
-    for (const std::string &name : names) {
-        auto at = known.find(name);
-        found.push_back(at == known.end() ? -1 : at->second);
-    }
-    return found;
-}
-
 // The number of letters to change, add or remove between two names; capitals do not count (Levenshtein).
 size_t difference(const std::string &a, const std::string &b) {
     std::vector<size_t> row(b.size() + 1);
@@ -200,22 +187,14 @@ Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<
 std::vector<MeshMaterial> readObjMaterials(const std::string &path, const MaterialNames &names,
                                            const std::vector<MaterialChange> &changes,
                                            std::vector<std::string> &notes) {
-    std::vector<MeshMaterial> given = readMaterials(path, names.libraries, notes), all;
+    std::vector<MeshMaterial> given = readMaterials(path, names.libraries, notes);
     std::vector<int> found = findMaterials(names.asked, given);
     for (size_t i = 0; i < found.size(); ++i)
         if ((found[i] >= 0) != (names.known[i] != 0))
             throw ModelError(path + ": the material " + names.asked[i] +
                              (names.known[i] ? " is no longer in its files" : " is new in its files") +
                              ": solve the model again");
-    found = findMaterials(names.all, given);
-    std::vector<bool> used(names.used.begin(), names.used.end());
-    for (size_t i = 0; i < found.size(); ++i)
-        all.push_back(!used[i]        ? MeshMaterial{names.all[i], {}, {}}
-                      : found[i] >= 0 ? given[(size_t)found[i]]
-                                      : noMaterial());
-    noteBlack(all, used, path, notes);
-    changeMaterials(all, used, changes);
-    return all;
+    return materialsAgain(path, given, names, changes, notes);
 }
 
 } // namespace odraz::radiosity

@@ -1,7 +1,6 @@
 #include "tools/radiosity/read/surroundings.h"
 
 #include "base/maths.h"
-#include "tools/engine/vec3d.h"
 #include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/upright.h"
 
@@ -166,6 +165,16 @@ private:
 void Surroundings::moveTo(const Vec3 &origin) {
     for (BallLamp &lamp : lamps)
         lamp.centre = toFloat(toDouble(lamp.centre) - toDouble(origin) + toDouble(lamp.rest)), lamp.rest = {};
+}
+
+void Surroundings::scale(double by) {
+    for (BallLamp &lamp : lamps)
+        lamp = ballLamp((toDouble(lamp.centre) + toDouble(lamp.rest)) * by, (double)lamp.radius * by,
+                        lamp.radiance);
+}
+
+BallLamp ballLamp(const Vec3d &centre, double radius, const Rgb &radiance) {
+    return {toFloat(centre), (float)radius, radiance, toFloat(centre - toDouble(toFloat(centre)))};
 }
 
 SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns) {

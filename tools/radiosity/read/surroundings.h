@@ -1,4 +1,4 @@
-// Light from outside the model, set by options: a sky, suns, lamps.
+// Light that no surface of a model emits, set by options or by a file of glTF: a sky, suns, lamps.
 //
 // The sky has a radiance in every direction, below the horizon too: one colour, or a picture of all
 // directions (latitude and longitude, of any format that pictures::readPicture reads). The middle of the
@@ -7,7 +7,7 @@
 // halve their light (Debevec, "A Median Cut Algorithm for Light Probe Sampling", 2005).
 #pragma once
 
-#include "base/vec3.h"
+#include "tools/engine/vec3d.h"
 
 #include <string>
 #include <vector>
@@ -40,10 +40,13 @@ struct Surroundings {
     std::vector<Sun> suns;
     std::vector<BallLamp> lamps;
 
-    // Makes the places of lamps relative to a point.
+    // Makes the places of lamps relative to a point; multiplies their places and sizes.
     void moveTo(const Vec3 &origin);
+    void scale(double by);
     bool any() const { return sky.width || !suns.empty() || !lamps.empty(); }
 };
+
+BallLamp ballLamp(const Vec3d &centre, double radius, const Rgb &radiance);
 
 SkyPicture evenSky(const Rgb &radiance);
 

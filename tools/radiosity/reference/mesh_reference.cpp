@@ -45,7 +45,7 @@ public:
           off(mesh.size() * 1e-5) {
         for (const MeshMaterial &m : mesh.materials)
             if (!m.picture.path.empty()) try {
-                    pictures.try_emplace(m.picture.path, pictures::readPicture(m.picture.path));
+                    pictures.try_emplace(m.picture.path, m.picture.read());
                 } catch (const common::Refused &) { // use the material's Kd, as the solver does
                 }
         double sum = 0;

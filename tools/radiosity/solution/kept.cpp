@@ -1,5 +1,6 @@
 #include "tools/radiosity/solution/kept.h"
 
+#include "tools/radiosity/read/mtl_reader.h"
 #include "tools/radiosity/solution/arrays.h"
 
 #include <map>
@@ -11,9 +12,9 @@ namespace {
 // The first line of each kind of file, and the errors for another kind and for a damaged file.
 constexpr struct {
     const char *magic, *other, *again;
-} kKinds[] = {{"odraz radiosity state 3\n", "is not a state of 'radiosity solve' of this version",
+} kKinds[] = {{"odraz radiosity state 4\n", "is not a state of 'radiosity solve' of this version",
                "solve the model again"},
-              {"odraz radiosity rows 3\n", "holds no rows of 'radiosity solve --keep-rows' of this version",
+              {"odraz radiosity rows 4\n", "holds no rows of 'radiosity solve --keep-rows' of this version",
                "solve with --keep-rows again"}};
 
 void putWords(std::string &to, const std::vector<std::string> &words) {
@@ -40,7 +41,8 @@ void Kept::save(const std::string &path, Kind kind) const {
     all.reserve(rows.size() + prepared.size() + 65536);
     all.resize(body);
     put(all, std::vector<uint64_t>{model, sky, solution, evenSky}, place);
-    for (const auto *list : {&words, &names.libraries, &names.asked, &names.all}) putWords(all, *list);
+    for (const auto *list : {&words, &names.parts, &names.libraries, &names.asked, &names.all})
+        putWords(all, *list);
     put(all, names.known, names.used, prepared);
     // Rows are used in place, so align them for their items
     put(all, std::string(8 - all.size() % 8, '\0'), rows);
@@ -57,7 +59,7 @@ Kept::Kept(const std::string &path, Kind kind) : file(common::readWholeFile(path
     std::string_view padding;
     bool good = at != std::string::npos && get(all, at, head, place) && head.size() == 4 &&
                 (kind == Kind::kState || place.size() == 1);
-    for (auto *list : {&words, &names.libraries, &names.asked, &names.all})
+    for (auto *list : {&words, &names.parts, &names.libraries, &names.asked, &names.all})
         good = good && getWords(all, at, *list);
     good = good && get(all, at, names.known, names.used, prepared, padding, rows) && at == all.size() &&
            names.known.size() == names.asked.size() && names.used.size() == names.all.size();
@@ -66,8 +68,9 @@ Kept::Kept(const std::string &path, Kind kind) : file(common::readWholeFile(path
     model = head[0], sky = head[1], solution = head[2], evenSky = head[3] != 0;
 }
 
-uint64_t sumOfFile(const std::string &path) {
+uint64_t sumOfFile(const std::string &path, const std::vector<std::string> &parts) {
     std::string all = common::readWhole(path);
+    for (const std::string &part : parts) all += common::readWhole(findFile(folderOf(path), part));
     return checksum(all.data(), all.size());
 }
 
@@ -76,9 +79,9 @@ uint64_t sumOf(const SkyPicture &sky) {
 }
 
 // The checksum of a picture's file; 0 if it cannot be read.
-static uint64_t sumOfPicture(const std::string &path) {
+static uint64_t sumOfPicture(const MeshPicture &p) {
     try {
-        return sumOfFile(path);
+        return p.bytes ? checksum(p.bytes->data(), p.bytes->size()) : sumOfFile(p.path);
     } catch (const common::Refused &) {
         return 0;
     }
@@ -98,13 +101,13 @@ uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
         const MeshPicture &p = m.picture;
         if (p.path.empty()) continue;
         auto [known, fresh] = pictures.try_emplace(p.path, 0);
-        if (fresh) known->second = sumOfPicture(p.path);
+        if (fresh) known->second = sumOfPicture(p);
         put(all, std::vector<float>{p.tint[0], p.tint[1], p.tint[2], p.scale[0], p.scale[1], p.offset[0],
                                     p.offset[1], (float)p.clamp});
         put(all, std::vector<uint64_t>{known->second});
     }
     put(all, mesh.coordinates);
-    put(all, sky.pixels);
+    put(all, sky.pixels, mesh.lights.suns, mesh.lights.lamps);
     return checksum(all.data(), all.size());
 }
 

@@ -42,10 +42,10 @@ private:
     common::WholeFile file; // `rows` and `prepared` point into it, if it was read
 };
 
-// Checksums: of the points, triangles, materials with their pictures, and sky; of the sky; of a file. The
-// last throws Refused if it cannot be read.
+// Checksums: of the points, triangles, materials with their pictures, and sky; of the sky; of a file and
+// others beside it. The last throws Refused if one cannot be read.
 uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky);
 uint64_t sumOf(const SkyPicture &sky);
-uint64_t sumOfFile(const std::string &path);
+uint64_t sumOfFile(const std::string &path, const std::vector<std::string> &parts = {});
 
 } // namespace odraz::radiosity

@@ -48,7 +48,8 @@ Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky,
                     const SolveSettings &settings, Workers &workers, const int *stop,
                     const SolveProgress &progress) {
     SolveTask task(materials, prepared, settings, workers, stop, progress);
-    bool dark = task.emitters().empty() && !settings.surroundings.any();
+    bool dark = task.emitters().empty() && !settings.surroundings.any() &&
+                (evenSky || prepared.direct.outside.empty());
     if (dark && settings.evenSky && !evenSky) refuseDark();
     if (dark && settings.evenSky)
         task.settings.surroundings.sky = radiosity::evenSky({1, 1, 1});

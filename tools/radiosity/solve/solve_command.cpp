@@ -70,6 +70,7 @@ private:
     void read() {
         std::vector<std::string> notes;
         mesh = readModel(job.model, job.options.read, notes);
+        job.options.addLights(mesh, job.options.settings.surroundings, notes);
         printNotes(notes);
     }
     uint64_t modelSum() const { return sumOf(mesh, job.options.settings.surroundings.sky); }
@@ -161,7 +162,8 @@ private:
 
     // Writes the rows beside the solution, which is already written.
     void saveRows(const Solved &solved) {
-        toKeep.model = sumOfFile(job.model), toKeep.sky = sumOf(job.options.settings.surroundings.sky);
+        toKeep.model = sumOfFile(job.model, mesh.names.parts),
+        toKeep.sky = sumOf(job.options.settings.surroundings.sky);
         toKeep.solution = sumOfSolution(job.out);
         toKeep.evenSky = solved.evenSky;
         toKeep.names = mesh.names;

@@ -7,11 +7,10 @@ namespace odraz::radiosity {
 SolveJob::SolveJob(std::vector<std::string> words) : line("radiosity solve", std::move(words)) {
     line.about("Computes the light in a model and writes it to OUT, a solution for the other commands.\n"
                "Ctrl-C stops early: it writes the light found so far, and OUT.state.");
-    line.argument(
-        "MODEL", model,
-        "a Wavefront OBJ. Polygons may have any number of points and are lit on the side from which these "
-        "run counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke, map_Ke)",
-        false);
+    line.argument("MODEL", model,
+                  "a Wavefront OBJ or glTF. Polygons are lit on the side from which their points run "
+                  "counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke, map_Ke)",
+                  false);
     line.option("-o", "OUT", out, "the file of the solution");
     line.option("--resume", "OUT.state", resume,
                 "continue a stopped solution with its options, to the same bytes; takes no other option");
@@ -39,7 +38,7 @@ static void findRows(SolveJob &job) {
     if (kept.solution != solution)
         throw common::Refused(file + ": belongs to another solution, or " + job.relight +
                               " has changed: solve with --keep-rows again");
-    if (kept.model != sumOfFile(job.model))
+    if (kept.model != sumOfFile(job.model, kept.names.parts))
         throw common::Refused(file + ": belongs to another model, or " + job.model +
                               " has changed: solve it again");
     SolveJob with(kept.words);

@@ -124,14 +124,20 @@ void SolveOptions::finish(const common::CommandLine &line) {
     for (const std::string &text : lamps) {
         auto l = common::numbersOf("--lamp", text, 7);
         if (!(l[3] > 0)) throw common::Refused("--lamp: its size must be above 0");
-        Vec3d centre = {l[0], l[1], l[2]};
-        to.lamps.push_back({toFloat(centre), (float)l[3] / 2, lightOf("--lamp", &l[4]),
-                            toFloat(centre - toDouble(toFloat(centre)))});
+        to.lamps.push_back(ballLamp({l[0], l[1], l[2]}, l[3] / 2, lightOf("--lamp", &l[4])));
     }
     if (to.suns.size() > kMaxSuns || to.lamps.size() > kMaxLamps)
         throw common::Refused("at most " + std::to_string(kMaxSuns) +
                               " suns, including those of a sky's picture, and " + std::to_string(kMaxLamps) +
                               " lamps");
+}
+
+void SolveOptions::addLights(const Mesh &mesh, Surroundings &to, std::vector<std::string> &notes) const {
+    to.lamps.insert(to.lamps.end(), mesh.lights.lamps.begin(), mesh.lights.lamps.end());
+    if (suns.empty())
+        to.suns.insert(to.suns.end(), mesh.lights.suns.begin(), mesh.lights.suns.end());
+    else if (!mesh.lights.suns.empty())
+        notes.emplace_back("--sun replaces the model's own suns");
 }
 
 void SolveOptions::follow(const common::CommandLine &line, const SolveOptions &kept,

@@ -26,6 +26,8 @@ public:
 
     // Call it after parse(): chooses the method, reads the sky, suns and lamps. Throws Refused.
     void finish(const common::CommandLine &line);
+    // Adds the suns and lamps of a model to those of the options; with --sun only the lamps.
+    void addLights(const Mesh &mesh, Surroundings &to, std::vector<std::string> &notes) const;
     // For kept rows, from `file`, after finish(): adopts the options with which they were found, except those
     // for materials and for when to stop. Throws Refused if a given option differs.
     void follow(const common::CommandLine &line, const SolveOptions &kept,

@@ -29,7 +29,7 @@ void readJob(common::CommandLine &line, Job &job) {
                "Writes a folder with a page, index.html, with advice, and tables as CSV. "
                "Ctrl-C ends it\n"
                "with the chapters that are done.");
-    line.argument("MODEL", job.settings.model, "a Wavefront OBJ", false);
+    line.argument("MODEL", job.settings.model, "a Wavefront OBJ or glTF", false);
     line.option("-o", "FOLDER", job.out, "the new folder");
     line.option("--minutes", "N", job.settings.minutes, {0.1, 10000},
                 "the time limit; the page lists what was left out");
@@ -110,6 +110,7 @@ int runStudy(common::CommandLine &line) {
         job.settings.minutes = 60;
     } else {
         mesh = readModel(job.settings.model, job.options.read, notes);
+        job.options.addLights(mesh, job.settings.solve.surroundings, notes);
     }
     stopAt(stop, {SIGINT, SIGTERM});
     Gl gl = openGl();

@@ -37,7 +37,7 @@ void readJob(common::CommandLine &line, Job &job) {
                "a sun. render, export and view show the room in any of these lights. The light goes by rays, "
                "with all\n"
                "bounces.");
-    line.argument("MODEL", job.model, "a Wavefront OBJ", false);
+    line.argument("MODEL", job.model, "a Wavefront OBJ or glTF", false);
     line.option("-o", "ROOM.prt", job.out, "the file of the room");
     line.option("--bands", "N", s.bands, {1, kMostBands}, "bands of spherical harmonics of the light");
     line.option("--clusters", "K", s.clusters, {1, kMostClusters},
@@ -84,6 +84,7 @@ int runTransfer(common::CommandLine &line) {
     readJob(line, job);
     std::vector<std::string> notes;
     Mesh mesh = readModel(job.model, job.options.read, notes);
+    job.options.addLights(mesh, job.settings.solve.surroundings, notes);
     printNotes(notes);
     Workers workers = allProcessors();
     ProgressBar bar(job.options.progress);

@@ -164,7 +164,7 @@ TEST(Kept, RowsAreReadAsTheyWereWritten) {
     Kept a;
     a.words = {"m.obj", "-o", "", "a\nb"};
     a.model = 1, a.sky = 2, a.solution = 3, a.evenSky = true;
-    a.names = {{"a.mtl"}, {"x", "y"}, {1, 0}, {"x", "(none)"}, {1, 1}};
+    a.names = {{"a.bin"}, {"a.mtl"}, {"x", "y"}, {1, 0}, {"x", "(none)"}, {1, 1}};
     a.place = {{1, 2, 3}};
     a.rows = "rows", a.prepared = "the rest";
     a.save(folder / "a.rows", Kept::Kind::kRows);
@@ -172,6 +172,7 @@ TEST(Kept, RowsAreReadAsTheyWereWritten) {
     EXPECT_EQ(b.words, a.words);
     EXPECT_EQ(b.model + 10 * b.sky + 100 * b.solution, 321u);
     EXPECT_TRUE(b.evenSky);
+    EXPECT_EQ(b.names.parts, a.names.parts);
     EXPECT_EQ(b.names.libraries, a.names.libraries);
     EXPECT_EQ(b.names.asked, a.names.asked);
     EXPECT_EQ(b.names.known, a.names.known);
