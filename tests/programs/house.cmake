@@ -32,6 +32,7 @@ odraz_scripts(odraz_script .
     radiosity_atlas 5
     radiosity_errors 15
     radiosity_foreign 25
+    radiosity_gltf 12
     radiosity_materials 8
     radiosity_models 40
     radiosity_pictures 10

@@ -1,4 +1,7 @@
 // The formats of models that can be read: a row each.
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/read/gltf_file.h"
+#include "tools/radiosity/read/gltf_reader.h"
 #include "tools/radiosity/read/obj_reader.h"
 
 #include <algorithm>
@@ -9,38 +12,43 @@ namespace odraz::radiosity {
 namespace {
 
 struct Format {
-    const char *ending; // of a file's name, in small letters
+    std::vector<const char *> endings; // of files' names, in small letters
+    bool (*begins)(std::string_view start);
     decltype(&readModel) read;
     decltype(&readMaterialsAgain) readMaterials;
 };
-constexpr Format kFormats[] = {{".obj", readObj, readObjMaterials}};
+const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, readGltf, readGltfMaterials},
+                           {{".obj"}, [](std::string_view) { return true; }, readObj, readObjMaterials}};
 
-const Format *formatOf(const std::string &path) {
-    std::string name = path;
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    for (const Format &format : kFormats)
-        if (name.ends_with(format.ending)) return &format;
-    return nullptr;
-}
-
-// A file with another ending is read as OBJ.
-const Format &formatToRead(const std::string &path) {
-    const Format *format = formatOf(path);
-    return format ? *format : kFormats[0];
+const Format &formatOf(const std::string &path) {
+    const std::string start = common::readStart(path, 64);
+    return *std::find_if(std::begin(kFormats), std::end(kFormats),
+                         [&](const Format &format) { return format.begins(start); });
 }
 
 } // namespace
 
-bool isModel(const std::string &path) { return formatOf(path) != nullptr; }
+bool isModel(const std::string &path) {
+    std::string name = path;
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    for (const Format &format : kFormats)
+        for (const char *ending : format.endings)
+            if (name.ends_with(ending)) return true;
+    try {
+        return isGltf(common::readStart(path, 64));
+    } catch (const common::Refused &) {
+        return false; // readers report why
+    }
+}
 
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
-    return formatToRead(path).read(path, settings, notes);
+    return formatOf(path).read(path, settings, notes);
 }
 
 std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const MaterialNames &names,
                                              const std::vector<MaterialChange> &changes,
                                              std::vector<std::string> &notes) {
-    return formatToRead(path).readMaterials(path, names, changes, notes);
+    return formatOf(path).readMaterials(path, names, changes, notes);
 }
 
 } // namespace odraz::radiosity

@@ -1,0 +1,253 @@
+#define TINYGLTF_IMPLEMENTATION
+#include "tools/radiosity/read/gltf_file.h"
+
+#include "tools/common/text.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/read/mtl_reader.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace odraz::radiosity {
+
+using common::need;
+using common::Refused;
+using nlohmann::json;
+
+namespace {
+
+constexpr int kDeepest = 64;           // JSON; tinygltf is recursive
+constexpr size_t kMostEmpty = 1 << 20; // items of an accessor without a buffer
+constexpr char kBase64[] = ";base64,";
+
+uint32_t word(std::string_view bytes, size_t at) {
+    uint32_t value = 0;
+    if (at + sizeof value <= bytes.size()) std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+
+json parsed(std::string_view text) {
+    int depth = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\') ++i;
+        if (c == '"') quoted = !quoted;
+        if (!quoted && (c == '[' || c == '{')) need(++depth < kDeepest, "its JSON is nested too deeply");
+        if (!quoted && (c == ']' || c == '}')) --depth;
+    }
+    try {
+        return json::parse(text);
+    } catch (const json::parse_error &e) {
+        throw Refused("its JSON is damaged at byte " + std::to_string(e.byte));
+    } catch (const json::exception &) {
+        throw Refused("its JSON has a number that is too large");
+    }
+}
+
+json listOf(json &object, const char *name) {
+    auto found = object.find(name);
+    if (found == object.end()) return json::array();
+    json list = std::move(*found);
+    object.erase(found);
+    need(list.is_array() && std::all_of(list.begin(), list.end(), [](auto &x) { return x.is_object(); }),
+         std::string("its ") + name + " are no list of objects");
+    return list;
+}
+
+std::string textOf(const json &object, const char *name) {
+    auto found = object.find(name);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+size_t sizeOf(const json &object, const char *name) {
+    auto found = object.find(name);
+    need(found != object.end() && found->is_number_unsigned(), std::string("a ") + name + " is missing");
+    return found->get<size_t>();
+}
+
+bool isData(const std::string &uri) { return uri.starts_with("data:"); }
+
+// What a data URI holds.
+std::string dataOf(const std::string &uri) {
+    size_t at = uri.find(kBase64);
+    need(at != std::string::npos && uri.size() < (1u << 31), "a data URI is not in base64");
+    return tinygltf::base64_decode(uri.substr(at + sizeof kBase64 - 1));
+}
+
+// A file's name: %20 and the like are characters.
+std::string nameOf(const std::string &uri) {
+    std::string name;
+    for (size_t i = 0; i < uri.size(); ++i) {
+        char hex[3] = {};
+        if (uri[i] == '%' && i + 2 < uri.size() && std::isxdigit((uint8_t)(hex[0] = uri[i + 1])) &&
+            std::isxdigit((uint8_t)(hex[1] = uri[i + 2])))
+            name += (char)std::strtol(hex, nullptr, 16), i += 2;
+        else
+            name += uri[i];
+    }
+    return name;
+}
+
+} // namespace
+
+bool isGltf(std::string_view start) {
+    if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+    size_t first = start.find_first_not_of(" \t\r\n");
+    return start.starts_with("glTF") || (first != std::string_view::npos && start[first] == '{');
+}
+
+void GltfFile::refuseIndex(const char *what, int index) {
+    throw Refused(common::format("there is no %s %d", what, index));
+}
+
+GltfFile::GltfFile(const std::string &path) : path(path) {
+    const std::string file = common::readWhole(path);
+    std::string_view all = file;
+    if (!all.starts_with("glTF")) {
+        readJson(all, {});
+        return;
+    }
+    const size_t version = word(all, 4), size = word(all, 8);
+    need(version == 2, "is glTF " + std::to_string(version) + ", and 2.0 is read");
+    need(size <= all.size(),
+         "ends early: it has " + std::to_string(all.size()) + " of " + std::to_string(size) + " bytes");
+    all = all.substr(0, size);
+    std::string_view chunks[2]; // JSON, binary
+    for (size_t at = 12, k = 0; at + 8 <= all.size() && k < 2; at += 8 + chunks[k++].size()) {
+        need(word(all, at) <= all.size() - at - 8, "ends early, within a chunk");
+        if (word(all, at + 4) == (k ? 0x004e4942u : 0x4e4f534au))
+            chunks[k] = all.substr(at + 8, word(all, at));
+    }
+    readJson(chunks[0], chunks[1]);
+}
+
+void GltfFile::readJson(std::string_view text, std::string_view binary) {
+    json all = parsed(text);
+    need(all.is_object() && all.contains("asset"), "is JSON, but not glTF: it has no asset");
+    json list = listOf(all, "buffers");
+    images = listOf(all, "images");
+    tinygltf::TinyGLTF reader;
+    std::string error, warning;
+    try {
+        const std::string rest = all.dump();
+        need(rest.size() < (1u << 31), "its JSON is larger than 2 GB");
+        bool good =
+            reader.LoadASCIIFromString(&model, &error, &warning, rest.data(), (unsigned)rest.size(), "");
+        if (!good || !error.empty())
+            throw Refused("is damaged: " + error.substr(0, std::min(error.find('\n'), (size_t)200)));
+    } catch (const json::exception &) {
+        throw Refused("is damaged: a value is of another type than glTF's");
+    }
+    need(model.asset.version.starts_with("2.") && (model.asset.minVersion <= "2.0"),
+         "is glTF " + model.asset.version + ", and 2.0 is read");
+    readBuffers(list, binary);
+}
+
+void GltfFile::readBuffers(const json &list, std::string_view binary) {
+    for (const json &b : list) {
+        const std::string number = std::to_string(buffers.size()), uri = textOf(b, "uri");
+        const size_t size = sizeOf(b, "byteLength");
+        std::string bytes;
+        if (isData(uri))
+            bytes = dataOf(uri);
+        else if (!uri.empty()) {
+            parts.push_back(nameOf(uri));
+            bytes = common::readWhole(findFile(folderOf(path), parts.back()));
+        } else if (buffers.empty())
+            bytes = binary;
+        // Without a URI, a buffer is filled by an extension
+        if (!uri.empty() || buffers.empty())
+            need(bytes.size() >= size, "buffer " + number + " has " + std::to_string(bytes.size()) + " of " +
+                                           std::to_string(size) + " bytes");
+        bytes.resize(std::min(bytes.size(), size));
+        buffers.push_back(std::move(bytes));
+    }
+}
+
+std::string_view GltfFile::view(int number) const {
+    const tinygltf::BufferView &v = at(model.bufferViews, number, "bufferView");
+    std::string_view all = at(buffers, v.buffer, "buffer");
+    need(v.byteOffset <= all.size() && v.byteLength <= all.size() - v.byteOffset,
+         "bufferView " + std::to_string(number) + " ends outside its buffer");
+    return all.substr(v.byteOffset, v.byteLength);
+}
+
+// Appends `count` items of `wide` components each.
+void GltfFile::copy(int number, size_t offset, int component, bool normalised, size_t wide, size_t count,
+                    std::vector<double> &to) const {
+    if (count == 0) return;
+    std::string_view bytes = view(number);
+    const int size = tinygltf::GetComponentSizeInBytes((uint32_t)component);
+    need(size > 0 && component <= TINYGLTF_COMPONENT_TYPE_FLOAT,
+         "there is no component type " + std::to_string(component));
+    const size_t item = (size_t)size * wide, given = model.bufferViews[(size_t)number].byteStride,
+                 stride = given ? given : item;
+    need(offset <= bytes.size() && item <= bytes.size() - offset &&
+             count - 1 <= (bytes.size() - offset - item) / stride,
+         "an accessor of " + std::to_string(count) + " items ends outside bufferView " +
+             std::to_string(number));
+    to.reserve(to.size() + wide * count);
+    auto as = [&](auto type) {
+        using T = decltype(type);
+        const double one = normalised && std::is_integral_v<T> ? (double)std::numeric_limits<T>::max() : 1;
+        for (size_t i = 0; i < count; ++i)
+            for (size_t k = 0; k < wide; ++k) {
+                T x;
+                std::memcpy(&x, bytes.data() + offset + i * stride + k * sizeof x, sizeof x);
+                to.push_back(normalised ? std::max((double)x / one, -1.) : (double)x);
+            }
+    };
+    // Types are numbered in this order
+    int kind = TINYGLTF_COMPONENT_TYPE_BYTE;
+    auto ofKind = [&](auto... types) { ((kind++ == component ? as(types) : void()), ...); };
+    std::apply(ofKind, std::tuple<int8_t, uint8_t, int16_t, uint16_t, int32_t, uint32_t, float>());
+}
+
+std::vector<double> GltfFile::numbers(int number, int type) const {
+    const tinygltf::Accessor &a = at(model.accessors, number, "accessor");
+    const std::string name = "accessor " + std::to_string(number);
+    need(a.type == type, name + " is of another type than its use");
+    const size_t wide = (size_t)tinygltf::GetNumComponentsInType((uint32_t)type);
+    std::vector<double> all;
+    if (a.bufferView >= 0)
+        copy(a.bufferView, a.byteOffset, a.componentType, a.normalized, wide, a.count, all);
+    else {
+        need(a.sparse.isSparse && a.count <= kMostEmpty, name + " has no bufferView");
+        all.resize(wide * a.count);
+    }
+    if (!a.sparse.isSparse) return all;
+    const auto &[count, sparse, indices, values] = a.sparse;
+    need(count >= 0 && indices.byteOffset >= 0 && values.byteOffset >= 0, name + " is damaged");
+    std::vector<double> places, others;
+    copy(indices.bufferView, (size_t)indices.byteOffset, indices.componentType, false, 1, (size_t)count,
+         places);
+    copy(values.bufferView, (size_t)values.byteOffset, a.componentType, a.normalized, wide, (size_t)count,
+         others);
+    for (size_t i = 0; i < places.size(); ++i) {
+        need(places[i] >= 0 && places[i] < (double)a.count, name + " has a sparse index that is too large");
+        std::copy_n(others.begin() + (std::ptrdiff_t)(i * wide), wide,
+                    all.begin() + (std::ptrdiff_t)((size_t)places[i] * wide));
+    }
+    return all;
+}
+
+MeshPicture GltfFile::picture(int texture) {
+    const tinygltf::Texture &t = at(model.textures, texture, "texture");
+    MeshPicture &picture = pictures[texture];
+    if (t.source < 0 || !picture.path.empty()) return picture;
+    need((size_t)t.source < images.size(), "there is no image " + std::to_string(t.source));
+    const json &image = images[(size_t)t.source];
+    const std::string uri = textOf(image, "uri"), name = textOf(image, "name");
+    picture.path = path + ": picture " + (name.empty() ? std::to_string(t.source) : name);
+    if (isData(uri))
+        picture.bytes = std::make_shared<const std::string>(dataOf(uri));
+    else if (!uri.empty())
+        picture.path = findFile(folderOf(path), nameOf(uri));
+    else
+        picture.bytes = std::make_shared<const std::string>(
+            view((int)std::min(sizeOf(image, "bufferView"), (size_t)1 << 30)));
+    return picture;
+}
+
+} // namespace odraz::radiosity

@@ -1,0 +1,35 @@
+// Where the nodes of a glTF scene are.
+#pragma once
+
+#include "tools/engine/vec3d.h"
+#include "tools/radiosity/read/gltf_file.h"
+
+namespace odraz::radiosity {
+
+// p becomes x p.x + y p.y + z p.z + origin.
+struct Placing {
+    Vec3d x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1}, origin = {};
+
+    Vec3d turned(Vec3d p) const { return x * p.x + y * p.y + z * p.z; }
+    Vec3d operator()(Vec3d p) const { return turned(p) + origin; }
+    Placing operator*(const Placing &inner) const {
+        return {turned(inner.x), turned(inner.y), turned(inner.z), (*this)(inner.origin)};
+    }
+    bool mirrors() const { return dot(cross(x, y), z) < 0; }
+};
+Placing placingOf(const double *matrix); // four columns of four
+
+struct GltfNodes {
+    std::vector<int> order;      // parents before their children
+    std::vector<Placing> places; // of all nodes; of those outside the scene not set
+};
+
+// The nodes of the default scene, or of the first, or all. Throws Refused.
+GltfNodes placeNodes(const tinygltf::Model &model);
+
+// A thing's name for messages.
+inline std::string named(const char *what, const std::string &name, int number) {
+    return what + (" " + (name.empty() ? std::to_string(number) : name));
+}
+
+} // namespace odraz::radiosity
