@@ -1,0 +1,50 @@
+// What a fuzzer does with a mesh that was read.
+#pragma once
+
+#include "tools/radiosity/divide/regions.h"
+#include "tools/radiosity/patches/patch_system.h"
+#include "tools/radiosity/read/reflectance_picture.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+namespace odraz::radiosity {
+
+// Checks what readers of a mesh rely on
+inline void mustBeSound(const Mesh &mesh) {
+    bool good = !mesh.triangles.empty();
+    for (const Vec3d &p : mesh.points)
+        for (size_t k = 0; k < 3; ++k) good &= std::isfinite(p[k]);
+    for (const MeshMaterial &m : mesh.materials)
+        for (size_t k = 0; k < 3; ++k)
+            good &= m.reflects[k] >= 0 && m.reflects[k] <= 1 && m.emits[k] >= 0 && std::isfinite(m.emits[k]);
+    good &= mesh.coordinates.empty() || mesh.coordinates.size() == mesh.triangles.size();
+    for (const Triangle &t : mesh.triangles) {
+        good &= t.material >= 0 && (size_t)t.material < mesh.materials.size();
+        for (int corner : t.corners) good &= corner >= 0 && (size_t)corner < mesh.points.size();
+    }
+    if (!good) std::abort();
+}
+
+// The first reader of a mesh must accept it; `clamp`: pictures are clamped.
+inline void useMesh(const Mesh &mesh, bool clamp) {
+    static auto model = std::make_unique<Model>();
+    mustBeSound(mesh);
+    model->chartCount = model->facetCount = 0;
+    model->overflow = false;
+    Regions regions = joinRegions(mesh, mesh.size() / 10);
+    fillModel(*model, regions);
+    findLamps(mesh, regions, *model, 16);
+    static const ReflectancePicture picture({3, 2, 3, 8, std::vector<uint16_t>(18, 25700), {}});
+    for (const auto &at : mesh.coordinates) {
+        std::vector<TexturePoint> corners;
+        for (size_t k = 0; k < 6; k += 2) corners.push_back({(double)at[k], (double)at[k + 1]});
+        float r = picture.mean(corners, clamp).x;
+        if (std::fabs(r - picture.mean().x) > 1e-3f) std::abort();
+    }
+    for (int chart : regions.chartOf)
+        if (chart < -1 || chart >= model->chartCount) std::abort();
+}
+
+} // namespace odraz::radiosity
