@@ -198,7 +198,8 @@ private:
             plain |= p.material < 0;
             for (const auto &triangle : triangulator.triangles)
                 add(corners, triangle, p.material < 0 ? materials : p.material);
-            polygonOf.resize(mesh.triangles.size(), crosses ? ~(int)i : (int)i);
+            // The triangles of a large polygon with many crossings overlap too often to be cut
+            polygonOf.resize(mesh.triangles.size(), crosses && count < 1000 ? ~(int)i : (int)i);
         }
         if (plain) mesh.materials.push_back(noMaterial());
     }

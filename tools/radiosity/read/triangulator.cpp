@@ -21,28 +21,36 @@ void Triangulator::divide(const std::vector<Vec3d> &corners, double least) {
         triangles.push_back({0, 1, 2});
         return;
     }
-    project(corners);
+    project(corners, least);
     if (corners.size() == 4 && divideQuad(corners)) return;
-    crosses = crossesItself();
+    linkCorners();
+    crosses = turns() != 1 || crossesItself();
     findReflex();
     cutEars();
     flipFlat(corners, least);
 }
 
-// Projects along the axis on which the polygon's area vector (Newell's) is longest.
-void Triangulator::project(const std::vector<Vec3d> &corners) {
-    Vec3d area = {}, lo = corners[0], hi = lo;
+// Projects along the axis on which the polygon's area vector (Newell's) is longest; or, if its parts face
+// both ways and cancel out, along that on which they are.
+void Triangulator::project(const std::vector<Vec3d> &corners, double least) {
+    Vec3d area = {}, parts = {}, lo = corners[0], hi = lo;
     for (size_t i = 0; i < corners.size(); ++i) {
         const Vec3d &p = corners[i];
-        area = area + cross(p - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
-        for (size_t k = 0; k < 3; ++k) lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
+        Vec3d part = cross(p - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
+        area = area + part;
+        for (size_t k = 0; k < 3; ++k) {
+            parts[k] += std::fabs(part[k]);
+            lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
+        }
     }
+    const Vec3d &longest = length(area) > 1e-9 * length(parts) ? area : parts;
     size_t axis = 0;
     for (size_t k = 1; k < 3; ++k)
-        if (std::fabs(area[k]) > std::fabs(area[axis])) axis = k;
+        if (std::fabs(longest[k]) > std::fabs(longest[axis])) axis = k;
     size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
     if (area[axis] < 0) std::swap(u, v);
     int shift = kBits - 1 - std::ilogb(std::max({hi.x - lo.x, hi.y - lo.y, hi.z - lo.z}));
+    thin = std::ldexp(least / 20, shift);
     points.clear();
     for (const Vec3d &p : corners)
         points.push_back(
@@ -65,6 +73,56 @@ bool Triangulator::divideQuad(const std::vector<Vec3d> &corners) {
     return true;
 }
 
+void Triangulator::linkCorners() {
+    const int count = left = (int)points.size();
+    before.resize(points.size()), after.resize(points.size());
+    for (int i = 0; i < count; ++i)
+        before[(size_t)i] = (i + count - 1) % count, after[(size_t)i] = (i + 1) % count;
+    for (int i = 0; i < count; ++i) cutSpikes(i);
+}
+
+void Triangulator::cutOff(int b) {
+    int a = before[(size_t)b], c = after[(size_t)b];
+    after[(size_t)a] = c, before[(size_t)c] = a, after[(size_t)b] = -1;
+    --left;
+}
+
+// Whether the outline turns back on itself at a corner, or stays: it has no area then.
+bool Triangulator::isSpike(int b) const {
+    int a = before[(size_t)b], c = after[(size_t)b];
+    if (left < 3 || c < 0) return false;
+    const Point &p = points[(size_t)a], &q = points[(size_t)b], &r = points[(size_t)c];
+    auto x0 = (double)(q.x - p.x), y0 = (double)(q.y - p.y), x1 = (double)(r.x - q.x),
+         y1 = (double)(r.y - q.y);
+    return x0 * x1 + y0 * y1 <= 0 &&
+           std::fabs((double)twiceArea(a, b, c)) <= thin * std::max(std::hypot(x0, y0), std::hypot(x1, y1));
+}
+
+// Cuts off a corner if it is a spike, and those beside it that become spikes.
+void Triangulator::cutSpikes(int b) {
+    while (isSpike(b)) {
+        int a = before[(size_t)b], c = after[(size_t)b];
+        cutOff(b);
+        b = isSpike(a) ? a : c;
+    }
+}
+
+// How often the outline turns around; to the left counts more than 0.
+int Triangulator::turns() const {
+    int sum = 0;
+    auto up = [&](int a, int b) {
+        const Point &p = points[(size_t)a], &q = points[(size_t)b];
+        return q.y > p.y || (q.y == p.y && q.x > p.x);
+    };
+    for (int b = 0; b < (int)points.size(); ++b) {
+        int a = before[(size_t)b], c = after[(size_t)b];
+        if (c < 0 || up(a, b) == up(b, c)) continue;
+        Area area = twiceArea(a, b, c);
+        sum += (area > 0 && up(b, c)) - (area < 0 && up(a, b));
+    }
+    return sum;
+}
+
 // Whether two sides cross; sides that only touch, as at a bridge, do not.
 bool Triangulator::crossesItself() const {
     struct Side {
@@ -72,8 +130,9 @@ bool Triangulator::crossesItself() const {
         int a, b;
     };
     std::vector<Side> sides;
-    for (int a = 0, count = (int)points.size(); a < count; ++a) {
-        int b = (a + 1) % count;
+    for (int a = 0; a < (int)points.size(); ++a) {
+        int b = after[(size_t)a];
+        if (b < 0) continue;
         auto [left, right] = std::minmax(points[(size_t)a].x, points[(size_t)b].x);
         auto [low, high] = std::minmax(points[(size_t)a].y, points[(size_t)b].y);
         sides.push_back({left, right, low, high, a, b});
@@ -98,7 +157,7 @@ void Triangulator::findReflex() {
     const int count = (int)points.size();
     std::vector<int> all;
     for (int i = 0; i < count; ++i)
-        if (twiceArea((i + count - 1) % count, i, (i + 1) % count) <= 0) all.push_back(i);
+        if (after[(size_t)i] >= 0 && twiceArea(before[(size_t)i], i, after[(size_t)i]) <= 0) all.push_back(i);
     side = std::clamp((int64_t)std::sqrt((double)all.size()), (int64_t)1, (int64_t)4096);
     firstInCell.assign((size_t)(side * side) + 2, 0);
     auto cell = [&](int i) {
@@ -150,14 +209,11 @@ bool Triangulator::isEar(int b, Choice choice) const {
 
 void Triangulator::cutEars() {
     const int count = (int)points.size();
-    before.resize(points.size()), after.resize(points.size());
-    for (int i = 0; i < count; ++i)
-        before[(size_t)i] = (i + count - 1) % count, after[(size_t)i] = (i + 1) % count;
     // Ears are cut in turn, not one beside the other, or triangles become thin
     std::vector<int> queue;
     size_t next = 0;
     bool found = true; // an ear, since the queue was filled
-    for (int choice = kGood, left = count; left > 2;) {
+    for (int choice = kGood; left > 2;) {
         if (next == queue.size()) {
             if (!std::exchange(found, false)) ++choice;
             next = 0, queue.clear();
@@ -171,8 +227,9 @@ void Triangulator::cutEars() {
             crosses = true;
             if (count < 1000) choice = kThin;
         }
-        after[(size_t)a] = c, before[(size_t)c] = a, after[(size_t)b] = -1;
-        found = true, --left;
+        cutOff(b);
+        cutSpikes(a), cutSpikes(c);
+        found = true;
         queue.push_back(a), queue.push_back(c);
     }
 }

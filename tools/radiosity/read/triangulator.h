@@ -32,13 +32,20 @@ private:
 
     std::vector<Point> points;
     std::vector<int> before, after; // the neighbours that are left; -1: the corner is cut off
+    int left = 0;                   // corners that are left
     std::vector<int> reflex;        // corners that may lie in an ear, by cells of a grid
     std::vector<int> firstInCell;
     int64_t side = 1; // cells along each axis
+    double thin = 0;  // spikes that are thinner have no area
 
-    void project(const std::vector<Vec3d> &corners);
+    void project(const std::vector<Vec3d> &corners, double least);
     Area twiceArea(int a, int b, int c) const;
     bool divideQuad(const std::vector<Vec3d> &corners);
+    void linkCorners();
+    void cutOff(int corner);
+    bool isSpike(int corner) const;
+    void cutSpikes(int corner);
+    int turns() const;
     bool crossesItself() const;
     int64_t cellOf(int64_t x) const;
     void findReflex();

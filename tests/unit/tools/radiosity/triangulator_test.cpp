@@ -7,6 +7,7 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <set>
 
 using namespace odraz;
 using namespace odraz::radiosity;
@@ -150,14 +151,68 @@ TEST(Triangulator, LeavesHoles) {
     EXPECT_TRUE(two.notes.empty());
 }
 
+// The outline of squares that hang together as a tree: it touches itself at corners and along sides, where it
+// leaves holes and slits, and turns back at their ends.
+struct Squares {
+    std::mt19937 &random;
+    size_t most;
+    std::set<std::array<int, 2>> taken = {};
+    Outline outline = {};
+
+    void add(int x, int y, size_t from) { // beside the square in this direction
+        taken.insert({x, y});
+        for (size_t k = from + 1; k < from + 5; ++k) {
+            const int dx[4] = {1, 0, -1, 0}, dy[4] = {0, 1, 0, -1};
+            size_t to = k % 4;
+            outline.push_back({x + (to < 2 ? 0.5 : -0.5), y + (to == 1 || to == 2 ? 0.5 : -0.5)});
+            if (k < from + 4 && taken.size() < most && random() % 3 && !taken.count({x + dx[to], y + dy[to]}))
+                add(x + dx[to], y + dy[to], (to + 2) % 4);
+        }
+    }
+};
+
+TEST(Triangulator, DividesWhatTouchesItself) {
+    std::mt19937 random(3);
+    int wrong = 0;
+    for (size_t k = 0; k < 10000; ++k) {
+        Squares squares = {random, 2 + k % 60};
+        squares.add(0, 0, 3);
+        Outline &p = squares.outline;
+        if (k % 3 == 0) std::reverse(p.begin(), p.end());
+        std::vector<Vec3d> points = placed(p, {3, 4, 0}, {-1, 2, 5}, {k % 2 * 1e5, 0, 0});
+        Built built(points);
+        const double area = (double)squares.taken.size() * length(cross(Vec3d{3, 4, 0}, {-1, 2, 5}));
+        wrong += !(std::fabs(built.area - area) <= 1e-6 * area) ||
+                 (!built.notes.empty() && built.notes.back().find("cross") != std::string::npos);
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
+// Some programs close an outline with a point that comes twice, or leave a line that is followed there and
+// back.
+TEST(Triangulator, CutsSpikes) {
+    for (const Outline &p :
+         {Outline{{0, 0}, {4, 0}, {4, 2}, {8, 2}, {4, 2}, {4, 4}, {0, 4}},
+          {{0, 0}, {4, 0}, {9, 1e-7}, {4, -1e-7}, {4, 4}, {0, 4}},
+          {{0, 0}, {4, 0}, {4, 2}, {1, 2}, {4, 2}, {4, 2}, {4, 4}, {0, 4}, {0, 0}},
+          {{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}, {-5, 4}, {-9, 4}, {-7, 4}, {0, 4}}}) {
+        Built built(onFloor(p));
+        EXPECT_NEAR(built.area, length(newell(onFloor(p))), 1e-5);
+        EXPECT_EQ(built.notes.size(), 1u); // triangles without area
+    }
+}
+
 TEST(Triangulator, NotesCrossings) {
     Outline star;
     for (int k = 0; k < 5; ++k) star.push_back({std::cos(k * 2.5132741), std::sin(k * 2.5132741)});
-    for (const Outline &p : {star, Outline{{0, 0}, {4, 0}, {1, 2}, {3, 2}}}) {
+    const Outline bow = {{0, 0}, {4, 0}, {1, 2}, {3, 2}}, even = {{0, 0}, {4, 0}, {0, 2}, {4, 2}},
+                  twice = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {3, 5}, {1, 5}},
+                  turned = {{0, 0}, {9, 0}, {9, 9}, {0, 0}, {4, 1}, {8, 1}, {8, 5}, {4, 1}}; // a hole
+    for (const Outline &p : {star, bow, even, twice, turned}) {
         Built built(onFloor(p));
         ASSERT_FALSE(built.notes.empty());
         EXPECT_NE(built.notes.back().find("cross themselves"), std::string::npos);
-        EXPECT_GT(built.area, 0);
+        EXPECT_FALSE(built.area <= 0); // that of `even` is not a number, as it faces no side
     }
 }
 
