@@ -6,6 +6,7 @@
 #include "tools/radiosity/read/mtl_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 
 namespace odraz::radiosity {
@@ -79,10 +80,10 @@ std::string dataOf(const std::string &uri) {
 std::string nameOf(const std::string &uri) {
     std::string name;
     for (size_t i = 0; i < uri.size(); ++i) {
-        char hex[3] = {};
-        if (uri[i] == '%' && i + 2 < uri.size() && std::isxdigit((uint8_t)(hex[0] = uri[i + 1])) &&
-            std::isxdigit((uint8_t)(hex[1] = uri[i + 2])))
-            name += (char)std::strtol(hex, nullptr, 16), i += 2;
+        unsigned code = 0;
+        if (uri[i] == '%' && i + 2 < uri.size() &&
+            std::from_chars(&uri[i + 1], &uri[i + 3], code, 16).ptr == &uri[i + 3])
+            name += (char)code, i += 2;
         else
             name += uri[i];
     }

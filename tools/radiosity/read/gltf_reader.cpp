@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace odraz::radiosity {
 
@@ -20,10 +21,10 @@ constexpr size_t kMostTriangles = 1 << 26;
 constexpr double kBallShare = 1e-3; // the width of a lamp, as a share of the model's size
 
 // The last one groups triangles, which are joined anyway
-constexpr const char *kExtensions[] = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
-                                       "KHR_materials_unlit",   "KHR_materials_pbrSpecularGlossiness",
-                                       "KHR_mesh_quantization", "FB_ngon_encoding",
-                                       "KHR_texture_transform"};
+const std::set<std::string> kExtensions = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
+                                           "KHR_materials_unlit",   "KHR_materials_pbrSpecularGlossiness",
+                                           "KHR_mesh_quantization", "KHR_texture_transform",
+                                           "FB_ngon_encoding"};
 
 class GltfReader {
 public:
@@ -71,20 +72,14 @@ private:
     std::vector<GltfMaterial> materials;
     NotedKinds kinds;
     GltfNodes nodes;
-    struct Bulb {
-        Vec3d centre, candela;
-    };
-    std::vector<Bulb> bulbs;
+    std::vector<std::pair<Vec3d, Vec3d>> bulbs; // the centre and candela of lights at points
     int spots = 0;
 
     void checkExtensions() {
-        auto known = [](const std::string &name) {
-            return std::find(std::begin(kExtensions), std::end(kExtensions), name) != std::end(kExtensions);
-        };
         for (const std::string &name : model.extensionsRequired)
-            need(known(name), "needs " + name + ", which is not read: export it without");
+            need(kExtensions.count(name), "needs " + name + ", which is not read: export it without");
         for (const std::string &name : model.extensionsUsed)
-            if (!known(name)) kinds["extensions that are not used"].push_back(name);
+            if (!kExtensions.count(name)) kinds["extensions that are not used"].push_back(name);
     }
 
     // Points that were not used yet are -1.
@@ -216,14 +211,13 @@ private:
         if (bulbs.empty()) return;
         auto [lo, hi] = boxOf(polygons.points);
         const double radius = std::max(length(hi - lo) * kBallShare / 2, 1e-12);
-        for (const Bulb &b : bulbs) {
+        for (const auto &[centre, candela] : bulbs) {
             for (size_t k = 0; k < 3; ++k)
-                need(std::fabs(b.centre[k]) < 1e18, "a light lies further than 1e18 from the origin");
+                need(std::fabs(centre[k]) < 1e18, "a light lies further than 1e18 from the origin");
             // A bright one is larger, so that its radiance stays within bounds
-            const double most = std::max({b.candela.x, b.candela.y, b.candela.z}),
+            const double most = std::max({candela.x, candela.y, candela.z}),
                          own = std::max(radius, std::sqrt(most / (std::numbers::pi * kMostPower / 2)));
-            lights.lamps.push_back(
-                ballLamp(b.centre, own, toFloat(b.candela / (std::numbers::pi * own * own))));
+            lights.lamps.push_back(ballLamp(centre, own, toFloat(candela / (std::numbers::pi * own * own))));
         }
         notes.push_back(
             path +
@@ -235,15 +229,12 @@ private:
 } // namespace
 
 Mesh readGltf(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
-    std::unique_ptr<GltfReader> reader = common::inFile(path, [&] {
-        auto r = std::make_unique<GltfReader>(path, notes);
-        r->readScene();
-        return r;
-    });
-    Mesh mesh = buildMesh(path, std::move(reader->polygons), reader->takeMaterials(), settings, notes);
-    mesh.lights = std::move(reader->lights);
+    GltfReader reader = common::inFile(path, [&] { return GltfReader(path, notes); });
+    common::inFile(path, [&] { reader.readScene(); });
+    Mesh mesh = buildMesh(path, std::move(reader.polygons), reader.takeMaterials(), settings, notes);
+    mesh.lights = std::move(reader.lights);
     mesh.lights.scale(settings.scale);
-    mesh.names.parts = std::move(reader->parts());
+    mesh.names.parts = std::move(reader.parts());
     return mesh;
 }
 
