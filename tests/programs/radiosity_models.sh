@@ -171,7 +171,7 @@ material "Kd as a spectrum" 'newmtl m\nKd spectral a.rfl 1\n' 'is a spectrum, wh
 material "Kd above 1" 'newmtl m\nKd 2 0.5 0.25\n' 'more counts as 1' 1 0.25
 material "Kd of 0 in all" 'newmtl m\nKd 0 0 0\nKs 1 1 1\n' 'everything would be black: it reflects 0.7' 0.7 0.7
 material "a picture alone, and missing" 'newmtl m\nmap_Kd none.png\n' "cannot read none.png" 0.7 0.7
-material "a material given twice" 'newmtl m\nKd 0.8 0.8 0.8\nnewmtl m\nKd 0.1 0.1 0.1\n' '' 0.8 0.8
+material "a material given twice" 'newmtl m\nKd 0.8 0.8 0.8\nnewmtl m\nKd 0.1 0.1 0.1\n' 'material m: it is given again; the first one is used' 0.8 0.8
 material "a file that is empty" '' 'm.mtl: has no material'
 material "a file of something else" '\x7fELF\0\1\2\n\xff\xfe' 'm.mtl: is not a text file'
 printf 'newmtl a b\nKd 0.8 0.1 0.1\nnewmtl a\nKd 0.1 0.1 0.1\nnewmtl a#1\nKd 0.1 0.1 0.8\n' >m.mtl

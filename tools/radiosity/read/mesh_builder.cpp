@@ -127,10 +127,16 @@ private:
     int shortPolygons = 0; // with fewer than three points
     bool pictured = false; // a material has a picture, so texture coordinates are kept
 
-    // Merges points within a millionth of the model's size.
+    // Merges points of polygons within a millionth of the model's size.
     void weldPoints() {
         if (given.points.empty()) throw ModelError(path + ": holds no point");
-        for (Vec3d &p : given.points) p = p * settings.scale;
+        if (given.corners.empty()) throw ModelError(path + ": holds no polygon");
+        // Others, which may lie anywhere, become one of these
+        std::vector<bool> used(given.points.size());
+        for (const Polygons::Corner &c : given.corners) used[(size_t)c.point] = true;
+        const Vec3d some = given.points[(size_t)given.corners[0].point];
+        for (size_t i = 0; i < used.size(); ++i)
+            given.points[i] = (used[i] ? given.points[i] : some) * settings.scale;
         auto [lo, hi] = boxOf(given.points);
         double size = length(hi - lo);
         if (!(size < 1e9)) throw ModelError(path + ": is larger than 1e9: give --scale");

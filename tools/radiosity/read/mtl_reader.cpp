@@ -18,25 +18,6 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-// Reads three numbers, one number for all three, or CIE XYZ (linear, in sRGB's primaries). False for spectra.
-bool readColour(const std::string &words, Colour &c) {
-    bool xyz = !words.compare(0, 4, "xyz ");
-    const char *p = words.c_str() + (xyz ? 4 : 0);
-    for (size_t k = 0; k < 3; ++k) {
-        char *end;
-        c[k] = std::strtod(p, &end);
-        if (end == p && k == 0) return false;
-        if (end == p) c[k] = c[0];
-        p = end;
-    }
-    if (!xyz) return true;
-    auto [x, y, z] = c;
-    c = {3.2406 * x - 1.5372 * y - 0.4986 * z, -0.9689 * x + 1.8758 * y + 0.0415 * z,
-         0.0557 * x - 0.2040 * y + 1.0570 * z};
-    for (double &v : c) v = std::max(v, 0.); // negative values are outside the gamut
-    return true;
-}
-
 constexpr const char *kKeywords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke"};
 enum Keyword { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap };
 
@@ -51,7 +32,8 @@ struct Reader {
     const std::string &model;
     std::vector<std::string> &notes;
     std::vector<MeshMaterial> materials = {};
-    NotedKinds unused = {}; // maps
+    NotedKinds unused = {};                       // maps
+    std::set<std::string> files = {}, known = {}; // that were read; names of materials
 
     void note(const std::string &name, const std::string &what) {
         notes.push_back(model + ": material " + name + ": " + what);
@@ -60,13 +42,47 @@ struct Reader {
     // The material that is being read.
     MeshMaterial m = {};
     Colour kd = {}, ke = {}, ka = {};
-    bool open = false, hasKd = false, spectral = false;
+    bool open = false, hasKd = false;
+    std::string noKd = {}; // the reason
+
+    [[noreturn]] void refuse(const std::string &what) const {
+        throw ModelError(model + ": material " + m.name + ": " + what);
+    }
+
+    // Reads three numbers, one number for all three, or CIE XYZ (linear, in sRGB's primaries). False if there
+    // is none, or a spectrum, with a note.
+    bool readColour(const TextLines &line, Colour &c) {
+        std::string_view rest = line.rest.substr(0, line.rest.find('#')), word = rest;
+        const std::string_view kind = takeWord(word);
+        const bool xyz = kind == "xyz";
+        c = {};
+        if (kind == "spectral") {
+            std::string what = "its " + std::string(line.word) + " is a spectrum, which is not read";
+            &c == &kd ? void(noKd = what) : note(m.name, what);
+            return false;
+        }
+        if (rest.empty()) return false;
+        if (xyz) rest = word;
+        for (size_t k = 0; k < 3; ++k) {
+            if (k && rest.empty())
+                c[k] = c[0];
+            else if (!takeNumber(rest, c[k]))
+                refuse(std::string(line.word) + ": " + std::string(takeWord(rest)) + " is not a number");
+        }
+        if (!xyz) return true;
+        auto [x, y, z] = c;
+        c = {3.2406 * x - 1.5372 * y - 0.4986 * z, -0.9689 * x + 1.8758 * y + 0.0415 * z,
+             0.0557 * x - 0.2040 * y + 1.0570 * z};
+        for (double &v : c) v = std::max(v, 0.); // negative values are outside the gamut
+        return true;
+    }
 
     void begin(const std::string &name) {
         finish();
+        if (!known.insert(name).second) note(name, "it is given again; the first one is used");
         m = {name, {}, {}};
         kd = ke = ka = {};
-        hasKd = spectral = false;
+        hasKd = false, noKd = "it has no Kd";
         open = true;
     }
     void finish() {
@@ -80,9 +96,7 @@ struct Reader {
         bool pictured = !m.picture.path.empty(), glows = !m.glow.path.empty();
         if (!hasKd && (pictured || (ke == Colour{} && !glows))) {
             kd = {0.7, 0.7, 0.7};
-            if (!pictured)
-                note(m.name, spectral ? "its Kd is a spectrum, which is not read: it reflects 0.7"
-                                      : "it has no Kd: it reflects 0.7");
+            if (!pictured) note(m.name, noKd + ": it reflects 0.7");
         }
         setColours(m, kd, ke, {"Kd", "Ke"}, model, notes);
         // A picture is multiplied by the colour, unless that is 0: then the picture alone is meant
@@ -94,44 +108,35 @@ struct Reader {
     // Reads options with their values, and the file's name, which may have blanks.
     void picture(const std::string &folder, const TextLines &line, MeshPicture &picture) {
         static const std::map<std::string, int> numbers = {{"-o", 3}, {"-s", 3}, {"-t", 3}, {"-mm", 2}};
-        static const std::set<std::string> others = {"-blendu", "-blendv",  "-boost",  "-bm",  "-cc",
-                                                     "-clamp",  "-imfchan", "-texres", "-type"};
-        const std::string words(line.rest);
+        static const std::set<std::string> others = {"-blendu", "-blendv", "-boost",      "-bm",
+                                                     "-cc",     "-clamp",  "-colorspace", "-imfchan",
+                                                     "-texres", "-type"};
         MeshPicture to;
-        std::istringstream in(words);
-        std::string word, value;
-        std::streampos at = in.tellg();
-        for (; in >> word; at = in.tellg()) {
+        std::string_view name = line.rest;
+        for (std::string_view rest = name;; name = rest) {
+            const std::string word(takeWord(rest));
             auto list = numbers.find(word);
             if (list == numbers.end() && !others.count(word)) break;
             if (list == numbers.end()) {
-                in >> value;
+                std::string_view value = takeWord(rest);
                 if (word == "-clamp") to.clamp = value == "on";
                 continue;
             }
-            for (int k = 0; k < list->second; ++k) {
-                std::streampos before = in.tellg();
-                char *end = nullptr;
-                float number = in >> value ? std::strtof(value.c_str(), &end) : 0;
-                if (!end || *end) { // not a number: it is the next word
-                    in.clear();
-                    in.seekg(before);
-                    break;
-                }
-                if (!(std::fabs(number) < 1e6f))
-                    throw ModelError(model + ": material " + m.name + ": " + std::string(line.word) +
-                                     ": a scale or offset is not a number below 1e6");
-                if (k < 2 && word == "-s") to.scale[(size_t)k] = number;
-                if (k < 2 && word == "-o") to.offset[(size_t)k] = number;
+            double number;
+            for (int k = 0; k < list->second && takeNumber(rest, number); ++k) {
+                if (!(std::fabs(number) < 1e6))
+                    refuse(std::string(line.word) + ": a scale or offset is not a number below 1e6");
+                if (k < 2 && word == "-s") to.scale[(size_t)k] = (float)number;
+                if (k < 2 && word == "-o") to.offset[(size_t)k] = (float)number;
             }
         }
-        if (at < 0 || !in) return; // no name
-        std::string name = words.substr((size_t)at);
-        to.path = findFile(folder, name.substr(name.find_first_not_of(" \t")));
+        if (name.empty()) return;
+        to.path = findFile(folder, std::string(name));
         picture = to;
     }
 
     void read(const std::string &path) {
+        if (!files.insert(path).second) return; // named once more
         TextLines lines(path);
         const size_t before = materials.size();
         while (lines.next()) {
@@ -144,14 +149,13 @@ struct Reader {
             if (!open) continue;
             switch (keyword) {
             case kDiffuse:
-                hasKd = readColour(rest, kd);
-                spectral = !hasKd;
+                hasKd = readColour(lines, kd);
                 break;
             case kEmission:
-                if (!readColour(rest, ke)) ke = {};
+                readColour(lines, ke);
                 break;
             case kAmbient:
-                if (!readColour(rest, ka)) ka = {};
+                readColour(lines, ka);
                 break;
             case kDiffuseMap:
                 picture(folderOf(path), lines, m.picture);

@@ -53,6 +53,7 @@ public:
                 if (!lines.rest.empty()) libraries.emplace_back(lines.rest);
             }
         }
+        if (polygons.points.empty() && !lines.isText) throw ModelError(path + ": is not a text file");
         if (farthest > (int)polygons.points.size())
             refuse(farthestLine, "there is no point " + std::to_string(farthest) + ": there are " +
                                      std::to_string(polygons.points.size()));
@@ -73,19 +74,17 @@ private:
         throw ModelError(path + ":" + std::to_string(line) + ": " + what);
     }
 
-    // Removes a number from the rest of the line; false if no number comes next.
-    bool takeNumber(double &x) {
-        std::string_view word = takeWord(lines.rest);
-        if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-        auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), x);
-        if (error == std::errc::result_out_of_range) x = std::strtod(std::string(word).c_str(), nullptr);
-        return error != std::errc::invalid_argument && end == word.data() + word.size();
+    // The next word, for an error.
+    std::string nextIs(const char *what) const {
+        std::string_view rest = lines.rest, word = takeWord(rest);
+        return word.empty() ? "" : ": " + std::string(word.substr(0, 40)) + what;
     }
 
     void readPoint() {
         Vec3d p;
         for (size_t k = 0; k < 3; ++k) {
-            if (!takeNumber(p[k])) refuse(lines.number, "a point needs three coordinates");
+            if (!takeNumber(lines.rest, p[k]))
+                refuse(lines.number, "a point needs three coordinates" + nextIs(" is not a number"));
             if (!(std::fabs(p[k]) < 1e18)) refuse(lines.number, "a coordinate is not a number below 1e18");
         }
         polygons.points.push_back(p);
@@ -93,7 +92,7 @@ private:
 
     void readCoordinate() {
         double u = 0, v = 0;
-        takeNumber(u), takeNumber(v);
+        takeNumber(lines.rest, u), takeNumber(lines.rest, v);
         polygons.coordinates.push_back({(float)u, (float)v});
     }
 
@@ -111,7 +110,8 @@ private:
             auto [stop, error] = std::from_chars(p, end, numbers[k]);
             if ((k == 0 && stop == p) || error == std::errc::result_out_of_range ||
                 (stop < end && (*stop != '/' || k == 2)))
-                refuse(lines.number, "a polygon's points are numbers");
+                refuse(lines.number,
+                       "a polygon's points are numbers, not " + std::string(word.substr(0, 40)));
             p = stop;
             if (p == end) break;
         }

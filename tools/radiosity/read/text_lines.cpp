@@ -3,6 +3,8 @@
 #include "tools/common/whole_file.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <strings.h>
 
@@ -45,21 +47,22 @@ std::string fromUtf16(std::string_view s, size_t high) {
     return to;
 }
 
-std::string decoded(std::string text) {
+std::string decoded(std::string text, const std::string &path) {
     auto begins = [&](std::string_view mark) { return text.compare(0, mark.size(), mark) == 0; };
-    if (begins("\xef\xbb\xbf")) return text.substr(3);
-    if (begins("\xff\xfe")) return fromUtf16(std::string_view(text).substr(2), 1);
-    if (begins("\xfe\xff")) return fromUtf16(std::string_view(text).substr(2), 0);
-    // Without a mark, the zero bytes of two ASCII characters decide
-    bool zero[4];
-    for (size_t i = 0; i < 4; ++i) zero[i] = i < text.size() && text[i] == 0;
-    if (text.size() < 4 || zero[0] == zero[1] || zero[0] != zero[2] || zero[1] != zero[3]) return text;
-    return fromUtf16(text, zero[1]);
+    // Without a mark, the zero bytes of ASCII characters decide
+    int zero = 0; // a bit for each of the first four bytes, the first one's highest
+    for (size_t i = 0; i < 4; ++i) zero = zero << 1 | (i < text.size() && text[i] == 0);
+    const bool little = begins("\xff\xfe");
+    if (zero == 0b1110 || zero == 0b0111 || (little && zero == 0b0011) || begins({"\0\0\xfe\xff", 4}))
+        throw common::Refused(path + ": it is UTF-32: save it as UTF-8");
+    if (little || begins("\xfe\xff")) return fromUtf16(std::string_view(text).substr(2), little);
+    if (zero == 0b0101 || zero == 0b1010) return fromUtf16(text, zero == 0b0101);
+    return begins("\xef\xbb\xbf") ? text.substr(3) : text;
 }
 
 } // namespace
 
-TextLines::TextLines(const std::string &path) : text(decoded(common::readWhole(path))) {
+TextLines::TextLines(const std::string &path) : text(decoded(common::readWhole(path), path)) {
     auto control = [](char c) {
         return (uint8_t)c < ' ' && !blank(c) &&
                std::string_view("\r\n\x1a").find(c) == std::string_view::npos;
@@ -85,8 +88,10 @@ bool TextLines::next() {
         std::string_view line = trimmed(physical());
         if (!line.empty() && line.back() == '\\' && line.front() != '#') {
             joined = line;
-            while (!joined.empty() && joined.back() == '\\' && at < text.size())
-                joined.back() = ' ', joined += physical();
+            while (!joined.empty() && joined.back() == '\\') {
+                joined.back() = ' ';
+                if (at < text.size()) joined += physical();
+            }
             line = trimmed(joined);
         }
         if (line.empty() || line.front() == '#') continue;
@@ -114,6 +119,16 @@ std::string_view takeWord(std::string_view &text) {
     std::string_view word = text.substr(0, end);
     text = trimmed(text.substr(end));
     return word;
+}
+
+bool takeNumber(std::string_view &text, double &number) {
+    std::string_view rest = text, word = takeWord(rest);
+    if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+    auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error == std::errc::result_out_of_range) number = std::strtod(std::string(word).c_str(), nullptr);
+    if (error == std::errc::invalid_argument || end != word.data() + word.size()) return false;
+    text = rest;
+    return true;
 }
 
 } // namespace odraz::radiosity

@@ -12,7 +12,7 @@ namespace odraz::radiosity {
 
 class TextLines {
 public:
-    // Throws Refused if the file cannot be read. Zero bytes become blanks.
+    // Throws Refused if the file cannot be read, or is UTF-32. Zero bytes become blanks.
     explicit TextLines(const std::string &path);
 
     // Moves to the next line that is not empty; false at the end.
@@ -34,5 +34,8 @@ private:
 
 // Removes the first word from `text`, which has no leading blanks afterwards, and returns it.
 std::string_view takeWord(std::string_view &text);
+
+// Removes a number. Returns false, and leaves `text` as it is, if the first word is none.
+bool takeNumber(std::string_view &text, double &number);
 
 } // namespace odraz::radiosity

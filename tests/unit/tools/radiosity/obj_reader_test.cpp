@@ -71,6 +71,17 @@ TEST(ObjReader, TakesAllKindsOfText) {
     for (bool big : {false, true})
         for (bool mark : {false, true}) EXPECT_NEAR(Read(utf16(text, mark, big)).area(), 144, 1e-9);
     EXPECT_NEAR(Read("\xef\xbb\xbf" + text).area(), 144, 1e-9);
+    EXPECT_NEAR(Read(text.substr(0, text.size() - 1) + "\\").area(), 144, 1e-9); // nothing follows
+    for (bool big : {false, true})
+        for (bool mark : {false, true}) {
+            std::string wide;
+            for (char c : (mark ? "m" : "") + text) // of which m becomes the mark
+                for (int k = 0; k < 4; ++k)
+                    wide += mark && wide.size() < 4 ? (big ? "\0\0\xfe\xff" : "\xff\xfe\0\0")[k]
+                            : k == (big ? 3 : 0)    ? c
+                                                    : '\0';
+            EXPECT_EQ(Read(wide).error, "m.obj: it is UTF-32: save it as UTF-8");
+        }
     // Names beyond ASCII are the same in both files
     std::string obj = utf16("mtllib m.mtl\n" + kSquare + "usemtl caf?\nf 1 2 3 4\n", true, false);
     obj[obj.find('?')] = '\xe9';
@@ -85,9 +96,11 @@ TEST(ObjReader, NamesTheLine) {
     EXPECT_EQ(Read("v 0 0 0\r\nv 0 0 \\\r\n 1\r\nf 1 2 9\r\n").error,
               "m.obj:4: there is no point 9: there are 2");
     EXPECT_EQ(Read("\xef\xbb\xbfv 0 0\n").error, "m.obj:1: a point needs three coordinates");
-    EXPECT_EQ(Read("# a\\\n\nv 0 0 0,5\n").error, "m.obj:3: a point needs three coordinates");
+    EXPECT_EQ(Read("# a\\\n\nv 0 0 0,5\n").error,
+              "m.obj:3: a point needs three coordinates: 0,5 is not a number");
     EXPECT_EQ(Read("v 0 0 1e400\n").error, "m.obj:1: a coordinate is not a number below 1e18");
-    EXPECT_EQ(Read(kSquare + "f 1 2/x 3\n").error, "m.obj:5: a polygon's points are numbers");
+    EXPECT_EQ(Read(kSquare + "f 1 2/x 3\n").error, "m.obj:5: a polygon's points are numbers, not 2/x");
+    EXPECT_EQ(Read(std::string("\x1f\x8b\b\0\0", 5)).error, "m.obj: is not a text file");
     EXPECT_EQ(Read(kSquare + "f 1 2 0/1\n").error, "m.obj:5: there is no point 0 before this polygon");
 }
 
@@ -104,10 +117,12 @@ TEST(ObjReader, NotesUnknownMaterials) {
 }
 
 TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
-    const std::string obj = "MTLLIB m.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n";
-    Read r(obj, "newmtl a\nKD 1 0 0\nmap_d a.png\nbump b.png\nnewmtl b\nKd 1 1 1\nMAP_BUMP b.png\n");
+    const std::string obj = "MTLLIB m.mtl\nmtllib m.mtl m.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n";
+    Read r(obj, "newmtl a\nKD 1 0 0\nmap_d a.png\nbump b.png\nnewmtl b\nKd 1 1 1\nMAP_BUMP b.png\nnewmtl "
+                "a\nKd 0 0 0\n");
     EXPECT_EQ(r.notes,
-              (Lines{"m.obj: MTLLIB is read as mtllib", "m.mtl: KD is read as Kd",
+              (Lines{"m.obj: MTLLIB is read as mtllib",
+                     "m.obj: material a: it is given again; the first one is used", "m.mtl: KD is read as Kd",
                      "m.obj: MAP_BUMP is not used: material b", "m.obj: bump is not used: material a",
                      "m.obj: map_d is not used: material a"}));
     EXPECT_EQ(r.mesh.materials[0].reflects, (std::array<float, 3>{1, 0, 0}));
@@ -122,6 +137,12 @@ TEST(ObjReader, LimitsColours) {
     EXPECT_EQ(with("Ke 1e12").mesh.materials[0].emits[0], 1e12f);
     EXPECT_EQ(with("Ke 2e12").error, "m.obj: material a: Ke must lie between 0 and 1e12");
     EXPECT_EQ(with("Kd -1").error, "m.obj: material a: Kd must lie between 0 and 1");
+    EXPECT_EQ(with("Kd 0,5 0,5 0,5").error, "m.obj: material a: Kd: 0,5 is not a number");
+    EXPECT_EQ(with("Kd .5 .25 .125 # a wall").mesh.materials[0].reflects,
+              (std::array<float, 3>{.5f, .25f, .125f}));
+    EXPECT_EQ(with("Ke spectral lamp.rfl").notes,
+              (Lines{"m.obj: material a: its Ke is a spectrum, which is not read",
+                     "m.obj: material a: it has no Kd: it reflects 0.7"}));
 }
 
 // A model far away is moved to the origin; what is written has the model's coordinates.
@@ -132,6 +153,10 @@ TEST(ObjReader, MovesFarModels) {
     EXPECT_GT(length(far.mesh.place), 5e6f);
     for (const Vec3d &p : far.mesh.points) EXPECT_LT(length(p), 4);
     EXPECT_EQ(length(Read(kSquare + "f 1 2 3 4\n").mesh.place), 0);
+    // A point that no polygon has does not matter, wherever it lies
+    Read stray("v 0 0 0\nv 5411233 210 460123\nv 5411233 210 460123.5\nv 5411233.5 210 460123\nf 2 3 4\n");
+    EXPECT_NEAR(stray.area(), 0.125, 1e-8);
+    EXPECT_LT(stray.mesh.size(), 1);
 }
 
 TEST(ObjReader, PutsTheFirstPolygonInFront) {
