@@ -92,7 +92,7 @@ check "a picture that is missing" unread 'sub/none.png: No such file' none.png
 check "a file that is no picture" unread 'its format is unknown' floor.mtl
 head -c 700 checks.png >sub/cut.png
 check "a picture cut short" unread 'it is damaged' cut.png
-printf '\211PNG\r\n\032\n\0\0\0\rIHDR\0\0\43\50\0\0\43\50\10\2\0\0\0xxxx' >sub/vast.png
+printf '\211PNG\r\n\032\n\0\0\0\rIHDR\0\0\43\50\0\0\43\50\10\2\0\0\0\342\267\345\355\0\0\0\0IEND\256B`\202' >sub/vast.png
 check "a picture that is too large" unread 'no pixels, or more than 2^26' vast.png
 truncate -s 300M sub/long.png
 check "a long file" unread 'more than 256 MB' long.png

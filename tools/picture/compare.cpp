@@ -55,6 +55,9 @@ struct Settings {
 
 // Appends to `text` how two pictures differ. Returns whether that passes.
 bool compare(const Picture &a, const Picture &b, const Settings &s, std::string &text) {
+    for (const Picture *p : {&a, &b})
+        common::need(p->others.empty(),
+                     "a picture has the channels" + p->others + ", which are not all compared");
     common::need(a.light.empty() == b.light.empty(),
                  "one picture has floats, which are linear, and the other has not");
     common::need(a.width == b.width && a.height == b.height,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 #define TINYEXR_IMPLEMENTATION
 #pragma GCC diagnostic push
@@ -18,7 +19,7 @@ namespace {
 
 using common::need;
 
-constexpr uint32_t kTiled = 0x200, kLongNames = 0x400, kVersion = 2;
+constexpr uint32_t kTiled = 0x200, kLongNames = 0x400, kDeep = 0x800, kParts = 0x1000, kVersion = 2;
 constexpr const char *kCompressions[] = {"none",  "RLE", "ZIPS", "ZIP",  "PIZ",
                                          "PXR24", "B44", "B44A", "DWAA", "DWAB"};
 constexpr int kLinesOfChunk[] = {1, 1, 1, 16, 32}; // of the first five, which are read
@@ -33,7 +34,7 @@ struct Window { // both ends included
 
 struct Channel {
     bool half;
-    size_t to; // its place in a pixel of the picture
+    int to = -1; // its place in a pixel of the picture; -1: it is not read
 };
 
 // Bytes that are taken from the front.
@@ -99,8 +100,9 @@ private:
 
     void readHead(Bytes &from) {
         auto version = from.number<uint32_t>();
-        need((version & ~(kTiled | kLongNames)) == kVersion,
-             "it has several parts, or deep pixels; only simple pictures of OpenEXR are read");
+        need(!(version & kParts), "it has several parts (exrmultipart -separate makes a file of each)");
+        need(!(version & kDeep), "it has deep pixels, which are not read");
+        need((version & ~(kTiled | kLongNames)) == kVersion, "it is of another version of OpenEXR");
         tiled = version & kTiled;
         while (from.rest.empty() || from.rest[0]) {
             std::string name = from.text(), type = from.text();
@@ -127,31 +129,45 @@ private:
     }
 
     void readChannels(Bytes from) {
-        std::vector<std::string> names;
+        std::map<std::string, size_t> number; // of each channel
+        std::string all;
+        std::vector<bool> whole;
         while (from.rest.empty() || from.rest[0]) {
-            names.push_back(from.text());
+            std::string name = from.text();
             auto type = from.number<int32_t>();
             from.take(4);
             auto across = from.number<int32_t>(), down = from.number<int32_t>();
-            need(type == TINYEXR_PIXELTYPE_HALF || type == TINYEXR_PIXELTYPE_FLOAT,
-                 "its channel " + names.back() +
-                     " has whole numbers; only 16 and 32 bits of floats are read");
-            need(across == 1 && down == 1, "its channel " + names.back() + " lacks pixels of the others");
-            if (type == TINYEXR_PIXELTYPE_FLOAT) picture.bits = 32;
-            channels.push_back({type == TINYEXR_PIXELTYPE_HALF, 0});
+            need(type >= TINYEXR_PIXELTYPE_UINT && type <= TINYEXR_PIXELTYPE_FLOAT,
+                 "it is damaged: its channel " + name + " has no numbers");
+            need(across == 1 && down == 1, "its channel " + name + " lacks pixels of the others");
+            number[name] = channels.size(), all += " " + name;
+            channels.push_back({type == TINYEXR_PIXELTYPE_HALF});
+            whole.push_back(type == TINYEXR_PIXELTYPE_UINT);
             forTinyexr.emplace_back().pixel_type = type;
             bytesOfPixel += channels.back().half ? 2 : 4;
         }
-        std::string all, joined;
-        for (const std::string &name : names) all += (all.empty() ? "" : " ") + name, joined += name;
-        for (std::string order : {"Y", "YA", "RGB", "RGBA"})
-            if (names.size() == order.size() &&
-                std::is_permutation(order.begin(), order.end(), joined.begin(), joined.end())) {
-                picture.channels = (int)names.size();
-                for (size_t i = 0; i < names.size(); ++i) channels[i].to = order.find(names[i]);
-            }
-        need(picture.channels > 0,
-             "it has the channels " + all + "; only R, G and B, or Y, with or without A are read");
+        // Those without a layer's name, or the only layer
+        std::vector<std::pair<std::string, std::string>> found; // layers, and their channels
+        for (const auto &[name, ignored] : number) {
+            const std::string layer = name.substr(0, name.rfind('.') + 1);
+            auto has = [&](char c) { return number.count(layer + c) > 0; };
+            std::string order = has('R') && has('G') && has('B') ? "RGB" : has('Y') && !has('X') ? "Y" : "";
+            if (!order.empty() && has('A')) order += 'A';
+            if (!order.empty() && (found.empty() || found.back().first != layer))
+                found.push_back({layer, order});
+        }
+        need(!found.empty() && (found.size() == 1 || found[0].first.empty()),
+             "it has the channels" + all + "; only R, G and B, or Y, with or without A are read");
+        const auto &[layer, order] = found[0];
+        picture.channels = (int)order.size(), picture.bits = 16;
+        for (size_t i = 0; i < order.size(); ++i) {
+            const size_t c = number[layer + order[i]];
+            need(!whole[c], "its channel " + layer + order[i] +
+                                " has whole numbers; only 16 and 32 bits of floats are read");
+            channels[c].to = (int)i;
+            if (!channels[c].half) picture.bits = 32;
+        }
+        picture.others = channels.size() > order.size() ? all : "";
     }
 
     // Reads some lines, or a tile. Returns its number.
@@ -180,7 +196,7 @@ private:
     }
 
     void put(int64_t x, int64_t y, const Channel &c, const uint8_t *bytes) {
-        if (x < display.x0 || x > display.x1 || y < display.y0 || y > display.y1) return;
+        if (c.to < 0 || x < display.x0 || x > display.x1 || y < display.y0 || y > display.y1) return;
         float value;
         if (c.half) {
             tinyexr::FP16 half = {};
@@ -190,7 +206,7 @@ private:
             std::memcpy(&value, bytes, sizeof value);
         }
         size_t pixel = (size_t)(y - display.y0) * (size_t)picture.width + (size_t)(x - display.x0);
-        picture.light[pixel * (size_t)picture.channels + c.to] = value;
+        picture.light[pixel * (size_t)picture.channels + (size_t)c.to] = value;
     }
 
     void unpack(std::string_view from, std::vector<uint8_t> &to, int width, int height) {

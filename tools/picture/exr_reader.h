@@ -1,6 +1,7 @@
 // Reads OpenEXR ("OpenEXR File Layout", openexr.com): one part of lines or tiles (of these the largest
 // level), with channels R, G and B, or Y, and perhaps A, of 16 or 32 bits, not compressed or by RLE, ZIPS,
-// ZIP or PIZ. The picture is the display window, black and clear where there is no data.
+// ZIP or PIZ. They may have the name of a layer, if there is only one with colours; other channels (Z) are
+// not read. The picture is the display window, black and clear where there is no data.
 //
 // tinyexr decompresses. Its own reader of files is not used: it trusts what damaged ones say, and turns
 // pictures upside down whose lines are stored from the bottom.

@@ -37,6 +37,7 @@ public:
         if (first == 'X' || !firstForward || !secondForward) picture.light = inOrder();
         return std::move(picture);
     }
+    std::string_view rest() const { return file.substr(at); }
 
 private:
     std::string_view file;
@@ -185,6 +186,11 @@ private:
 
 } // namespace
 
-Picture readHdr(std::string_view file) { return HdrReader(file).read(); }
+Picture takeHdr(std::string_view &file) {
+    HdrReader reader(file);
+    Picture p = reader.read();
+    file = isHdr(reader.rest()) ? reader.rest() : std::string_view();
+    return p;
+}
 
 } // namespace pictures

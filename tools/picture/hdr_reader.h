@@ -17,7 +17,7 @@ namespace pictures {
 // Whether such a picture begins here.
 inline bool isHdr(std::string_view file) { return file.starts_with("#?"); }
 
-// Throws Refused.
-Picture readHdr(std::string_view file);
+// Reads such a picture and removes it with what follows, unless that is another one. Throws Refused.
+Picture takeHdr(std::string_view &file);
 
 } // namespace pictures

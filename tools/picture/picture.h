@@ -20,6 +20,7 @@ struct Picture {
     int bits = 8;                       // of a number in the file
     std::vector<uint16_t> encoded = {}; // 65535 is 1; empty if there are floats
     std::vector<float> light = {};      // 1 is white
+    std::string others = {};            // the names of all channels, if some are not read
 
     size_t pixels() const { return (size_t)width * (size_t)height; }
     bool hasAlpha() const { return channels % 2 == 0; }

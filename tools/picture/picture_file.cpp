@@ -18,9 +18,10 @@ constexpr float kMostLight = 1e12f; // the same bound as for light from options:
 
 // Reads the first picture of `rest` and removes it.
 Picture takePicture(std::string_view &rest) {
-    if (isPnm(rest)) return takePnm(rest);
-    std::string_view file = std::exchange(rest, {});
-    return isHdr(file) ? readHdr(file) : isExr(file) ? readExr(file) : readByStb(file);
+    return isPnm(rest)   ? takePnm(rest)
+           : isHdr(rest) ? takeHdr(rest)
+           : isExr(rest) ? readExr(std::exchange(rest, {}))
+                         : takeByStb(rest);
 }
 
 void checkLight(const Picture &p) {

@@ -1,9 +1,9 @@
 // Reads pictures: PNG, JPEG, TGA, BMP, PNM (P2, P3, P5, P6), Radiance HDR and OpenEXR. The content decides,
-// not the name. A file of PNM may hold several, one after the other.
+// not the name. A file of PNM, PNG or Radiance HDR may hold several, one after the other.
 //
-// All of it throws Refused: for other formats and for damaged files, for files that end early or go on, for
-// pictures of more than 2^27 pixels (2^26 of PNG, JPEG, TGA and BMP), and for floats that are not numbers or
-// beyond +-1e12.
+// All of it throws Refused: for other formats and for damaged files, for files that end early, for PNM that
+// goes on, for pictures of more than 2^27 pixels (2^26 of PNG, JPEG, TGA and BMP), and for floats that are
+// not numbers or beyond +-1e12.
 #pragma once
 
 #include "tools/picture/picture.h"

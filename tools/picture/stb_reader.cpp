@@ -2,9 +2,12 @@
 
 #include "tools/common/command_line.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <utility>
+#include <zlib.h>
 
 // A PNG may have empty parts: nothing is copied to nowhere
 #define memcpy(to, from, size) ((size) > 0 ? memcpy(to, from, size) : (to))
@@ -82,20 +85,61 @@ bool hasTables(std::string_view jpeg) {
     return true;
 }
 
+constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
+
+// The size of a PNG, whose parts must have their checksums: stb_image ignores these.
+size_t checkedSize(std::string_view png) {
+    auto number = [&](size_t at) {
+        uint32_t n = 0;
+        for (size_t k = 0; k < 4; ++k) n = n << 8 | (uint8_t)png[at + k];
+        return n;
+    };
+    for (size_t at = kPng.size(); at + 12 <= png.size();) {
+        const size_t size = number(at);
+        if (size > png.size() - at - 12) break;
+        std::string_view part = png.substr(at + 4, size + 4); // its kind, of four letters, and its content
+        common::need(crc32(0, (const Bytef *)part.data(), (uInt)part.size()) == number(at + 8 + size),
+                     "it is damaged: a checksum is wrong");
+        at += size + 12;
+        if (part.starts_with("IEND")) return at;
+    }
+    throw common::Refused("it is damaged: it ends before its last pixel");
+}
+
+// Exchanges left and right of a TGA that begins on the right.
+void mirror(Picture &p) {
+    auto channels = (size_t)p.channels, width = (size_t)p.width;
+    for (size_t row = 0; row < p.encoded.size(); row += width * channels)
+        for (size_t left = 0, right = width - 1; left < right; ++left, --right)
+            std::swap_ranges(&p.encoded[row + left * channels], &p.encoded[row + left * channels] + channels,
+                             &p.encoded[row + right * channels]);
+}
+
 } // namespace
 
-Picture readByStb(std::string_view file) {
+Picture takeByStb(std::string_view &rest) {
+    std::string_view file = std::exchange(rest, {});
     common::need(file.size() <= (size_t)256 << 20, "it has more than 256 MB");
+    const bool isPng = file.starts_with(kPng),
+               isTga = !isPng && !file.starts_with('\xff') && !file.starts_with("BM");
+    if (isPng) {
+        size_t size = checkedSize(file);
+        if (file.substr(size).starts_with(kPng)) rest = file.substr(size);
+        file = file.substr(0, size);
+    }
     if (file.starts_with('\xff')) common::need(hasTables(file), "it is damaged");
     auto *bytes = (const stbi_uc *)file.data();
     int width, height, channels, size = (int)file.size();
     common::need(stbi_info_from_memory(bytes, size, &width, &height, &channels),
-                 "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read");
+                 isTga ? "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read"
+                       : "it is damaged, or of a kind that is not read");
     int64_t pixels = std::abs((int64_t)width * height); // the height is below 0 if lines go down
     common::need(pixels > 0 && pixels <= kMostByStb, "it has no pixels, or more than 2^26");
-    return stbi_is_16_bit_from_memory(bytes, size)
-               ? read<stbi__uint16>(file, stbi__load_and_postprocess_16bit)
-               : read<stbi_uc>(file, stbi__load_and_postprocess_8bit);
+    Picture p = stbi_is_16_bit_from_memory(bytes, size)
+                    ? read<stbi__uint16>(file, stbi__load_and_postprocess_16bit)
+                    : read<stbi_uc>(file, stbi__load_and_postprocess_8bit);
+    if (isTga && file[17] & 0x10) mirror(p);
+    return p;
 }
 
 } // namespace pictures

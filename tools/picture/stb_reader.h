@@ -7,7 +7,8 @@
 
 namespace pictures {
 
-// Reads up to 2^26 pixels and 256 MB. Throws Refused.
-Picture readByStb(std::string_view file);
+// Reads up to 2^26 pixels and 256 MB, and removes them with what follows, unless that is another PNG after
+// one. Throws Refused.
+Picture takeByStb(std::string_view &file);
 
 } // namespace pictures

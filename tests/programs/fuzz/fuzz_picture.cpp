@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <zlib.h>
 
 using namespace pictures;
 
@@ -20,9 +21,22 @@ static void mustBeSound(const Picture &p) {
     if (!good) std::abort();
 }
 
+// Mends the checksums of a PNG, or no damage would reach the decoder.
+static void mendPng(std::string &file) {
+    if (!file.starts_with("\x89PNG")) return;
+    for (size_t at = 8, size; at + 12 <= file.size(); at += size + 12) {
+        size = (size_t)(uint8_t)file[at + 2] << 8 | (uint8_t)file[at + 3];
+        if (file[at] || file[at + 1] || size > file.size() - at - 12) return;
+        auto sum = crc32(0, (const Bytef *)&file[at + 4], (uInt)size + 4);
+        for (size_t k = 0; k < 4; ++k) file[at + 8 + size + k] = (char)(sum >> (24 - 8 * k));
+    }
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     try {
-        PictureFile file("a", std::string((const char *)data, size));
+        std::string bytes((const char *)data, size);
+        mendPng(bytes);
+        PictureFile file("a", bytes);
         while (file.more()) mustBeSound(file.next());
     } catch (const common::Refused &) {
     }

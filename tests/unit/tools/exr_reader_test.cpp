@@ -73,6 +73,67 @@ TEST(Exr, ReadsOtherWriters) {
     }
 }
 
+// Other channels beside the colours, as renderers write them.
+TEST(Exr, ReadsColoursAmongOtherChannels) {
+    enum { kWhole, kHalf, kFloat };
+    auto made =
+        [](const std::vector<std::pair<std::string, int>> &channels) { // 2 x 2; its number fills each channel
+            auto number = [](auto n) { return std::string((const char *)&n, sizeof n); };
+            std::string file = "\x76\x2f\x31\x01\2\0\0\0"s, list, line;
+            auto attribute = [&](const std::string &name, const std::string &type, const std::string &value) {
+                file += name + '\0' + type + '\0' + number((int)value.size()) + value;
+            };
+            for (size_t i = 0; i < channels.size(); ++i) {
+                auto [name, type] = channels[i];
+                list += name + '\0' + number(type) + number(0) + number(1) + number(1);
+                for (int k = 0; k < 2; ++k)
+                    line += type == kHalf    ? number((uint16_t)(i ? 0x4000 + i * 128 : 0x3c00))
+                            : type == kFloat ? number((float)i)
+                                             : number((int)i);
+            }
+            attribute("channels", "chlist", list + '\0');
+            attribute("compression", "compression", "\0"s);
+            for (const char *window : {"dataWindow", "displayWindow"})
+                attribute(window, "box2i", number(0) + number(0) + number(1) + number(1));
+            file += '\0';
+            const size_t first = file.size() + 16;
+            for (size_t y = 0; y < 2; ++y) file += number((uint64_t)(first + y * (line.size() + 8)));
+            for (int y = 0; y < 2; ++y) file += number(y) + number((int)line.size()) + line;
+            return file;
+        };
+    using Light = std::vector<float>;
+    auto light = [&](const std::vector<std::pair<std::string, int>> &channels) {
+        Picture p = readExr(made(channels));
+        EXPECT_FALSE(p.others.empty());
+        return Light(p.light.begin(), p.light.begin() + p.channels);
+    };
+    EXPECT_EQ(light({{"B", kFloat}, {"G", kFloat}, {"R", kFloat}, {"Z", kFloat}}), (Light{2, 1, 0}));
+    EXPECT_EQ(light({{"A", kFloat}, {"B", kFloat}, {"G", kFloat}, {"R", kFloat}, {"id", kWhole}}),
+              (Light{3, 2, 1, 0}));
+    EXPECT_EQ(light({{"B", kHalf},
+                     {"G", kFloat},
+                     {"R", kFloat},
+                     {"diffuse.B", kHalf},
+                     {"diffuse.G", kHalf},
+                     {"diffuse.R", kHalf}}),
+              (Light{2, 1, 1}));
+    EXPECT_EQ(light({{"Layer.Combined.B", kFloat},
+                     {"Layer.Combined.G", kFloat},
+                     {"Layer.Combined.R", kFloat},
+                     {"Layer.Depth.Z", kFloat},
+                     {"Layer.Normal.X", kHalf},
+                     {"Layer.Normal.Y", kHalf},
+                     {"Layer.Normal.Z", kHalf}}),
+              (Light{2, 1, 0}));
+    EXPECT_EQ(light({{"Y", kFloat}, {"Z", kFloat}}), Light{0});
+    for (const auto &channels :
+         {std::vector<std::pair<std::string, int>>{
+              {"a.B", kHalf}, {"a.G", kHalf}, {"a.R", kHalf}, {"b.B", kHalf}, {"b.G", kHalf}, {"b.R", kHalf}},
+          {{"X", kHalf}, {"Y", kHalf}, {"Z", kHalf}}})
+        EXPECT_NE(thrown<common::Refused>([&] { readExr(made(channels)); }).find("only R, G and B, or Y"),
+                  std::string::npos);
+}
+
 // Lines that are stored from the bottom are the same picture.
 TEST(Exr, IgnoresTheOrderOfLines) {
     for (const char *name : {"none_half", "zips_half", "tiled_piz_half"})
@@ -98,10 +159,10 @@ TEST(Exr, RefusesByName) {
     };
     refused(fileOf("tiled_pxr24"), "it is compressed by PXR24; only none, RLE, ZIPS, ZIP and PIZ are read");
     std::string file = fileOf("none_half");
-    for (int flag : {0x800, 0x1000}) { // deep, several parts
+    for (auto [flag, why] : {std::pair{8, "it has deep pixels"}, {16, "it has several parts"}}) {
         std::string other = file;
-        other[5] |= (char)(flag >> 8);
-        refused(other, "several parts, or deep pixels");
+        other[5] |= (char)flag;
+        refused(other, why);
     }
     refused(with(file, "compression", "compression", {9}), "compressed by DWAB");
     refused(with(file, "compression", "compression", {10}), "compressed by an unknown method");

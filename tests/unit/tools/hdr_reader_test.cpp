@@ -10,6 +10,8 @@ using namespace pictures;
 
 namespace {
 
+Picture readHdr(std::string_view file) { return takeHdr(file); }
+
 Picture read(const std::string &head, const std::string &size, const std::string &pixels) {
     return readHdr("#?RADIANCE\n" + head + "\n" + size + "\n" + pixels);
 }
@@ -141,6 +143,17 @@ TEST(Hdr, ReadsLinesOfWindows) {
     Picture p = readHdr("#?RGBE\r\nEXPOSURE=2\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 2\r\n" +
                         bytes({200, 100, 50, 136, 20, 40, 60, 136}));
     EXPECT_EQ(p.light, (std::vector<float>{100, 50, 25, 10, 20, 30}));
+}
+
+// Another picture may follow; other bytes are left.
+TEST(Hdr, LeavesWhatFollows) {
+    const std::string one = "#?RGBE\n\n-Y 1 +X 1\n" + bytes({200, 100, 50, 136});
+    std::string several = one + one + "garbage";
+    std::string_view rest = several;
+    takeHdr(rest);
+    EXPECT_EQ(rest, one + "garbage");
+    takeHdr(rest);
+    EXPECT_EQ(rest, "");
 }
 
 TEST(Hdr, RefusesHeadsCutShort) {

@@ -119,9 +119,13 @@ TEST(Pnm, RefusesWhatIsDamaged) {
 
 TEST(PictureFile, RefusesOtherFiles) {
     expectRefused("", "it is empty");
-    for (const char *file : {"P", "P6", "newmtl m\nKd 1 1 1\n", "GIF89a\1\0\1\0\x80", "\x89PNG\r\n\x1a\n"})
+    for (const char *file : {"P", "P6", "newmtl m\nKd 1 1 1\n", "GIF89a\1\0\1\0\x80"})
         expectRefused(file,
                       "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read");
+    expectRefused("\x89PNG\r\n\x1a\n", "it is damaged: it ends before its last pixel");
+    std::string runs = bmp(2, 2, std::string(16, 'x'));
+    runs[30] = 1; // how it is compressed
+    expectRefused(runs, "it is damaged, or of a kind that is not read");
     EXPECT_THROW(readPicture("/tmp"), common::Refused);
     EXPECT_THROW(readPicture("/dev/zero"), common::Refused);
 }
@@ -139,6 +143,16 @@ TEST(PictureFile, ReadsPngAndJpeg) {
         expectRefused(png.substr(0, size), "it is damaged");
     for (size_t size = jpg.size() - 140; size < jpg.size(); ++size)
         expectRefused(jpg.substr(0, size), "it is damaged");
+    // All are read of several, and every part is checked
+    PictureFile two("a", png + png);
+    EXPECT_EQ(two.next().encoded, two.next().encoded);
+    EXPECT_FALSE(two.more());
+    EXPECT_EQ(read(png + "garbage").encoded, p.encoded);
+    for (size_t at = 16; at < png.size(); ++at) {
+        std::string changed = png;
+        changed[at] ^= 4;
+        expectRefused(changed, "it is damaged");
+    }
     // stb_image copies empty parts, and believes that a table of codes has at most 256
     std::string parts = png, codes = jpg;
     parts.insert(33, "\0\0\0\0IDAT\x35\xaf\x06\x1e"s);
@@ -153,8 +167,9 @@ TEST(PictureFile, ReadsPngAndJpeg) {
         expectRefused(lacks, "it is damaged");
     }
     // A picture that is too large: the head alone decides
-    expectRefused("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x23\x28\0\0\x23\x28\10\2\0\0\0xxxx"s,
-                  "no pixels, or more than 2^26");
+    expectRefused(
+        "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x23\x28\0\0\x23\x28\10\2\0\0\0\xe2\xb7\xe5\xed\0\0\0\0IEND\xae\x42\x60\x82"s,
+        "no pixels, or more than 2^26");
 }
 
 TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
@@ -164,6 +179,10 @@ TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
     EXPECT_EQ(p.encoded, (Encoded{771, 514, 257, 32896, 1542, 1285, 1028, 65535}));
     EXPECT_EQ(read(bmp(1, 2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{1542, 1285, 1028, 771, 514, 257}));
     EXPECT_EQ(read(bmp(1, -2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{771, 514, 257, 1542, 1285, 1028}));
+    // From the right, and from the top
+    std::string mirrored = tga(2, 1, 32, pixels);
+    mirrored[17] ^= 0x10;
+    EXPECT_EQ(read(mirrored).encoded, (Encoded{1542, 1285, 1028, 65535, 771, 514, 257, 32896}));
     expectRefused(bmp(1, -(1 << 24), ""), "it ends before its last pixel");
     expectRefused(bmp(127, -(1 << 24), ""), "no pixels, or more than 2^26");
     expectRefused(bmp(0, 9, "abcd"), "no pixels, or more than 2^26");
