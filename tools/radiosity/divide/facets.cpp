@@ -1,5 +1,7 @@
 #include "tools/radiosity/divide/facets.h"
 
+#include "tools/engine/clip.h"
+
 #include <algorithm>
 
 namespace odraz::radiosity {
@@ -25,17 +27,11 @@ double areaOf(const Outline &p) {
 }
 
 Outline cut(const Outline &in, PlanePoint a, PlanePoint b) {
-    Outline out;
-    for (size_t i = 0; i < in.size(); ++i) {
-        PlanePoint p = in[i], q = in[(i + 1) % in.size()];
-        float dp = side(a, b, p), dq = side(a, b, q);
-        if (dp >= 0) out.push_back(p);
-        if ((dp >= 0) != (dq >= 0)) {
-            float t = dp / (dp - dq);
-            out.push_back({p.u + (q.u - p.u) * t, p.v + (q.v - p.v) * t});
-        }
-    }
-    return out;
+    return clip(
+        in, [&](PlanePoint p) { return side(a, b, p); },
+        [](PlanePoint p, PlanePoint q, float t) {
+            return PlanePoint{p.u + (q.u - p.u) * t, p.v + (q.v - p.v) * t};
+        });
 }
 
 int cellAt(const Cell *cells, const Chart &c, PlanePoint p) {

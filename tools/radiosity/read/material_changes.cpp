@@ -3,9 +3,7 @@
 #include "tools/radiosity/read/mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 
 namespace odraz::radiosity {
 
@@ -57,18 +55,10 @@ MaterialChange readMaterialChange(const std::string &option, const std::string &
     std::string value = at == std::string::npos ? text : text.substr(at + 1);
     if (at != std::string::npos) c.name = text.substr(0, at);
     if (at == 0) refuse(c, "names no material before the =");
-    const char *p = value.c_str();
-    int count = 0;
-    for (bool more = true; more && count < 4; ++count) {
-        char *end;
-        double x = std::strtod(p, &end);
-        more = *end == ',';
-        if (end == p || !std::isfinite(x) || (*end && !more) || count == 3)
-            refuse(c, "its value is R,G,B or one factor");
-        c.value[(size_t)count] = x;
-        p = end + 1;
-    }
-    if (count == 2) refuse(c, "its value is R,G,B or one factor");
+    const auto count = 1 + std::count(value.begin(), value.end(), ',');
+    if (count != 1 && count != 3) refuse(c, "its value is R,G,B or one factor");
+    auto numbers = common::numbersOf(option, value, (size_t)count);
+    std::copy(numbers.begin(), numbers.end(), c.value.begin());
     c.factor = count == 1;
     if (c.factor) c.value[1] = c.value[2] = c.value[0];
     double most = c.power || c.factor ? kMostPower : 1;

@@ -1,5 +1,7 @@
 #include "tools/radiosity/read/overlaps.h"
 
+#include "tools/engine/clip.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -132,33 +134,17 @@ struct Corner {
 };
 using Piece = std::vector<Corner>; // convex
 
-Corner between(const Corner &a, const Corner &b, double t) {
-    return {a.p + (b.p - a.p) * t, {a.at[0] + (b.at[0] - a.at[0]) * t, a.at[1] + (b.at[1] - a.at[1]) * t}};
-}
-
-// Divides a piece by a plane; either part may be empty.
-void divide(const Piece &piece, const Vec3d &on, const Vec3d &out, double tiny, Piece &inside,
-            Piece &outside) {
-    inside.clear(), outside.clear();
-    std::vector<double> distance;
-    for (const Corner &c : piece) {
+// The part of a piece in front of a plane; empty if none of it lies further than `tiny`.
+Piece inFront(const Piece &piece, const Vec3d &on, const Vec3d &out, double tiny) {
+    auto distance = [&](const Corner &c) {
         double d = dot(c.p - on, out);
-        distance.push_back(std::fabs(d) <= tiny ? 0 : d);
-    }
-    bool in = false, beyond = false;
-    for (size_t i = 0; i < piece.size(); ++i) {
-        size_t next = (i + 1) % piece.size();
-        double d = distance[i], e = distance[next];
-        if (d <= 0) inside.push_back(piece[i]);
-        if (d >= 0) outside.push_back(piece[i]);
-        in |= d<0, beyond |= d> 0;
-        if ((d < 0 && e > 0) || (d > 0 && e < 0)) {
-            Corner c = between(piece[i], piece[next], d / (d - e));
-            inside.push_back(c), outside.push_back(c);
-        }
-    }
-    if (!in) inside.clear();
-    if (!beyond) outside.clear();
+        return std::fabs(d) <= tiny ? 0 : d;
+    };
+    if (std::none_of(piece.begin(), piece.end(), [&](const Corner &c) { return distance(c) > 0; })) return {};
+    return clip(piece, distance, [](const Corner &a, const Corner &b, double t) {
+        return Corner{a.p + (b.p - a.p) * t,
+                      {a.at[0] + (b.at[0] - a.at[0]) * t, a.at[1] + (b.at[1] - a.at[1]) * t}};
+    });
 }
 
 class Cutter {
@@ -215,7 +201,7 @@ private:
     // Adds the part of a triangle that no triangle in front covers.
     void addRest(const std::vector<Triangle> &triangles, const std::vector<int> &fronts, const Triangle &t,
                  const float *at) {
-        Piece whole, inside, outside;
+        Piece whole;
         for (size_t k = 0; k < 3; ++k)
             whole.push_back({mesh.points[(size_t)t.corners[k]],
                              {at ? (double)at[2 * k] : 0, at ? (double)at[2 * k + 1] : 0}});
@@ -229,9 +215,10 @@ private:
                 for (size_t k = 0; k < 3 && !remains.empty(); ++k) {
                     const auto &c = triangles[(size_t)front].corners;
                     const Vec3d &a = mesh.points[(size_t)c[k]], &b = mesh.points[(size_t)c[(k + 1) % 3]];
-                    divide(remains, a, normalize(cross(b - a, n)), tiny, inside, outside);
+                    const Vec3d out = normalize(cross(b - a, n));
+                    Piece outside = inFront(remains, a, out, tiny);
                     if (!outside.empty()) left.push_back(outside);
-                    remains = inside;
+                    remains = inFront(remains, a, out * -1, tiny);
                 }
                 if (remains.empty()) left.resize(before), left.push_back(piece); // they only touch
             }

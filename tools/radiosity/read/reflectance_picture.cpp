@@ -1,5 +1,7 @@
 #include "tools/radiosity/read/reflectance_picture.h"
 
+#include "tools/engine/clip.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,17 +22,12 @@ double areaOf(const Polygon &p) {
 }
 
 // The part of a polygon on one side of a line across an axis: above it, or below if `sign` is -1.
-void cut(const Polygon &in, size_t axis, double at, double sign, Polygon &out) {
-    out.clear();
-    for (size_t i = 0; i < in.size(); ++i) {
-        const TexturePoint &p = in[i], &q = in[(i + 1) % in.size()];
-        double dp = (p[axis] - at) * sign, dq = (q[axis] - at) * sign;
-        if (dp >= 0) out.push_back(p);
-        if ((dp >= 0) != (dq >= 0)) {
-            double t = dp / (dp - dq);
-            out.push_back({p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t});
-        }
-    }
+Polygon cut(const Polygon &in, size_t axis, double at, double sign) {
+    return clip(
+        in, [&](const TexturePoint &p) { return (p[axis] - at) * sign; },
+        [](const TexturePoint &p, const TexturePoint &q, double t) {
+            return TexturePoint{p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t};
+        });
 }
 
 } // namespace
@@ -90,7 +87,7 @@ Rgb ReflectancePicture::mean() const { return texel(levels.back(), 0, 0, true); 
 
 Rgb ReflectancePicture::mean(const Polygon &given, bool clamp) const {
     // Convert to texels, counted from the top, of the finest level in which the polygon is small
-    Polygon polygon = given, row, strip, piece;
+    Polygon polygon = given;
     double lo[2] = {1e300, 1e300}, hi[2] = {-1e300, -1e300};
     for (TexturePoint &p : polygon) {
         if (!(std::fabs(p[0]) < 1e9 && std::fabs(p[1]) < 1e9)) return mean(); // not a number, or too large
@@ -113,15 +110,12 @@ Rgb ReflectancePicture::mean(const Polygon &given, bool clamp) const {
     if (areaOf(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
     double sum[3] = {}, all = 0;
     for (int64_t j = (int64_t)std::floor(lo[1] * l.height); (double)j < hi[1] * l.height; ++j) {
-        cut(polygon, 1, (double)j, 1, strip);
-        cut(strip, 1, (double)j + 1, -1, row);
+        const Polygon row = cut(cut(polygon, 1, (double)j, 1), 1, (double)j + 1, -1);
         if (row.size() < 3) continue;
         double left = 1e300, right = -1e300;
         for (const TexturePoint &p : row) left = std::min(left, p[0]), right = std::max(right, p[0]);
         for (int64_t i = (int64_t)std::floor(left); (double)i < right; ++i) {
-            cut(row, 0, (double)i, 1, strip);
-            cut(strip, 0, (double)i + 1, -1, piece);
-            double area = areaOf(piece);
+            double area = areaOf(cut(cut(row, 0, (double)i, 1), 0, (double)i + 1, -1));
             if (!(area > 0)) continue;
             Rgb c = texel(l, i, j, clamp);
             sum[0] += area * (double)c.x, sum[1] += area * (double)c.y, sum[2] += area * (double)c.z;

@@ -23,9 +23,9 @@ struct Job {
 };
 
 void readGloss(const std::string &text, TransferSettings &s) {
-    char rest;
-    if (std::sscanf(text.c_str(), "%f,%f%c", &s.polish, &s.exponent, &rest) != 2 ||
-        !(s.polish >= 0 && s.polish <= 1 && s.exponent >= 1 && s.exponent <= 1000))
+    auto numbers = common::numbersOf("--gloss", text, 2);
+    s.polish = (float)numbers[0], s.exponent = (float)numbers[1];
+    if (!(s.polish >= 0 && s.polish <= 1 && s.exponent >= 1 && s.exponent <= 1000))
         throw common::Refused(
             "--gloss takes a reflectance, 0 to 1, and an exponent, 1 to 1000, like 0.06,16, not " + text);
 }
