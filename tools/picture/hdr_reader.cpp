@@ -15,7 +15,7 @@ namespace {
 
 // Radiance keeps CIE XYZ in lumens, and red, green and blue in watts.
 constexpr double kLumensOfWatt = 179;
-constexpr double kMostLight = 3e38; // what a float can hold
+constexpr double kMostOfFloat = 3e38;
 
 // From CIE XYZ to linear red, green and blue with sRGB's primaries and white (IEC 61966-2-1).
 constexpr double kRgbOfXyz[3][3] = {
@@ -166,7 +166,7 @@ private:
                 for (size_t i = 0; i < 3; ++i) light += kRgbOfXyz[k][i] * c[i] / kLumensOfWatt;
             }
             // Colours below 0 are outside the gamut of these primaries
-            picture.light.push_back((float)std::clamp(light, 0., kMostLight));
+            picture.light.push_back((float)std::clamp(light, 0., kMostOfFloat));
         }
     }
 

@@ -33,6 +33,9 @@ struct Picture {
 // The largest size that is read: a sky of 16,384 x 8,192.
 constexpr int64_t kMostPixels = 1 << 27;
 
+// The most light that is read, here and from models and options: sums must fit into a float.
+constexpr double kMostLight = 1e12;
+
 // Rounded to the nearest. Floats are encoded as sRGB; alpha is left out.
 Image toImage(const Picture &picture);
 

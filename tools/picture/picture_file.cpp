@@ -14,8 +14,6 @@ namespace pictures {
 
 namespace {
 
-constexpr float kMostLight = 1e12f; // the same bound as for light from options: sums must fit into a float
-
 // Reads the first picture of `rest` and removes it.
 Picture takePicture(std::string_view &rest) {
     return isPnm(rest)   ? takePnm(rest)
@@ -26,11 +24,11 @@ Picture takePicture(std::string_view &rest) {
 
 void checkLight(const Picture &p) {
     for (size_t i = 0; i < p.light.size(); ++i)
-        if (!(std::fabs(p.light[i]) <= kMostLight)) {
+        if (!(std::fabs(p.light[i]) <= (float)kMostLight)) {
             size_t pixel = i / (size_t)p.channels, width = (size_t)p.width;
             throw common::Refused(common::format("its pixel %zu,%zu is %g: light must be a number up to %g",
                                                  pixel % width, pixel / width, (double)p.light[i],
-                                                 (double)kMostLight));
+                                                 kMostLight));
         }
 }
 

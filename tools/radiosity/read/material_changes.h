@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tools/common/command_line.h"
+#include "tools/picture/picture.h"
 
 #include <array>
 #include <string>
@@ -11,7 +12,7 @@ namespace odraz::radiosity {
 
 struct MeshMaterial;
 
-inline constexpr double kMostPower = 1e12; // of --power and of Ke
+inline constexpr double kMostPower = pictures::kMostLight; // of --power and of Ke
 
 // The value of `--reflectance` or `--power`: [NAME=]R,G,B or [NAME=]FACTOR.
 struct MaterialChange {

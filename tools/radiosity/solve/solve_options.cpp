@@ -57,13 +57,14 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
     if (command != For::kStudy)
         line.option(
             "--element", "AREA", s.element, {1e-18, 1e30},
-            "area of an element, which keeps light; by default a 30000th of the model's area, with --final a "
-            "120000th");
+            std::string("area of an element, which keeps light; by default a 30000th of the model's area") +
+                (anyMethod ? ", with --final a 120000th" : ""));
     if (anyMethod)
         line.option("--bounces", "N", s.bounces, {0, 10000},
                     "follow light over N bounces; 0 is direct light alone");
     line.option("--residual", "R", s.residual, {1e-7, 1},
-                "without --bounces: stop when a sweep changes less than this share of the light");
+                std::string(anyMethod ? "without --bounces: " : "") +
+                    "stop when a sweep changes less than this share of the light");
     line.option("--lamp-samples", "N", s.lampSamples, {1, kMaxLampCells}, "shadow rays to the largest lamp");
     line.option("--memory", "MB", megabytes, {1, 1e6}, "refuse a solution that needs more memory");
     if (anyMethod) {
