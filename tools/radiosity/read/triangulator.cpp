@@ -102,6 +102,7 @@ bool Triangulator::isSpike(int b) const {
 void Triangulator::cutSpikes(int b) {
     while (isSpike(b)) {
         int a = before[(size_t)b], c = after[(size_t)b];
+        triangles.push_back({a, b, c}); // of a polygon that is not flat, it may have an area
         cutOff(b);
         b = isSpike(a) ? a : c;
     }
@@ -222,7 +223,7 @@ void Triangulator::cutEars() {
         }
         int b = queue[next++], a = before[(size_t)b], c = after[(size_t)b];
         if (c < 0 || !isEar(b, (Choice)choice)) continue;
-        if (twiceArea(a, b, c) > 0) triangles.push_back({a, b, c});
+        if (twiceArea(a, b, c) >= 0) triangles.push_back({a, b, c});
         if (choice >= kConvex) {
             crosses = true;
             if (count < 1000) choice = kThin;

@@ -202,6 +202,13 @@ TEST(Triangulator, CutsSpikes) {
     }
 }
 
+// A part that is seen edge-on, along the axis on which the rest is large, is there.
+TEST(Triangulator, KeepsPartsOfFoldedPolygons) {
+    Built built({{5, 0, 0}, {6, 0, 0}, {6, 5, .5}, {5, .5, 3}});
+    EXPECT_EQ(built.mesh.triangles.size(), 2u);
+    EXPECT_TRUE(built.notes.empty());
+}
+
 TEST(Triangulator, NotesCrossings) {
     Outline star;
     for (int k = 0; k < 5; ++k) star.push_back({std::cos(k * 2.5132741), std::sin(k * 2.5132741)});
