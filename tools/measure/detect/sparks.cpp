@@ -40,7 +40,8 @@ void list(const char *where, const std::vector<Spark> &sparks) {
 
 void lookAtFilm(const Options &o) {
     const Quality &quality = o.chosen();
-    Screening screening(o.size, o.from, o.to);
+    // Neighbours may lie in other scenes
+    Screening screening(o.size, std::max(o.from - o.apart, 0.), std::min(o.to + o.apart, duration()));
     auto see = [&](double seconds) {
         Picture p = screening.picture(std::clamp(seconds, 0., duration()), quality);
         return greyOf(p.width, p.height, p.rgba, 4);
