@@ -28,6 +28,7 @@ struct Instrument {
     float spread = 0;   // how far their phases are apart at the start, turns: 0 a point .. 1 all around
     float bend = 0;     // a drum: it begins at 1 + bend times its pitch,
     float bendTime = 1; // and half of that is gone after this time, in seconds; below 0 it grows: a riser
+    float vibrato = 0;  // how far the pitch of sines swings up and down, as a share of it
     float room = 0;     // sent to the room, as a share of what is heard dry
     float echo = 0;     // ... and to the echo
     float ducks = 0;    // how far it pushes other instruments down: 0 .. 1

@@ -27,6 +27,15 @@ float bent(const Instrument &i, int time) {
     return 1 - exp2((float)time * (-1.f / kSampleRate) / i.bendTime);
 }
 
+// Turns for each hertz by which a note is ahead of one that keeps its pitch: the integral of its bend and of
+// its vibrato, which comes up within a second.
+float ahead(const Instrument &i, int time) {
+    constexpr float kSpeed = 34; // radians a second: 5.4 Hz
+    float t = (float)time * (1.f / kSampleRate);
+    return bent(i, time) * i.bend * i.bendTime * 1.442695f +
+           min(t, 1.f) * sin(t * kSpeed) * (i.vibrato / kSpeed);
+}
+
 Float8 randomLanes(uint32_t seed) {
     return toFloat((Int8)(pcg((Uint8)kLanes + seed * 8) >> 8)) * (1.f / 16777216);
 }
@@ -103,7 +112,7 @@ void beginVoice(Voice &v, const Note &note, int block) {
         Float8 hertz = ratio * frequency;
         group.turn = (Uint8)toInt(min(hertz, kHighest) * (kTurn / kSampleRate));
         group.phase = phaseOf(mine * i.spread + (isStruck(i) ? Float8{} : shared));
-        group.bend = hertz * (i.bend * i.bendTime * 1.442695f);
+        group.hertz = hertz;
         group.amplitude =
             select(hertz * (1 + i.bend) < kHighest,
                    exp2(k * -tilt) * fmadd(shared, 0.4f, 0.8f) * (i.level * note.velocity), 0.f);
@@ -117,7 +126,7 @@ void renderVoice(Voice &v, int time, float gain0, float gain1, Float8 *out) {
     gain1 *= v.envelope((float)(time + kBlock));
     Ramp gain = {gain0, (gain1 - gain0) * (1.f / kBlock), max(gain0, gain1)};
     if (time == 0 && isStruck(i)) gain.step = gain1 / (i.attack * kSampleRate);
-    float bend0 = bent(i, time), bend1 = bent(i, time + kBlock);
+    float ahead0 = ahead(i, time), ahead1 = ahead(i, time + kBlock);
     for (int g = 0; g < v.groups; ++g) {
         const Voice::Group &group = v.group[g];
         Float8 amplitude = group.amplitude * exp2(group.fall * (float)time);
@@ -126,10 +135,9 @@ void renderVoice(Voice &v, int time, float gain0, float gain1, Float8 *out) {
             renderNoise(v, time, amplitude, gain, out);
             continue;
         }
-        // The phase at the block's start, and the turn per sample: within the block, the bend goes straight
-        // from its value at the start to that at the end
-        Uint8 phase = group.phase + group.turn * (uint32_t)time + phaseOf(group.bend * bend0);
-        Uint8 turn = group.turn + (Uint8)toInt(group.bend * (bend1 - bend0) * (kTurn / kBlock));
+        // The phase at the block's start, and the turn per sample: within the block, the pitch is constant
+        Uint8 phase = group.phase + group.turn * (uint32_t)time + phaseOf(group.hertz * ahead0);
+        Uint8 turn = group.turn + (Uint8)toInt(group.hertz * (ahead1 - ahead0) * (kTurn / kBlock));
         Phasor p = phasor(phase, amplitude), by = phasor(turn, exp2(group.fall));
         Ramp level = gain;
         for (int n = 0; n < kBlock; ++n) {

@@ -20,7 +20,7 @@ namespace odraz {
 struct Note {
     const Instrument *instrument;
     float key;      // semitones, MIDI's: 69 is a' = 440 Hz; above 0, and below 20 kHz to be heard
-    float velocity; // 0 .. 1
+    float velocity; // 0 .. 1, and a little above where a phrase swells
     float length;   // seconds until it is released
     float room;     // factor of the instrument's send to the room, from 0
 };
@@ -32,7 +32,7 @@ struct Voice {
     int groups;
     struct Group {
         Uint8 turn, phase; // in 2^-32 turns: per sample, and at the start
-        Float8 bend;       // turns that the bend adds in all
+        Float8 hertz;      // without bend and vibrato
         Float8 amplitude;  // at the start
         Float8 fall;       // change of log2(amplitude) per sample: not above 0
     } group[8];

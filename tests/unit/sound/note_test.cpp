@@ -107,6 +107,28 @@ TEST(Note, BendsWithoutAliasing) {
     EXPECT_LT(db(above / inside), -79);
 }
 
+// A period's frequency, between two of its rising zeros, swings as far as it must, and hardly at the start.
+TEST(Note, HasItsVibratoOnceItHasBegun) {
+    Instrument sung = kSine;
+    sung.vibrato = 0.01f;
+    std::vector<double> x = render(sung, 69, 3);
+    double last = 0, most[2] = {}, least[2] = {1, 1};
+    for (size_t i = 1; i < x.size(); ++i) {
+        if (x[i - 1] >= 0 || x[i] < 0) continue;
+        double zero = (double)i - x[i] / (x[i] - x[i - 1]), ratio = kSampleRate / (zero - last) / 440;
+        bool begun = i > kSampleRate;
+        if (last > 0 && (begun || i < kSampleRate / 20)) {
+            most[begun] = std::max(most[begun], ratio);
+            least[begun] = std::min(least[begun], ratio);
+        }
+        last = zero;
+    }
+    EXPECT_NEAR(most[1], 1.01, 5e-4);
+    EXPECT_NEAR(least[1], 0.99, 5e-4);
+    EXPECT_NEAR(most[0], 1, 1e-3);
+    EXPECT_NEAR(least[0], 1, 1e-3);
+}
+
 TEST(Note, IsAFunctionOfTime) {
     for (const Instrument &kind : kInstruments) {
         if (kind.noise > 0) continue; // the filters have a state
