@@ -26,7 +26,7 @@ constexpr Instrument kInstruments[] = {
         .release = 0.5_s, .detune = 0.001_s, .spread = 0.1_s, .bend = 1.6_s, .bendTime = 0.025_s, .room = 0.5_s, .ducks = 0.5_s},
     [kVoice] = {.partials = 12, .level = 0.12_s, .stretch = 1, .scatter = 0.003_s, .tilt = 1.5_s, .softer = 0.6_s, .decay = 20, .damp = 0.3_s,
         .attack = 0.12_s, .release = 0.5_s, .detune = 0.0025_s, .spread = 0.5_s, .vibrato = 0.006_s, .room = 1, .echo = 0.1_s},
-    [kSub] = {.partials = 4, .level = 0.12_s, .stretch = 1, .tilt = 2, .decay = 60, .attack = 0.5_s, .release = 0.3_s, .ducked = 0.5_s},
+    [kSub] = {.partials = 4, .level = 0.12_s, .stretch = 1, .tilt = 2, .decay = 60, .attack = 0.5_s, .release = 0.3_s, .ducked = 1},
     [kBrush] = {.noise = 1, .level = 0.45_s, .stretch = 0.7_s, .tilt = 0.3_s, .softer = 0.3_s, .decay = 0.3_s, .damp = 0.3_s,
         .release = 0.1_s, .spread = 1, .room = 0.3_s, .echo = 0.1_s},
     [kBreath] = {.noise = 0.03_s, .level = 0.1_s, .stretch = 1, .tilt = 0.6_s, .decay = 20, .attack = 0.2_s, .release = 0.5_s, .spread = 1, .room = 0.8_s},

@@ -5,7 +5,9 @@
 // tones of the scale, stacked in thirds on its root: A to G in D minor, d in D major. A is the dominant:
 // under it, C is C sharp. A part plays k strokes spread evenly over n rows (Toussaint, "The Euclidean
 // algorithm generates traditional musical rhythms", Bridges 2005), and takes the tones of its line one after
-// the other.
+// the other. Velocities are phrased: bars, then half bars, stand out, and every four bars swell and fall away
+// (after Friberg, Bresin and Sundberg, "Overview of the KTH rule system for musical performance", Advances in
+// Cognitive Psychology 2, 2006).
 #pragma once
 
 #include "show/events.h"

@@ -8,4 +8,8 @@ namespace odraz {
 inline constexpr char kTune[] = "D-aGa--GF-EDE---D-dcb--aGFECD---";
 inline constexpr int kAnswer = 16; // its second half: the beat at which it begins
 
+// Its mirror image about F, the second voice: what leaps up falls, and what walks down climbs. C stands for D
+// in the second bar, and D for C in the sixth, where the image would clash with the tune two bars later.
+inline constexpr char kMirrored[] = "a-DEC--EF-GaG---a-ABD--DEFGba---";
+
 } // namespace odraz
