@@ -18,12 +18,12 @@ enum EventId : uint8_t {
     kLightIsBorn, kLightGrows, kRimLightWakes, kCausticFalls, kWordComes, kWordStands,
     kBallsSetOff,
     kGeneration1, kGeneration2, kGeneration3,
-    kPatchIsVisited, kHalfCubeRises, kHalfCubeOpens, kPatchTakesColour, kHalfCubeCloses,
+    kHallIsBlack, kPatchIsVisited, kHalfCubeRises, kHalfCubeOpens, kPatchTakesColour, kHalfCubeCloses,
     kDirectLight, kBounce1, kBounce2, kBounce3, kPatchesMelt,
-    kLamp1, kLamp2, kLamp3, kLamp3Dies, kLamp2Dies, kLamp1Dies,
+    kLamp1, kLamp2, kLamp3, kLamp3Dies, kLamp2Dies, kLamp1Dies, kLightReturns,
     kStrip1, kStrip2, kStrip3, kStrip4, kStrip5, kStrip6, kStrip7, kStrip8,
     kLampLights, kBall1, kBall2, kBall3, kBall4, kBall5, kDoorDies,
-    kBall5Leaves, kOuterLampsDie, kBall4Leaves, kBall3Leaves, kBall1Leaves, kWordIsFound,
+    kBall5Leaves, kOuterLampsDie, kBall4Leaves, kBall3Leaves, kBall1Leaves, kWordIsFound, kWordShines,
     kLine1, kLine2, kLine3,
     kEventCount
 };
@@ -31,7 +31,7 @@ enum EventId : uint8_t {
 inline constexpr Event kEvents[] = {
     {kLightIsBorn,      kPoint,     0, true},
     {kLightGrows,       kPoint,    16, true},
-    {kRimLightWakes,    kPoint,    48, false},
+    {kRimLightWakes,    kPoint,    48, true},
     {kCausticFalls,     kPoint,    64, true},
     {kWordComes,        kPoint,    80, true}, // and a stroke of it on every beat from then on
     {kWordStands,       kPoint,   112, true},
@@ -42,11 +42,12 @@ inline constexpr Event kEvents[] = {
     {kGeneration2,      kFlake,    32, true},
     {kGeneration3,      kFlake,    48, true},
 
+    {kHallIsBlack,      kPatches,   0, true},
     {kPatchIsVisited,   kPatches,  16, true},
     {kHalfCubeRises,    kPatches,  32, true},
     {kHalfCubeOpens,    kPatches,  48, true},
     {kPatchTakesColour, kPatches,  64, true},
-    {kHalfCubeCloses,   kPatches,  72, false},
+    {kHalfCubeCloses,   kPatches,  72, true},
     {kDirectLight,      kPatches,  80, true}, // and a bounce a bar
     {kBounce1,          kPatches,  96, true},
     {kBounce2,          kPatches, 112, true},
@@ -56,10 +57,11 @@ inline constexpr Event kEvents[] = {
     {kLamp1,            kHall,   168, true},
     {kLamp2,            kHall,   172, true},
     {kLamp3,            kHall,   176, true},
-    {kLamp3Dies,        kHall,   196, false},
-    {kLamp2Dies,        kHall,   192, false},
-    {kLamp1Dies,        kHall,   192, false},
-    {kStrip1,           kHall,   224, true},
+    {kLamp3Dies,        kHall,   196, true},
+    {kLamp2Dies,        kHall,   192, true},
+    {kLamp1Dies,        kHall,   192, true},
+    {kLightReturns,     kHall,   204, true},
+    {kStrip1,           kHall,   224, true}, // the light enters the door
     {kStrip2,           kHall,   228, true},
     {kStrip3,           kHall,   232, true},
     {kStrip4,           kHall,   236, true},
@@ -75,12 +77,13 @@ inline constexpr Event kEvents[] = {
     {kBall4,            kOdraz,    12, true},
     {kBall5,            kOdraz,    16, true},
     {kDoorDies,         kOdraz,   128, true},
-    {kBall5Leaves,      kOdraz,    84, false},
+    {kBall5Leaves,      kOdraz,    84, true},
     {kOuterLampsDie,    kOdraz,   132, true},
-    {kBall4Leaves,      kOdraz,    88, false},
+    {kBall4Leaves,      kOdraz,    88, true},
     {kBall3Leaves,      kOdraz,    96, true},
     {kBall1Leaves,      kOdraz,   116, true},
     {kWordIsFound,      kOdraz,   144, false}, // mirrored in the last ball: it stands behind the camera
+    {kWordShines,       kOdraz,   160, true},
 
     {kLine1,            kCredits,   4, true},
     {kLine2,            kCredits,  28, true},
@@ -93,6 +96,6 @@ static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event,
 consteval float rowOf(EventId event) { return kEvents[event].row; }
 
 // The rows of the big hits. The half beat before each is silent.
-inline constexpr EventId kHits[] = {kDirectLight, kBall1};
+inline constexpr EventId kHits[] = {kHallIsBlack, kDirectLight, kStrip1, kBall1};
 
 } // namespace odraz
