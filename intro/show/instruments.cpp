@@ -17,7 +17,7 @@ constexpr Instrument kInstruments[] = {
     [kPad] = {.partials = 12, .level = 0.06_s, .stretch = 1, .scatter = 0.002_s, .tilt = 1.2_s, .softer = 0.8_s, .decay = 60,
         .attack = 1.4_s, .release = 2.4_s, .detune = 0.0022_s, .spread = 0.5_s, .room = 0.6_s, .ducked = 0.7_s},
     [kBass] = {.partials = 8, .level = 0.125_s, .stretch = 1, .tilt = 1.1_s, .softer = 0.6_s, .decay = 9, .damp = 0.5_s,
-        .release = 0.5_s, .detune = 0.0008_s, .spread = 0.1_s, .room = 0.2_s, .ducked = 0.8_s},
+        .release = 0.5_s, .detune = 0.0008_s, .spread = 0.2_s, .room = 0.2_s, .ducked = 0.8_s},
     [kWood] = {.partials = 8, .level = 0.12_s, .stretch = 1.72_s, .scatter = 0.03_s, .tilt = 1.1_s, .softer = 0.8_s, .decay = 0.5_s, .damp = 0.6_s,
         .release = 0.3_s, .detune = 0.001_s, .spread = 0.2_s, .bend = 0.06_s, .bendTime = 0.008_s, .room = 0.7_s, .echo = 0.25_s},
     [kPulse] = {.partials = 16, .level = 0.07_s, .stretch = 1.01_s, .tilt = 0.6_s, .softer = 0.9_s, .decay = 0.45_s, .damp = 0.5_s,
