@@ -67,6 +67,7 @@ static constexpr Part kParts[] = {
     {kPatches, kLight, kLightless, {kPad, 3, 4, 120}, 1, 16, 50, 70, "0"},
     {kPatches, kLight, kLightless, {kWind, 6, 1, 100}, 1, 16, 20, 20, "0241"},
     {kPatches, kLight, kLightless, {kBass, 2, 1, 100}, 1, 16, 60, 80, "0"},
+    {kPatches, kLight + 3, kLight + 4, {kGlassDrop, 6, 1, 120}, 4, 16, 95, 95, ".024"}, // the photon's bounces
     {kPatches, kLight + 4, kLightless, {kPiano, 4, 1, 120}, 5, 16, 35, 50, "0243125"},
     {kPatches, kLightless - 4, kLightless, {kPiano, 5, 1, 120}, 1, 4, 65, 60, kMirrored},
 
