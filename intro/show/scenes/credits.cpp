@@ -54,8 +54,8 @@ void letterCredits(const SceneInput &in, const View &, Frame &frame) {
     line(rowOf(kLine2), "the odraz team", 0.24f, 0.046f, accent);
     line(rowOf(kLine2), machine.data, 0.33f, 0.03f, pale);
     line(rowOf(kLine3), "greetings to those it stands on", 0.14f, 0.036f, pale);
-    line(rowOf(kLine3), "whitted  kajiya  goral  cohen", 0.24f, 0.041f, accent);
-    line(rowOf(kLine3), "greenberg  perlin  sloan  elias", 0.33f, 0.041f, accent);
+    line(rowOf(kLine3), "whitted  kajiya  goral  cohen", 0.22f, 0.036f, accent);
+    line(rowOf(kLine3), "greenberg  perlin  sloan  elias", 0.29f, 0.036f, accent);
 }
 
 } // namespace odraz
