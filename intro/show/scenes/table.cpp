@@ -83,6 +83,7 @@ void poseTable(const SceneInput &in, Scene &scene) {
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky(in.row);
+    if (in.row < kMacroFrom) scene.sky.cloudScale = 0.5f; // where clouds are half of the picture
     scene.exposure = 0.93f;
 }
 

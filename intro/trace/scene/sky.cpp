@@ -24,9 +24,9 @@ Rgb8 radiance(const Sky &sky, const Vec3x8 &d, float width) {
     if (sky.cover > 0) {
         // A layer of clouds high above, which ends in haze at the horizon; their fine detail fades before
         // that
-        Float8 up = max(d.y, 0.f), far = 3.f / (up + 0.12f);
-        Float8 density = fractalNoise({fmadd(d.x, far, sky.drift), broadcast(sky.drift * 0.3f), d.z * far}, 3,
-                                      far * width);
+        Float8 up = max(d.y, 0.f), far = 3.f / (up + 0.12f), at = far * sky.cloudScale;
+        Float8 density =
+            fractalNoise({fmadd(d.x, at, sky.drift), broadcast(sky.drift * 0.3f), d.z * at}, 3, far * width);
         density = smoothstep(0.f, 1.f, density + sky.cover) * smoothstep(0.f, 0.16f, up);
         light += (broadcast(sky.clouds) - light) * density;
     }

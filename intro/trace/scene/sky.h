@@ -12,11 +12,12 @@ namespace odraz {
 struct Sky {
     Rgb low, slope, curve;
     float least;
-    Vec3 sun;       // unit
-    Rgb glow, near; // {} if no sun is seen
-    Rgb clouds;     // their radiance
-    float cover;    // 0: no clouds; 1: almost nothing but clouds
-    float drift;    // how far they have moved
+    Vec3 sun;             // unit
+    Rgb glow, near;       // {} if no sun is seen
+    Rgb clouds;           // their radiance
+    float cover;          // 0: no clouds; 1: almost nothing but clouds
+    float drift;          // how far they have moved
+    float cloudScale = 1; // the smaller, the larger and calmer they are
 };
 
 // A gradient from the horizon's colour to the zenith's. Below the horizon it keeps the horizon's.
