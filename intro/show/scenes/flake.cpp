@@ -22,7 +22,7 @@ struct Flake {
     Scene &scene;
     CameraKey camera;
     float grown[kLevels], turn;
-    int silver;
+    int silver, copper;
     int pearls[2][kShades]; // [warm][how much of a mirror]
 
     // A ball and what grows on it: six around its waist, three above, all sixty degrees apart.
@@ -32,7 +32,7 @@ struct Flake {
         float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / away * kPixelsPerUnit;
         int shade = clamp((int)(pixels * 0.05f) - 1, 0, kShades - 1);
-        scene.add(sphere(centre, radius, level ? pearls[level & 1][shade] : silver));
+        scene.add(sphere(centre, radius, level > 1 ? pearls[level & 1][shade] : level ? copper : silver));
         float size = grown[min(level, kLevels - 1)] * (1.f / 3) * saturate(pixels * 0.05f - 0.4f);
         if (level == kLevels || size <= 0) return;
         for (int i = 0; i < 9; ++i) {
@@ -50,9 +50,10 @@ struct Flake {
 } // namespace
 
 void poseFlake(const SceneInput &in, Scene &scene) {
-    Flake flake = {scene, in.camera, {}, in.row * 0.002f, 0, {}};
+    Flake flake = {scene, in.camera, {}, in.row * 0.002f, 0, 0, {}};
     for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow), in.row - kGenerations[i]);
     flake.silver = scene.add(kMirror);
+    flake.copper = scene.add(pearl(true, in.row < 64 || in.row >= 160 ? 0.45f : 0.2f));
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)
             flake.pearls[warm][i] = scene.add(pearl(warm, 0.2f * (float)i / (kShades - 1)));
