@@ -23,12 +23,12 @@ static constexpr struct {
 } kStages[] = {
     {rowOf(kDirectLight), 1, "direct light"},
     {rowOf(kBounce1), 2, "bounce 1"},
-    {rowOf(kBounce2), 6, "bounce 2"},
-    {rowOf(kBounce3), 15, "bounce 3"},
+    {rowOf(kBounce2), 4, "bounce 2"},
+    {rowOf(kBounce3), 6, "bounce 3"},
 };
 static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
-static constexpr float kWave = 1; // how far light comes in a row: a bar to the farthest corner
+static constexpr float kWave = 1.5f; // how far light comes in a row
 static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {1.7f, 1.1f, 0.86f};
 
 // How far a step has come: its contribution rises and, before its bar ends, joins the rest.
@@ -40,7 +40,7 @@ struct Step {
         number = -1;
         while (number + 1 < kStageCount && row >= kStages[number + 1].row) ++number;
         float at = row - kStages[max(number, 0)].row;
-        rise = smoothstep(0.f, 3.f, at);
+        rise = smoothstep(-2.f, 2.f, at);
         join = smoothstep(11.f, 14.f, at);
     }
     Rgb of(const Hall &hall, int patch) const {
@@ -78,7 +78,7 @@ void posePatches(const SceneInput &in, Scene &scene) {
     // Colour the patches. Light spreads over them from the visited one
     const Model &m = hall->model;
     Vec3 from = m.patches[hall->visited].p;
-    float reach = (row - rowOf(kDirectLight)) * kWave;
+    float reach = (row - rowOf(kDirectLight)) * kWave + 3;
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];

@@ -17,8 +17,9 @@ using namespace odraz;
 
 namespace {
 
-// What a viewer can follow: the eye moves no faster than a run, and turns no faster than a head does.
-constexpr double kFastest = 2.5, kFastestTurn = 40; // metres, degrees a second
+// What a viewer can follow: the eye moves no faster than a run, or, seen from afar, in a second by no more
+// than a share of the way to what it looks at; it turns no faster than a head does.
+constexpr double kFastest = 2.5, kFastestTurn = 40, kFastestShare = 0.12; // metres, degrees a second
 constexpr float kShortestShot = 2 * kRowsPerBar;
 constexpr int kDarkSeconds = 3; // it opens on black, and a fade may pass through it
 
@@ -60,7 +61,9 @@ TEST(Rules, CamerasDoNotJump) {
         for (double t = start + kStep; t + kStep < end; t += kStep) {
             // Never before the cut, however t is rounded
             CameraKey a = cameraAt(std::fmax(t - kStep, start)), b = cameraAt(t);
-            EXPECT_LT(length(b.eye - a.eye) / kStep, kFastest) << "at " << t << " s";
+            EXPECT_LT(length(b.eye - a.eye) / kStep,
+                      std::fmax(kFastest, kFastestShare * (double)length(b.target - b.eye)))
+                << "at " << t << " s";
             EXPECT_LT(degreesBetween(a, b) / kStep, kFastestTurn) << "at " << t << " s";
         }
     }
