@@ -12,7 +12,7 @@ namespace odraz {
 #include "show/scenes/odraz.keys"
 
 // In the order in which they are added below
-enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale, kGround };
+enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
 // Three lanes: the ball that stays with three behind it, and six on either side. The first to come stands in
@@ -51,8 +51,6 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
     scene.add(pearl(true, 0.2f));
     scene.add(pearl(false, 0.2f));
-    scene.add(kGranite);
-    scene.add(box({0, -0.1f, 14}, {5, 0.1f, 5}, kGround));
     addBall(scene, in.row, 0, kStays, 0.75f, rowOf(kBall1), 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
         float z = kStays + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
