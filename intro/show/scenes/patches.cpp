@@ -29,7 +29,11 @@ static constexpr struct {
 static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
 static constexpr float kWave = 1.5f; // how far light comes in a row
-static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {1.7f, 1.1f, 0.86f};
+static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {1.7f, 1.1f, 0.86f},
+                     kSunlight = {6, 4.8f, 3.4f};
+// The way of a photon from the sun: through a window, to floor, wall and column
+static constexpr Vec3 kPhoton[] = {
+    {-7.5f, 6.3f, 3.3f}, {-1.2f, 0, 3.3f}, {1.5f, 3, -9}, {-1.93f, 2.2f, -1.7f}};
 
 // How far a step has come: its contribution rises and, before its bar ends, joins the rest.
 struct Step {
@@ -104,6 +108,18 @@ void letterPatches(const SceneInput &in, const View &view, Frame &frame) {
     if (step.number >= 0 && in.row < rowOf(kPatchesMelt))
         drawText(frame, kStages[step.number].name, view.width - h * 0.12f, h * 0.88f, h * 0.032f, 0.085f,
                  1.6f, Align::Right, {0.8f, 0.42f, 0.24f}, step.rise);
+    // One photon: a leg a beat, then into the lens
+    float flown = in.row < rowOf(kPatchesMelt) ? (in.row - rowOf(kBounce3)) / 4 : 0;
+    for (int i = 0; i < 3 && flown > (float)i; ++i) {
+        Stroke leg;
+        view.project(kPhoton[i], leg.x0, leg.y0);
+        view.project(lerp(kPhoton[i], kPhoton[i + 1], min(flown - (float)i, 1.f)), leg.x1, leg.y1);
+        drawStrokes(frame, &leg, 1, h * 0.0012f, kSunlight, 1);
+        leg.x0 = leg.x1, leg.y0 = leg.y1;
+        float near = i < 2 ? 0 : max(flown - 3, 0.f);
+        near *= near;
+        drawStrokes(frame, &leg, 1, h * (0.004f + 0.02f * near), kSunlight * (1 + 40 * near), 1);
+    }
     drawHalfCube(hall, value(track(kRise), in.row), value(track(kOpen), in.row), view, frame);
 }
 
