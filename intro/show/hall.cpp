@@ -32,6 +32,13 @@ const Material *const kParts[] = {
 };
 static_assert(sizeof kParts / sizeof *kParts == kLantern);
 
+// Outside: the ground, and an avenue
+constexpr Shape kOutside[] = {
+    box({0, -0.1f, 48}, {40, 0.1f, 39}, kBlock),    box({-3, 2.5f, 14}, {0.4f, 2.5f, 0.4f}, kBlock),
+    box({3, 2.5f, 14}, {0.4f, 2.5f, 0.4f}, kBlock), box({-3, 2.5f, 20}, {0.4f, 2.5f, 0.4f}, kBlock),
+    box({3, 2.5f, 20}, {0.4f, 2.5f, 0.4f}, kBlock),
+};
+
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material *m : kParts) scene.add(faded(*m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
@@ -150,6 +157,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
                         kStripLight * (burning * (kStripArea * light.door / kPi)),
                         0.3f});
 
+    if (grey == 0) scene.addAll(kOutside);
     // The ambient light of balls is the mean light of floor and ceiling
     scene.ambientHigh = meanLight(hall, hall.floor);
     scene.ambientLow = meanLight(hall, hall.vault);
