@@ -89,8 +89,11 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
         v.direct[kFirstSun + before + i] = part * (1 - light.sun);
     }
     for (int i = 0; i < kLanterns; ++i) {
-        v.bounced[kFirstLantern + i] = kLanternLight * light.lanterns[i];
-        v.direct[kFirstLantern + i] = v.bounced[kFirstLantern + i] * (1 - (drawn ? drawn[i] : 0));
+        Rgb own = kLanternLight * light.lanterns[i];
+        float from = clamp(light.guest.position.z / kLanternsApart, -1.f, 1.f) - (float)(i - 1),
+              share = saturate(1 - abs(from)) / (kLanternRadius * kLanternRadius);
+        v.bounced[kFirstLantern + i] = own + light.guest.intensity * share;
+        v.direct[kFirstLantern + i] = own * (1 - (drawn ? drawn[i] : 0));
     }
     for (int i = 0; i < kStrips; ++i) {
         v.bounced[kFirstStrip + i] = kStripLight * light.strips[i];
@@ -124,6 +127,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     raiseShafts(scene.shafts, now, light);
     if (Rgb sun = now.sunlight * (light.sun * dot(now.sunAt, now.sunAt)); maxComponent(sun) > 0)
         scene.add(Light{now.sunAt, sun});
+    if (maxComponent(light.guest.intensity) > 0) scene.add(light.guest);
 
     // Outside there is a terrace. By day a stone stands on it, which is seen through the entrance
     if (grey < 1) scene.add(box({0, -0.1f, 14}, {5, 0.1f, 5}, kStep));

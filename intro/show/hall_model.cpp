@@ -8,7 +8,7 @@ namespace {
 
 constexpr float kDoor = 1.75f, kDoorHeight = 3; // half width
 constexpr float kBeam = 0.15f;                  // half of a beam's width
-constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-3.25f, 0, 3.25f};
+constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-kLanternsApart, 0, kLanternsApart};
 
 void addColumn(Model &m, float x, float z) {
     m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.29f,

@@ -26,7 +26,7 @@ inline constexpr float kSill = 1.75f, kLintel = 5.25f, kWindow = 0.625f, kDeep =
 inline constexpr float kWindows[] = {-6.5f, -3.25f, 0, 3.25f, 6.5f};
 inline constexpr float kColumnX = 2.25f, kColumnRadius = 0.32f,
                        kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f};
-inline constexpr float kLanternRadius = 0.15f;
+inline constexpr float kLanternRadius = 0.15f, kLanternsApart = 3.25f;
 
 // Fills the hall's empty model, keeps the charts that Hall names, and adds the lamps: lanterns, then strips.
 void buildHall(Hall &hall);

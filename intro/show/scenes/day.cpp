@@ -1,4 +1,5 @@
-// Scene 5. A day in the hall: dawn, noon, dusk; lanterns, night, the door of light.
+// Scene 5. A day in the hall: dawn, noon, dusk; lanterns; the light of scene 1 returns and wakes the door.
+#include "show/materials.h"
 #include "show/scenes.h"
 #include "timeline/keys.h"
 
@@ -20,7 +21,13 @@ void poseDay(const SceneInput &in, Scene &scene) {
     static constexpr float kRows[kStrips] = {rowOf(kStrip1), rowOf(kStrip2), rowOf(kStrip3), rowOf(kStrip4),
                                              rowOf(kStrip5), rowOf(kStrip6), rowOf(kStrip7), rowOf(kStrip8)};
     for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), in.row - kRows[i]);
+    // The light of scene 1, from the entrance to the first strip
+    float since = in.row - rowOf(kLightReturns),
+          shines = value(track(kRise), since + 1.5f) * value(track(kGoesOut), in.row - rowOf(kStrip1));
+    Vec3 point = {value(track(kAside), since), 1.4f, value(track(kFlies), since)};
+    light.guest = {point, Rgb{2.6f, 2.0f, 1.35f} * shines, 0.06f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
+    if (shines > 0) scene.add(sphere(point, 0.06f, scene.add(lamp(Rgb{200, 170, 120} * shines))));
     scene.exposure = value(track(kExposure), in.row);
 }
 

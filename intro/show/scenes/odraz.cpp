@@ -42,8 +42,8 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
     scene.exposure = value(track(kExposure), in.row);
     // The night outside dims with the door, or the entrance would outshine the word before it
-    Rgb night = Rgb{1, 1, 1} * min(0.3f + burn, 1.f);
-    scene.sky.low *= night, scene.sky.slope *= night, scene.sky.curve *= night;
+    scene.sky.low = Rgb{0.008f, 0.012f, 0.02f} * min(0.3f + burn, 1.f);
+    scene.sky.cover = 0;
     // As the door dies, a cold light comes up behind it: the last ball keeps its outline and its shadow
     if (float cold = 0.7f - burn; cold > 0)
         scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.3f});
