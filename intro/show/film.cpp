@@ -60,6 +60,7 @@ static KEYED Shot kShots[] = {
     {.row = 896, .scene = kHall, .storyRow = 736, .path = path(kLanternLight), .fadeIn = 0, .fadeOut = 0},
     {.row = 928, .scene = kHall, .storyRow = 736, .path = path(kNightfall), .fadeIn = 0, .fadeOut = 0},
     {.row = 960, .scene = kHall, .storyRow = 736, .path = path(kToTheDoor), .fadeIn = 0, .fadeOut = 0},
+    {.row = 992, .scene = kHall, .storyRow = 736, .path = path(kGlare), .fadeIn = 0, .fadeOut = 0},
     {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kMeet), .fadeIn = 0, .fadeOut = 0},
     {.row = 1072, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 0},
     {.row = 1136, .scene = kOdraz, .storyRow = 1024, .path = path(kFallIn), .fadeIn = 0, .fadeOut = 0},
