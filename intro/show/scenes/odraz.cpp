@@ -38,7 +38,9 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     light.lanterns[1] = light.lanterns[2] = value(track(kOuter), in.row);
     light.lanterns[0] = max(light.lanterns[1], value(track(kLast), in.row));
     float burn = value(track(kStripsGo), in.row), sway = value(track(kSway), in.row);
-    for (int i = 0; i < kStrips; ++i) light.strips[i] = burn * saturate(1 + sway * ((float)i - 3.5f));
+    float all = 0;
+    for (int i = 0; i < kStrips; ++i) all += light.strips[i] = saturate(1 + sway * ((float)i - 3.5f));
+    for (float &strip : light.strips) strip *= burn * kStrips / all; // one side goes out, the sum stays
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
     scene.exposure = value(track(kExposure), in.row);
     // The night outside dims with the door, or the entrance would outshine the word before it
@@ -51,7 +53,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
     scene.add(pearl(true, 0.2f));
     scene.add(pearl(false, 0.2f));
-    addBall(scene, in.row, 0, kStays, 0.75f, rowOf(kBall1), 999, kSilver);
+    addBall(scene, in.row, 0, kStays, 0.75f, rowOf(kBall1) - 2, 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
         float z = kStays + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
         float comes = rowOf(kBall2) + (float)(kBeat * (i < 4 ? i : i + 6)),
