@@ -41,6 +41,10 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     float all = 0;
     for (int i = 0; i < kStrips; ++i) all += light.strips[i] = saturate(1 + sway * ((float)i - 3.5f));
     for (float &strip : light.strips) strip *= burn * kStrips / all; // one side goes out, the sum stays
+    // The word glows up when it is large enough to be read, and lights the hall
+    float since = in.row - rowOf(kWordIsFound);
+    Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.1f * since - 1.3f);
+    light.guest = {{0, 1.3f, kStays + 5.5f}, glows * Rgb{0.4f, 0.5f, 0.7f}, 0.3f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
     scene.exposure = value(track(kExposure), in.row);
     // The night outside dims with the door, or the entrance would outshine the word before it
@@ -66,10 +70,8 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
         addBall(scene, in.row, 0, kStays - 1.35f - 1.05f * (float)i, 0.45f,
                 rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
-    // It glows up when it is large enough to be read
-    float since = in.row - rowOf(kWordIsFound);
+    if (since > 0) scene.add(sphere({-3.5f, 0.7f, kStays + 7.3f}, 0.7f, kSilver));
     if (since > 12) scene.middleCoarse = 8;
-    Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.06f * since - 0.75f);
     standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));
 }
 
