@@ -129,11 +129,6 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         scene.add(Light{now.sunAt, sun});
     if (maxComponent(light.guest.intensity) > 0) scene.add(light.guest);
 
-    // Outside there is a terrace. By day a stone stands on it, which is seen through the entrance
-    if (grey < 1) scene.add(box({0, -0.1f, 14}, {5, 0.1f, 5}, kStep));
-    if (grey < 1 && light.hour < (float)kNight)
-        scene.add(box({-0.8f, 1.3f, 14.5f}, {0.45f, 1.3f, 0.3f}, kStep));
-
     // The tracer draws the two strongest lanterns. One that exceeds the weakest by less than 15 % of its
     // own light is drawn in part, so that nothing jumps when two change places
     float least = min(light.lanterns[0], min(light.lanterns[1], light.lanterns[2])), drawn[kLanterns] = {};
