@@ -71,8 +71,8 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
                 rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
     if (since > 0) scene.add(sphere({-3.5f, 0.7f, kStays + 7.3f}, 0.7f, kSilver));
-    if (since > 12) scene.middleCoarse = 8;
-    standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));
+    if (maxComponent(glows) > 0)
+        standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));
 }
 
 } // namespace odraz

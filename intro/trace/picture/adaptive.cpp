@@ -120,7 +120,7 @@ int splitSquares(Tile &t, int count, int size) {
                     squares[left++] = a;
                 continue;
             }
-            if (q.fine < 4 && splitsPixel(t, a, c))
+            if (splitsPixel(t, a, c))
                 s.squares[2][rough++] = a;
             else
                 squares[left++] = a;
@@ -227,9 +227,7 @@ void traceAdaptive(Tile &t) {
     findBallsAndThinShapes(t);
     Square *squares = s.squares[0];
     int count = 0;
-    const bool inMiddle =
-        abs((float)(t.x0 + kTile / 2) - t.view.width * 0.5f) < t.view.width * 0.125f + kTile / 2;
-    const int size = (inMiddle ? min(q.coarse, t.scene.middleCoarse) : q.coarse) >> 2;
+    const int size = q.coarse >> 2;
     for (int y = 0; y < t.height; y += size)
         for (int x = 0; x < t.width; x += size) {
             squares[count] = {(uint8_t)x, (uint8_t)y};

@@ -73,8 +73,9 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
     if (size > 2) {
         __m128i all = _mm_or_si128(_mm_or_si128(s.marks[c[0]], s.marks[c[1]]),
                                    _mm_or_si128(s.marks[c[2]], s.marks[c[3]]));
-        bool textured = _mm_movemask_ps(_mm_castsi128_ps(all)) & 8;
-        if (marks || textured) return Split::Differs;
+        bool textured = _mm_movemask_ps(_mm_castsi128_ps(all)) & 8,
+             lamps = _mm_extract_epi32(all, 2) & kLamps;
+        if (marks || textured || lamps) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
     // Where surfaces meet, they may differ in their textures alone. Lines between patches stand on all
@@ -111,6 +112,7 @@ ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float 
 // enough.
 ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;
+    if (t.quality.fine > 2) return s.thin.images < s.thin.count && mayHideThin(t, a, 1, s.thin.images);
     int shape = shapeOf(s, c[0], alike(s, c));
     bool calm = shape >= 0 && !exceeds(rangeOf(s, c), t.quality.edge);
     return (!calm && seenExceeds(t, c, t.quality.edge)) || mayHide(t, a, 1, shape);

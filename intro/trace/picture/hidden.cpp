@@ -34,26 +34,46 @@ static void addDisc(Tile &t, int index) {
     ++d.count;
 }
 
-// Adds a line along a shape's longest side, as thick as its second longest is seen, if that is thin.
-static void addThinShape(Tile &t, int index) {
-    TileScratch &s = t.s;
+// Where the eye sees p: there, or in a ball that mirrors it. There the ball's normal halves the angle between
+// the ways to both; that of the first estimate points to the eye.
+[[gnu::noinline]] static Vec3 seenAt(const Shape *ball, const Vec3 &eye, const Vec3 &p) {
+    if (!ball) return p;
+    Vec3 n = normalize(eye - ball->centre), at = {};
+    for (int i = 0; i < 8; ++i) {
+        at = fmadd(n, ball->half.x, ball->centre);
+        n = normalize(n + n + normalize(eye - at) + normalize(p - at));
+    }
+    return at;
+}
+
+// Adds a line along a shape's longest side, as thick as its second longest is seen, if that is thin. With a
+// mirror: a line along the shape's image in that ball.
+static void addThinShape(Tile &t, int index, const Shape *mirror = nullptr) {
+    ThinShapes &to = t.s.thin;
     const View &v = t.view;
     const Shape &shape = t.scene.shapes[index];
-    if (s.thinCount == kThinShapes) return;
+    if (to.count == kThinShapes) return;
     float widest = (float)t.quality.coarse * 0.375f, pixel = 1 / v.spread;
+    // Where in the tile the eye sees a point; returns how far ahead
     auto place = [&](Vec3 p, float &x, float &y) {
+        p = seenAt(mirror, v.eye, p);
         v.project(p, x, y);
         x -= (float)t.x0, y -= (float)t.y0;
+        return v.ahead(p);
     };
     const Bounds &b = t.scene.box[index];
     Vec3 middle = (b.lo + b.hi) * 0.5f;
-    float r = length(b.hi - b.lo) * 0.5f, far = v.ahead(middle);
+    // A ball shows things smaller: it mirrors like a lens of half its radius
+    if (mirror) pixel *= mirror->half.x / fmadd(length(middle - mirror->centre), 2.f, -mirror->half.x);
+    float x0, y0, r = length(b.hi - b.lo) * 0.5f, far = place(middle, x0, y0), x = x0, y = y0;
     if (far <= r * 1.1f) return;
-    ThinShape line = {0, 0, 0, 0, r / far * pixel * 1.1f};
-    place(middle, line.x, line.y);
-    float x = line.x, y = line.y;
-    if (line.radius > widest) {
-        if (!shape.traits().extents) return;
+    float radius = r / far * pixel * 1.1f;
+    auto apart = [&] {
+        return max(x0, x) + radius < 0 || max(y0, y) + radius < 0 || min(x0, x) - radius > kTile ||
+               min(y0, y) - radius > kTile;
+    };
+    if (mirror && apart()) return; // most of them
+    if (shape.traits().extents && radius > 1) {
         const float half[3] = {shape.half.x, shape.half.y, shape.half.z};
         int longest = half[0] >= half[1] && half[0] >= half[2] ? 0 : half[1] >= half[2] ? 1 : 2;
         float thick = max(half[(longest + 1) % 3], half[(longest + 2) % 3]);
@@ -66,22 +86,19 @@ static void addThinShape(Tile &t, int index) {
             Vec3 aside = cross(axis, middle - v.eye);
             thick *= abs(dot(longest ? shape.frame.u : shape.frame.w, aside)) / max(length(aside), 1e-6f);
         }
-        float nearest = min(v.ahead(middle - axis), v.ahead(middle + axis));
-        line.radius = thick / nearest * pixel * 1.1f;
-        if (nearest <= r * 0.1f || line.radius > widest) return;
-        place(middle - axis, line.x, line.y);
-        place(middle + axis, x, y);
-    }
-    line.alongX = x - line.x, line.alongY = y - line.y;
-    if (max(line.x, x) + line.radius < 0 || max(line.y, y) + line.radius < 0 ||
-        min(line.x, x) - line.radius > kTile || min(line.y, y) - line.radius > kTile)
+        float nearest = min(place(middle - axis, x0, y0), place(middle + axis, x, y));
+        radius = thick / nearest * pixel * 1.1f;
+        if (nearest <= r * 0.1f || radius > widest) return;
+    } else if (radius > widest)
         return;
-    s.thin[s.thinCount++] = line;
+    if (apart()) return;
+    int i = to.count++;
+    to.x[i] = x0, to.y[i] = y0, to.alongX[i] = x - x0, to.alongY[i] = y - y0, to.radius[i] = radius;
 }
 
 void findBallsAndThinShapes(Tile &t) {
     TileScratch &s = t.s;
-    s.discs.count = s.thinCount = 0;
+    s.discs.count = s.thin.count = 0;
     auto add = [&](int shape) {
         const Shape &s = t.scene.shapes[shape];
         if (s.isBall())
@@ -93,6 +110,17 @@ void findBallsAndThinShapes(Tile &t) {
         for (int i = 0; i < s.among.count; ++i) add(s.among.shape[i]);
     else
         for (int i = 0; i < t.scene.shapeCount; ++i) add(i);
+    // What glows is seen in mirrors, however thin it is there
+    s.thin.images = s.thin.count;
+    for (int k = 0; k < s.discs.count; ++k) {
+        const Shape &ball = t.scene.shapes[s.discs.shape[k]];
+        if (t.scene.materials[ball.material].reflect < 0.5f) continue;
+        for (int i = 0; i < t.scene.shapeCount; ++i) {
+            const Shape &s = t.scene.shapes[i];
+            if (!s.isBall() && s.traits().bounded && t.scene.materials[s.material].onlyGlows())
+                addThinShape(t, i, &ball);
+        }
+    }
 }
 
 static bool mayHideBall(const Tile &t, float x, float y, float half, int shape) {
@@ -119,19 +147,24 @@ static bool mayHideBall(const Tile &t, float x, float y, float half, int shape) 
 }
 
 bool mayHideSome(const Tile &t, Square q, int size, int shape) {
-    const TileScratch &s = t.s;
+    float half = (float)size * 0.5f;
+    return mayHideBall(t, (float)q.x + half, (float)q.y + half, half, shape) || mayHideThin(t, q, size, 0);
+}
+
+bool mayHideThin(const Tile &t, Square q, int size, int first) {
+    const ThinShapes &s = t.s.thin;
     float half = (float)size * 0.5f, x = (float)q.x + half, y = (float)q.y + half;
-    if (mayHideBall(t, x, y, half, shape)) return true;
-    for (int i = 0; i < s.thinCount; ++i) {
-        const ThinShape &line = s.thin[i];
-        if ((float)size <= line.radius) continue;
+    for (int i = first & -8; i < s.count; i += 8) {
         // Find the line's point nearest to the square's middle, then the square's point nearest to that
-        float along = fmadd(x - line.x, line.alongX, (y - line.y) * line.alongY),
-              square = fmadd(line.alongX, line.alongX, line.alongY * line.alongY);
-        float share = saturate(along / max(square, 1e-12f));
-        float dx = max(abs(fmadd(share, line.alongX, line.x) - x) - half, 0.f),
-              dy = max(abs(fmadd(share, line.alongY, line.y) - y) - half, 0.f);
-        if (fmadd(dx, dx, dy * dy) <= line.radius * line.radius) return true;
+        Float8 dx = x - load(s.x + i), dy = y - load(s.y + i), alongX = load(s.alongX + i),
+               alongY = load(s.alongY + i), radius = load(s.radius + i);
+        Float8 along = fmadd(dx, alongX, dy * alongY), square = fmadd(alongX, alongX, alongY * alongY);
+        Float8 share = saturate(along / max(square, 1e-12f));
+        dx = max(abs(fmadd(share, -alongX, dx)) - half, 0.f),
+        dy = max(abs(fmadd(share, -alongY, dy)) - half, 0.f);
+        if (any((fmadd(dx, dx, dy * dy) <= radius * radius) & (radius < (float)size) & (kLanes >= first - i) &
+                (kLanes < s.count - i)))
+            return true;
     }
     return false;
 }

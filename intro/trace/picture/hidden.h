@@ -12,8 +12,10 @@ void findBallsAndThinShapes(Tile &t);
 // Whether a square may show a shape that none of its corners shows. `shape` is what all corners show (-1: the
 // sky, or several shapes).
 bool mayHideSome(const Tile &t, Square q, int size, int shape);
+// Whether it may show one of the thin shapes from the given one on.
+bool mayHideThin(const Tile &t, Square q, int size, int first);
 ODRAZ_INLINE bool mayHide(const Tile &t, Square q, int size, int shape) {
-    return (t.s.discs.count | t.s.thinCount) && mayHideSome(t, q, size, shape);
+    return (t.s.discs.count | t.s.thin.count) && mayHideSome(t, q, size, shape);
 }
 
 } // namespace odraz

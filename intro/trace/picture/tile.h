@@ -33,17 +33,19 @@ struct Discs {
     int32_t shape[kDiscs + 8];
 };
 
-// A long and thin shape that may slip between the corners: all points within `radius` of a line.
-struct ThinShape {
-    float x, y, alongX, alongY, radius; // in pixels: one end, the way to the other
+// Long and thin shapes that may slip between the corners: all points within `radius` of a line, in pixels.
+struct ThinShapes {
+    int count, images;                                      // images: the first that is seen in a mirror
+    float x[kThinShapes + 8], y[kThinShapes + 8];           // one end
+    float alongX[kThinShapes + 8], alongY[kThinShapes + 8]; // the way to the other
+    float radius[kThinShapes + 8];
 };
 
 struct TileScratch {
     int64_t sampleCount;
-    int requestedCount, thinCount;
+    int requestedCount;
     uint8_t stamp;
     Candidates among; // what the tile's primary rays may hit
-    ThinShape thin[kThinShapes];
     Sample corners[kCorners * kCorners];
     __m128 shown[kCorners * kCorners];  // intensities there as the eye weighs them, without the texture
     __m128i marks[kCorners * kCorners]; // by which they are compared: id, lights, secondary; then kTextured
@@ -61,6 +63,7 @@ struct TileScratch {
     float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
     uint16_t owner[kTile * kTile + 8];
     Discs discs;
+    ThinShapes thin;
     TraceScratch trace;
 };
 

@@ -10,7 +10,6 @@ void Scene::clear() {
     shafts = {};
     ambientLow = ambientHigh = {};
     fog = lines = 0;
-    middleCoarse = 32;
     lightmap = nullptr;
     exposure = 1;
     ballsOcclude = false;

@@ -33,9 +33,6 @@ struct Scene {
     int shapeCount, materialCount, lightCount;
     float fog;      // of a surface's light 2^(-fog * distance) is left; the rest is the sky's
     float exposure; // factor before tone mapping
-    // Side of the largest square that is traced in the middle quarter of the picture, where something thin is
-    // mirrored; in quarters of a pixel, as Quality::coarse is
-    int middleCoarse;
     float lines; // how dark the lines between patches are drawn, up to 1; below 0: how bright
     // Balls block light in closed form: the light from all around near them, and that of Lights with a
     // radius. The latter gives soft shadows, with caustics behind balls of glass

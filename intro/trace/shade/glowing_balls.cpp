@@ -10,7 +10,7 @@ static constexpr float kMost = 6;
 
 void addGlowingBalls(const Shading &c, const RayStream &in) {
     const Scene &scene = c.scene;
-    const float bound = kMost / scene.exposure;
+    const float bound = (c.bounces ? 1 : kMost) / scene.exposure;
     for (int i = 0; i < in.count; i += 8) {
         Ray8 ray = {load(in.o, i), load(in.d, i)};
         Rgb8 light = {}, weight = load(in.weight, i);
@@ -24,10 +24,11 @@ void addGlowingBalls(const Shading &c, const RayStream &in) {
             // Widen the image by half of what the sample covers there
             Float8 wide = fmadd(load(in.spread + i), far, load(in.width + i)) * 1.5f, square = wide * wide;
             Float8 reach = fmadd(square, 4.f, r * r);
-            Int8 near = (far > 0.f) & (far - r * 1.01f < load(in.t + i)) & (off < reach * 12.f);
+            Float8 root = sqrt(reach), margin = fmadd(wide, c.quality.coarse * 0.36f, root);
+            Int8 near = (far > 0.f) & (far - r * 1.01f < load(in.t + i)) & (off < margin * margin);
             if (!any(near)) continue;
             found |= near;
-            Float8 cover = saturate((reach - off) / (wide * sqrt(reach) * 2.f));
+            Float8 cover = saturate((reach - off) / (wide * root * 2.f));
             cover *= r * r / fmadd(square, 2.f, r * r);
             Rgb8 all = weight * scene.materials[s.material].emit;
             Float8 most = fmadd(r * r / square, bound, broadcast(bound));
