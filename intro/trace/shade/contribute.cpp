@@ -79,12 +79,12 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     Eight pick(run.ray + i);
     int count = min(run.count - i, 8);
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
-    // A lamp that hardly any sample hits would blink, so small lamps fade in mirrors. Balls are left out
-    // here: addGlowingBalls() adds them
-    if (c.bounces > 0 && m.onlyGlows())
-        rest = shape.isBall()
-                   ? Rgb8{}
-                   : rest * saturate(sqrt(shape.half.x * shape.half.z) / load(run.width + i) - 1.f);
+    // Balls that only glow are left out here: addGlowingBalls() adds them. Other lamps would blink in mirrors
+    // that are seen in mirrors, where samples are farther apart than they are wide: there they fade
+    if (c.bounces > 0 && shape.isBall() && m.onlyGlows())
+        rest = Rgb8{};
+    else if (c.bounces > (m.onlyGlows() ? 1 : 0) && shape.traits().bounded)
+        rest = rest * saturate(min(shape.half.x, shape.half.z) * 2 / load(run.width + i) - 1.f);
     Int8 cell = {}, states = {};
     if (m.diffuse > 0 || m.specular > 0) {
         rest += weight * load(run.highlight, i);
