@@ -45,7 +45,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
     // Strips that do not burn are pale glass, in front of paler plaster
     for (float on : light.strips) {
         Material glass = lamp(kStripLight * on);
-        glass.texture = kPlaster.texture, glass.diffuse = 0.6f;
+        glass.texture.palette[0] = kPlaster.texture.palette[1], glass.diffuse = 0.6f;
         scene.add(glass);
     }
 }

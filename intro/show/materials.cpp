@@ -30,9 +30,16 @@ static constexpr Texture kCloud = {
     .scale = 1.1f,
     .palette = {
         {0.05f, 0.055f, 0.065f}, {0.09f, 0.095f, 0.11f}, {0.14f, 0.145f, 0.16f}, {0.24f, 0.24f, 0.25f}}};
+// Stained in patches, and grained by the trowel.
+static constexpr Texture plaster(Rgb c) {
+    auto times = [&](float k) { return Rgb{c.x * k, c.y * k, c.z * k}; };
+    return {.pattern = Pattern::Plaster,
+            .scale = 1.1f,
+            .palette = {times(1.12f), times(1.02f), times(0.98f), times(0.8f)}};
+}
 static constexpr Texture oakBy(Pattern pattern) {
     return {.pattern = pattern,
-            .scale = 2.6f,
+            .scale = 4.2f,
             .palette = {{0.40f, 0.235f, 0.11f},
                         {0.31f, 0.17f, 0.075f},
                         {0.19f, 0.095f, 0.040f},
@@ -66,8 +73,8 @@ const Material kHallFloor = {.texture = kWhiteMarble,
                              .reflect = 0.06f,
                              .fresnel = true,
                              .tint = {0.8f, 0.8f, 0.8f}};
-const Material kPlaster = {.texture = plain({0.76f, 0.73f, 0.68f}), .diffuse = 1};
-const Material kWarmPlaster = {.texture = plain({0.62f, 0.33f, 0.19f}), .diffuse = 1};
+const Material kPlaster = {.texture = plaster({0.76f, 0.73f, 0.68f}), .diffuse = 1};
+const Material kWarmPlaster = {.texture = plaster({0.62f, 0.33f, 0.19f}), .diffuse = 1};
 const Material kBeamAlong = {.texture = kOakAlong, .diffuse = 1};
 const Material kBeamAcross = {.texture = oakBy(Pattern::WoodAcross), .diffuse = 1};
 const Material kGranite = {.texture = kSpeckled, .diffuse = 1, .specular = 0.05f, .exponent = 20};

@@ -92,7 +92,7 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
 ODRAZ_INLINE bool meanServes(const Tile &t, uint32_t a, uint32_t b, int half) {
     const TileScratch &s = t.s;
     return t.quality.fine > 1 && alike(s, a, b) == kSameMarks && !(s.corners[a].secondary & kLamps) &&
-           !exceeds(range(s.shown[a], s.shown[b]) * (float)(half * half), 1.5f * t.quality.markThreshold);
+           !exceeds(range(s.shown[a], s.shown[b]) * (float)(half * half), 3 * t.quality.markThreshold);
 }
 
 // Whether a square splits although its own corners, all alike, did not split it. It does where a sample in

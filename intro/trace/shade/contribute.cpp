@@ -90,7 +90,9 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
         rest += weight * load(run.highlight, i);
         light = weight * load(run.diffuse, i);
         states = loadInts(run.states + i);
-        if (m.diffuse > 0)
+        if (m.faint() && scene.lines == 0)
+            albedo = broadcast(scene.mean[shape.material]);
+        else if (m.diffuse > 0)
             albedo = diffuseColour(scene, shape, load(run.p, i), pick(in.d), load(run.cosine + i),
                                    load(run.width + i), cell);
     }
@@ -112,7 +114,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     Int8 marked = maxComponent(weight) * scene.exposure > c.quality.markWeight;
     Int8 mark = marked & hash(pick(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
     addRest(c, in, run.ray + i, count, brings, mark);
-    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain) return;
+    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || m.faint()) return;
     // A dark texture does not count, unless it mirrors: then it may show a light
     if (m.reflect == 0) marked &= maxComponent(brings) * scene.exposure > c.quality.markWeight * 0.3f;
     for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)

@@ -32,11 +32,11 @@ Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, cons
 Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y, float size) {
     Ray8 ray = {broadcast(view.eye), normalize(view.direction(x, y))};
     Int8 cell;
-    if (shape.isFloor()) {
-        Float8 t = min(abs((shape.centre.y - view.eye.y) / ray.d.y), kFar);
-        Vec3x8 p = fmadd(ray.d, t, ray.o);
-        p.y = broadcast(shape.centre.y);
-        return diffuseColour(scene, shape, p, ray.d, min(abs(ray.d.y), 1.f), t * (view.spread * size), cell);
+    if (!shape.traits().solid) {
+        const Vec3 n = shape.frame.v;
+        Float8 slope = dot(ray.d, n), t = min(abs(dot(shape.centre - view.eye, n) / slope), kFar);
+        return diffuseColour(scene, shape, fmadd(ray.d, t, ray.o), ray.d, min(abs(slope), 1.f),
+                             t * (view.spread * size), cell);
     }
     Float8 t = distance(shape, ray, Flat::Whole);
     Surface8 at = surfaceAt(shape, ray, t);

@@ -43,7 +43,7 @@ Float8 noise(const Vec3x8 &p) {
 
 Float8 bandLimit(Float8 width, float size) { return saturate(1.5f - width * (2.f / size)); }
 
-Float8 fractalNoise(const Vec3x8 &at, int octaves, Float8 width) {
+Float8 fractalNoise(const Vec3x8 &at, int octaves, Float8 width, float finer, float weaker) {
     Vec3x8 p = at;
     Float8 sum = {};
     float amplitude = 1, size = 1;
@@ -52,9 +52,9 @@ Float8 fractalNoise(const Vec3x8 &at, int octaves, Float8 width) {
         if (!any(strength > 0.f)) break;
         sum = fmadd(noise(p), strength * amplitude, sum);
         // The shift keeps the octaves' lattice points, where all are zero, from falling together
-        p = p * broadcast(2.f) + Vec3{17.17f, 5.31f, 11.73f};
-        amplitude *= 0.5f;
-        size *= 0.5f;
+        p = p * broadcast(finer) + Vec3{17.17f, 5.31f, 11.73f};
+        amplitude *= weaker;
+        size /= finer;
     }
     return sum;
 }

@@ -13,9 +13,9 @@ namespace odraz {
 // In [-1, 1], 0 at every lattice point, mean 0.
 Float8 noise(const Vec3x8 &p);
 
-// Sum over octaves of 2^-i noise(2^i p), i < octaves; in (-2, 2). `width` is the side of the box that a
-// sample covers, in lattice cells: octaves whose cells come near it fade out.
-Float8 fractalNoise(const Vec3x8 &p, int octaves, Float8 width);
+// Sum over octaves of weaker^i noise(finer^i p), i < octaves. `width` is the side of the box that a sample
+// covers, in lattice cells: octaves whose cells come near it fade out, and those that are gone cost nothing.
+Float8 fractalNoise(const Vec3x8 &p, int octaves, Float8 width, float finer = 2, float weaker = 0.5f);
 
 // How much of a detail of the given size is left when averaged over `width`: 1 .. 0.
 Float8 bandLimit(Float8 width, float size);

@@ -4,25 +4,23 @@
 
 namespace odraz {
 
-// Fine bright veins where two warped noises cross zero, strong here and faint there, over slow clouds.
+// Fine bright veins where two warped noises cross zero, strong here and faint there, over slow clouds. They
+// have an edge on one side and run out on the other.
 static Float8 marble(const Vec3x8 &p, Float8 width) {
     Float8 warp = fractalNoise(p * broadcast(0.7f), 2, width * 0.7f);
     Vec3x8 bent = p + Vec3x8{warp * 1.3f, warp * -0.9f, warp * 1.1f};
-    Float8 broad = abs(noise(bent)), thin = abs(noise(bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f}));
+    Float8 broad = noise(bent), thin = noise(bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f});
     // A vein widens to what a sample sees, and pales in proportion
-    auto vein = [](Float8 distance, Float8 halfWidth, Float8 seen) {
-        Float8 wide = fmadd(seen, 0.5f, halfWidth), inside = saturate(1.f - distance / wide);
-        return inside * inside * (halfWidth / wide);
+    auto vein = [](Float8 off, Float8 width, Float8 seen) {
+        constexpr float kEdge = 0.4f; // its share of the width
+        Float8 wide = fmadd(seen, 0.5f, width), edge = fmadd(seen, 1.f, width * kEdge);
+        Float8 inside = saturate(1.f - max(off / wide, -off / edge));
+        return inside * inside * (width * (1 + kEdge) / (wide + edge));
     };
     Float8 strength = saturate(fmadd(warp, 0.9f, 0.55f));
     Float8 veins = fmadd(vein(broad, 0.02f + 0.1f * strength, width), strength,
                          vein(thin, broadcast(0.1f), width * 2.3f) * 0.35f);
     return saturate(fmadd(warp, 0.16f, 0.22f) + veins * 0.8f);
-}
-
-// Noise where any of it is left.
-static Float8 detail(const Vec3x8 &p, Float8 strength) {
-    return any(strength > 0.f) ? noise(p) * strength : Float8{};
 }
 
 // Growth rings about the local z axis, wavering, with fibres along it.
@@ -35,15 +33,13 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
     Float8 shade = f * f * select(f > 0.88f, (1.f - f) * 8.333f, 1.f);
     shade = fmadd(shade - 0.3f, bandLimit(width * 2.2f, 1.f), 0.3f);
     Vec3x8 along = {p.x * 9.f, p.y * 9.f, p.z * 0.6f};
-    Float8 fibre = detail(along, bandLimit(width, 0.11f));
+    Float8 fibre = fractalNoise(along, 2, width * 9.f, 3, 0.8f);
     return saturate(fmadd(fibre, 0.22f, shade * 0.75f + 0.12f));
 }
 
-// Clouds with specks in them.
-static Float8 stone(const Vec3x8 &p, Float8 width) {
-    Float8 coarse = fractalNoise(p, 2, width);
-    Float8 specks = detail(p * broadcast(11.f), bandLimit(width, 0.09f));
-    return saturate(fmadd(coarse, 0.38f, fmadd(specks, 0.2f, 0.5f)));
+// Noise of several scales about the middle of the palette.
+static Float8 grains(const Vec3x8 &p, int octaves, Float8 width, float finer, float weaker) {
+    return saturate(fmadd(fractalNoise(p, octaves, width, finer, weaker), 0.3f, 0.5f));
 }
 
 static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
@@ -55,7 +51,9 @@ static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
     case Pattern::WoodAcross:
         return wood({p.z, p.y, p.x}, width);
     case Pattern::Stone:
-        return stone(p, width);
+        return grains(p, 3, width, 5, 1.1f);
+    case Pattern::Plaster:
+        return grains(p, 2, width, 9, 0.75f);
     case Pattern::Cloud:
         return fmadd(noise(p), bandLimit(width, 1.f) * 0.5f, 0.5f);
     case Pattern::Plain:

@@ -11,21 +11,23 @@
 
 namespace odraz {
 
-enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Cloud, Count };
+enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Plaster, Cloud, Count };
 
 // The properties of a pattern that other code depends on.
 struct PatternTraits {
     Pattern pattern;
-    bool rough;      // several octaves, which fade a little too early or too late
-    float shares[4]; // how often each colour of the palette appears, counted
+    bool rough;         // several octaves, which fade a little too early or too late
+    bool faint = false; // so fine or pale that only pixels show it: samples and mirrors show its mean
+    float shares[4];    // how often each colour of the palette appears, counted
 };
 
 inline constexpr PatternTraits kPatterns[] = {
     {.pattern = Pattern::Plain, .rough = false, .shares = {1, 0, 0, 0}}, // the first colour alone
-    {.pattern = Pattern::Marble, .rough = true, .shares = {0.26f, 0.65f, 0.08f, 0.01f}},
+    {.pattern = Pattern::Marble, .rough = true, .shares = {0.29f, 0.655f, 0.046f, 0.009f}},
     {.pattern = Pattern::Wood, .rough = true, .shares = {0.25f, 0.53f, 0.21f, 0.01f}},       // grows along z
     {.pattern = Pattern::WoodAcross, .rough = true, .shares = {0.25f, 0.53f, 0.21f, 0.01f}}, // along x
-    {.pattern = Pattern::Stone, .rough = true, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
+    {.pattern = Pattern::Stone, .rough = true, .faint = true, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
+    {.pattern = Pattern::Plaster, .rough = false, .faint = true, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
     {.pattern = Pattern::Cloud, .rough = false, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
 };
 static_assert(inOrder(kPatterns, &PatternTraits::pattern), "a row for every pattern, in the enum's order");
