@@ -86,7 +86,7 @@ floor='if ($6 == 1) { F = 0; for (i = 0; i < 4; ++i) { X = i % 2 ? $2 : 1 - $2; 
     F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } ++n; a += $9 / 0.5; b += $10 / 0.5; c += $11 / 2.4; d = $9 / (0.5 * F) - 1; off += d * d }'
 check "... lights its floor by the form factor, in three colours" table out.csv "$floor" 'a / n > 0.1988 && a / n < 0.2008 && b / a > 0.999 && b / a < 1.001 && c / a > 0.999 && c / a < 1.001'
 check "... everywhere, within 2 % (rms)" table out.csv "$floor" 'sqrt(off / n) < 0.02'
-check "... and notes that black walls stay black" grep -q 'material black stays black: its Kd is 0' err
+check "... and notes that black walls stay black" grep -q 'material black stays black: it reflects nothing' err
 even() { table out.csv "if (\$9 < 0.999 * $1 || \$9 > 1.001 * $1) ++off" 'off + 0 == 0'; }
 check "a sun, 30 degrees high, from +x" lit "$plate" --sun 30,90,10,10,10
 check "... gives the half of what it gives straight on" even 2.5

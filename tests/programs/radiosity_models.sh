@@ -74,7 +74,7 @@ sound "bytes of 0" "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\0\nf 1 2 3 4\n"
 
 # --- What is in it ---
 sound "points and lines beside a polygon" "${square}p 1 2\nl 1 2 3\nf 1 2 3 4\n"
-sound "polygons of one and two points" "${square}f 1 2\nf 3\nf\nf 1 2 3 4\n" '3 polygons of less than three points left out'
+sound "polygons of one and two points" "${square}f 1 2\nf 3\nf\nf 1 2 3 4\n" '3 polygons with fewer than three points left out'
 sound "free-form curves beside a polygon" "${square}vp 0 1\ncstype bezier\ndeg 3 3\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nend\nf 1 2 3 4\n"
 sound "a polygon that is not convex" "v 0 0 0\nv 0 0 3\nv 1 0 3\nv 1 0 1\nv 3 0 1\nv 3 0 0\nf 1 2 3 4 5 6\n"
 check "... as large as it is" area 5

@@ -85,7 +85,7 @@ check "... and as blue" beneath 11
 
 # For a picture that cannot be read a line is printed, and Kd is used
 unread() { # unread TEXT PICTURE
-    { floor "Kd 0.25 0.25 0.25\nmap_Kd $2\n" --sky 1,1,1 && grep -q -- "$1" err && grep -q "the material's Kd is used" err &&
+    { floor "Kd 0.25 0.25 0.25\nmap_Kd $2\n" --sky 1,1,1 && grep -q -- "$1" err && grep -q "the material's colour is used" err &&
         table floor.csv 'if ($9 < 0.2499 || $9 > 0.2501) ++off' 'off + 0 == 0'; } || { head -c 400 err >&2; false; }
 }
 check "a picture that is missing" unread 'sub/none.png: No such file' none.png

@@ -124,7 +124,7 @@ std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, 
                 addTriangle(sums, cells, c, Placed(mesh, i, c, picture), texture, picture.clamp);
             }
         } catch (const common::Refused &e) {
-            notes.push_back(std::string(e.what()) + "; the material's Kd is used");
+            notes.push_back(std::string(e.what()) + "; the material's colour is used");
         }
     return sums;
 }

@@ -142,7 +142,7 @@ void divideByEmission(Mesh &mesh, std::vector<std::string> &notes) {
                     throw common::Refused("cannot read " + glow.path + ": with Ke it has light above 1e12");
             divider.divide(i, ReflectancePicture(picture));
         } catch (const common::Refused &e) {
-            notes.push_back(std::string(e.what()) + "; the material's Ke is used");
+            notes.push_back(std::string(e.what()) + "; the material's emission is used");
         }
     }
 }

@@ -20,15 +20,15 @@ void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &us
         MeshMaterial &m = materials[i];
         auto none = [](const std::array<float, 3> &c) { return c[0] + c[1] + c[2] == 0; };
         if (!used[i]) continue;
-        if (none(m.reflects) && none(m.emits) && m.picture.path.empty() && m.glow.path.empty())
+        if (none(m.reflects) && none(m.emits) && !m.pictured())
             black.push_back(&m);
         else
             ++seen;
     }
     for (MeshMaterial *m : black) {
         notes.push_back(path + ": material " + m->name +
-                        (seen ? " stays black: its Kd is 0, as it is for mirrors and glass"
-                              : ": its Kd is 0, and everything would be black: it reflects 0.7"));
+                        (seen ? " stays black: it reflects nothing, as mirrors and glass"
+                              : ": it reflects nothing, and everything would be black: it reflects 0.7"));
         if (!seen) m->reflects = {0.7f, 0.7f, 0.7f};
     }
 }
@@ -95,8 +95,7 @@ public:
 
     Mesh build(std::vector<MeshMaterial> &&materials) {
         mesh.materials = std::move(materials);
-        for (const MeshMaterial &m : mesh.materials)
-            pictured |= !m.picture.path.empty() || !m.glow.path.empty();
+        for (const MeshMaterial &m : mesh.materials) pictured |= m.pictured();
         weldPoints();
         collectTriangles();
         dropTwice();
@@ -124,8 +123,9 @@ private:
     std::vector<int> polygonOf; // of each triangle; negative for a polygon that crosses itself
     std::vector<int> crossing;  // polygons that cross themselves
     std::set<PolygonPair> overlaps;
-    int shortPolygons = 0; // with fewer than three points
-    bool pictured = false; // a material has a picture, so texture coordinates are kept
+    std::set<int> unplaced; // materials with a picture whose coordinates some polygon lacks
+    int shortPolygons = 0;  // with fewer than three points
+    bool pictured = false;  // a material has a picture, so texture coordinates are kept
 
     // Merges points of polygons within a millionth of the model's size.
     void weldPoints() {
@@ -213,6 +213,7 @@ private:
     void add(const std::vector<Polygons::Corner> &corners, const std::array<int, 3> &which, int material) {
         Triangle t = {{}, material};
         std::array<float, 6> at;
+        bool placed = true;
         for (size_t k = 0; k < 3; ++k) {
             const Polygons::Corner &corner = corners[(size_t)which[k]];
             t.corners[k] = corner.point;
@@ -220,7 +221,9 @@ private:
             bool known = corner.coordinate >= 0 && (size_t)corner.coordinate < given.coordinates.size();
             for (size_t c = 0; c < 2; ++c)
                 at[2 * k + c] = known ? given.coordinates[(size_t)corner.coordinate][c] : NAN;
+            placed &= known;
         }
+        if (!placed) unplaced.insert(material);
         if (isFlat(t)) {
             ++mesh.flat;
             return;
@@ -272,12 +275,16 @@ private:
         auto note = [&](size_t count, const std::string &what) {
             if (count) notes.push_back(path + ": " + std::to_string(count) + what);
         };
-        note((size_t)shortPolygons, " polygons of less than three points left out");
+        note((size_t)shortPolygons, " polygons with fewer than three points left out");
         note((size_t)mesh.flat, " triangles without area left out");
         note((size_t)mesh.twice, " triangles given twice left out");
         std::vector<std::string> lines;
         for (int i : crossing) lines.push_back(lineOf(i));
         noteLines("polygons cross themselves, and may be lit wrongly: ", lines);
+        lines.clear();
+        for (int m : unplaced)
+            if (mesh.materials[(size_t)m].pictured()) lines.push_back(mesh.materials[(size_t)m].name);
+        noteLines("coordinates of pictures are missing, and their means are used: ", lines);
         lines.clear();
         for (auto [front, behind] : overlaps)
             if (front != behind) lines.push_back(lineOf(behind) + " behind " + lineOf(front));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <ranges>
 
 namespace odraz::radiosity {
 
@@ -207,7 +208,8 @@ private:
                              {at ? (double)at[2 * k] : 0, at ? (double)at[2 * k + 1] : 0}});
         const Vec3d n = normalize(normalOf(mesh, t));
         std::vector<Piece> rest = {whole}, left;
-        for (int front : fronts) {
+        for (int front : std::views::reverse(fronts)) { // the last one is likely to leave the fewest pieces
+            if (rest.empty()) break;
             left.clear();
             for (const Piece &piece : rest) {
                 Piece remains = piece;

@@ -12,7 +12,8 @@ using PolygonPair = std::pair<int, int>; // the one in front, the one behind
 
 // Cuts a mesh, and returns the polygons that overlapped. `polygonOf` has the polygon of each triangle; those
 // of one polygon do not overlap unless its number is negative. Afterwards it fits the new triangles.
-// Distances below `tiny` count as zero. The time for N triangles is about N log N.
+// Distances below `tiny` count as zero. The time for N triangles, P pairs of which overlap, is about
+// N log N + P.
 std::set<PolygonPair> cutOverlaps(Mesh &mesh, std::vector<int> &polygonOf, double tiny);
 
 } // namespace odraz::radiosity
