@@ -142,7 +142,7 @@ int run(common::CommandLine &line) {
     everyPicture(*solved, workers);
     if (!quick) compressedRows(*solved, workers);
     solved.reset();
-    overTheDay(quick ? 1 : kHours, gl, workers);
+    overTheDay(quick ? 1 : kNight, gl, workers);
     return 0;
 }
 

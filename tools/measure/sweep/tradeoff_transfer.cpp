@@ -76,16 +76,16 @@ int tradeoffTransfer(common::CommandLine &line) {
         SolvedHall solved(kHallSettings, gl, workers);
         sweepRows(table, solved, sweep, workers);
     }
-    // The error of the day's light with fewer bands, the sun's own light included
+    // The error of the day's light with fewer bands, the sun's own light included. The night has none
     std::vector<float> hours;
-    for (int i = 0; i < kHours; ++i) hours.push_back((float)i);
+    for (int i = 0; i < kNight; ++i) hours.push_back((float)i);
     std::vector<int> bands = {1, 2, 3, 4, kBands};
     std::vector<DayError> errors = dayErrors(hours, bands, gl, workers);
     for (int used : bands) {
         double sum = 0;
         for (const DayError &e : errors)
             if (e.bands == used) sum += e.whole * e.whole;
-        table.put("bands", used, 0, 0, used == kBands, 0, 0, std::sqrt(sum / (double)kHours), -1);
+        table.put("bands", used, 0, 0, used == kBands, 0, 0, std::sqrt(sum / (double)hours.size()), -1);
     }
     table.save(sweep);
     return 0;
