@@ -12,7 +12,7 @@ check "... which are a document" xmllint --noout "$document"
 has() { grep -qF "$1" "$document"; }
 check "... with every number of a camera" eval 'for n in {eye,target}.{x,y,z} roll lens; do has "<track name=\"table.camera.tableWide:$n\">" || exit 1; done'
 check "... and a scene's own tracks" has '<track name="hall:exposure">'
-check "... keys are on the film's rows" eval 'sed -n "/tableWide:eye.y/,/<.track>/p" "$document" | grep -qF "row=\"160\" value=\"1.3203125\" interpolation=\"2\""'
+check "... keys are on the film's rows" eval 'sed -n "/tableWide:eye.y/,/<.track>/p" "$document" | grep -qF "row=\"160\" value=\"1.5\" interpolation=\"2\""'
 check "... in whose names no two are alike" test -z "$(grep '<track ' "$document" | sort | uniq -d)"
 check "no folder" refuses 1 "cannot write $WORK/none/tracks" "$debug" --tracks "$WORK/none/tracks"
 check "no file" refuses 2 "--tracks needs a file" "$debug" --tracks
@@ -47,11 +47,11 @@ kept before
 order open "$document"
 order key table.camera.tableWide:eye.y 160 2.3 2
 check "a key of the editor is seen" comes '! is before'
-order key table.camera.tableWide:eye.y 160 1.3203125 2
+order key table.camera.tableWide:eye.y 160 1.5 2
 check "... and the picture is the same to the bit when all keys are the film's" comes 'is before'
 order delete table.camera.tableWide:eye.y 160
 check "a key is deleted" comes '! is before'
-order key table.camera.tableWide:eye.y 160 1.3203125 2
+order key table.camera.tableWide:eye.y 160 1.5 2
 check "... and set again" comes 'is before'
 # Interpolations that the film does not have
 order row 2
