@@ -25,6 +25,7 @@ struct Quality {
     float markWeight = 0;    // least share of the intensity at which a ray's hit may split squares
     int depth = 0;           // most bounces of a path, <= kMaxDepth
     float cutoff = 0;        // least share of the intensity at which a ray is followed
+    bool faint = true;       // whether samples and mirrors show faint textures, not their mean
 };
 
 inline constexpr int kMaxDepth = 64;
@@ -39,7 +40,8 @@ inline constexpr Quality kQualities[] = {
      .edge = 1,
      .markWeight = 0.25f,
      .depth = 5,
-     .cutoff = 1 / 24.f},
+     .cutoff = 1 / 24.f,
+     .faint = false},
     {.id = QualityName::Play,
      .name = "play",
      .coarse = 16,
@@ -49,7 +51,8 @@ inline constexpr Quality kQualities[] = {
      .edge = 0.12f,
      .markWeight = 0.2f,
      .depth = 5,
-     .cutoff = 1 / 64.f},
+     .cutoff = 1 / 64.f,
+     .faint = false},
     {.id = QualityName::Film,
      .name = "film",
      .coarse = 16,
@@ -65,7 +68,7 @@ inline constexpr Quality kQualities[] = {
 };
 static_assert(inOrder(kQualities, &Quality::id), "a row for every name, in the enum's order");
 
-// A quality between a (share 0) and b (share 1). Bounces and texture samples change in steps.
+// A quality between a (share 0) and b (share 1). Bounces and textures change in steps.
 inline Quality blend(const Quality &a, const Quality &b, float share) {
     auto mix = [&](float x, float y) { return x + (y - x) * share; };
     return {.coarse = share < 0.5f ? a.coarse : b.coarse,
@@ -76,7 +79,8 @@ inline Quality blend(const Quality &a, const Quality &b, float share) {
             .edge = mix(a.edge, b.edge),
             .markWeight = mix(a.markWeight, b.markWeight),
             .depth = (int)(mix((float)a.depth, (float)b.depth) + 0.5f),
-            .cutoff = mix(a.cutoff, b.cutoff)};
+            .cutoff = mix(a.cutoff, b.cutoff),
+            .faint = share == 0 && a.faint};
 }
 
 } // namespace odraz

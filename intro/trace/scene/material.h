@@ -29,7 +29,8 @@ struct Material {
     bool onlyGlows() const { return maxComponent(emit) > 0 && diffuse == 0 && reflect == 0; }
     // Whether it has one colour everywhere.
     bool plain() const { return texture.pattern == Pattern::Plain && cell == 0; }
-    // Whether only pixels show its texture, and samples its average colour.
+    // Whether its texture is so fine or pale that in draft and play only pixels show it, and samples its
+    // mean.
     bool faint() const { return texture.traits().faint && cell == 0; }
     // Whether a texture's own filter is only approximate.
     bool rough() const { return texture.traits().rough || (cell > 0 && other.traits().rough); }

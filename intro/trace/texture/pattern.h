@@ -17,7 +17,7 @@ enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Plaster, 
 struct PatternTraits {
     Pattern pattern;
     bool rough;         // several octaves, which fade a little too early or too late
-    bool faint = false; // so fine or pale that only pixels show it: samples and mirrors show its mean
+    bool faint = false; // so fine or pale that samples and mirrors may show its mean: see Quality::faint
     float shares[4];    // how often each colour of the palette appears, counted
 };
 
