@@ -157,7 +157,7 @@ sound "one part far away" "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5
 # --- Materials ---
 material() { # material WHAT MTL [NOTE] [RED BLUE]
     printf "$2" >m.mtl
-    sound "$1" "mtllib m.mtl\nusemtl m\n${square}f 1 2 3 4\n" ${3:+"$3"}
+    sound "$1" "mtllib m.mtl\nusemtl m\nvt 0 0\n${square}f 1/1 2/1 3/1 4/1\n" ${3:+"$3"}
     [ $# -lt 5 ] || check "... reflects $4 and $5" reflects "$4" "$5"
 }
 material "all that a material can have" 'newmtl m\nKd 0.8 0.6 0.4\nKa 0.1 0.1 0.1\nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0.5\nTr 0.5\nNs 100\nsharpness 60\nNi 1.5\nPr 0.5\n' '' 0.8 0.4
@@ -171,6 +171,9 @@ material "Kd as a spectrum" 'newmtl m\nKd spectral a.rfl 1\n' 'is a spectrum, wh
 material "Kd above 1" 'newmtl m\nKd 2 0.5 0.25\n' 'more counts as 1' 1 0.25
 material "Kd of 0 in all" 'newmtl m\nKd 0 0 0\nKs 1 1 1\n' 'everything would be black: it reflects 0.7' 0.7 0.7
 material "a picture alone, and missing" 'newmtl m\nmap_Kd none.png\n' "cannot read none.png" 0.7 0.7
+printf 'newmtl m\nmap_Kd p.pgm\n' >m.mtl
+printf 'P5 1 1 255 x' >p.pgm
+sound "a picture without coordinates" "mtllib m.mtl\nusemtl m\n${square}f 1 2 3 4\n" 'coordinates of pictures are missing, and their means are used: m'
 material "a material given twice" 'newmtl m\nKd 0.8 0.8 0.8\nnewmtl m\nKd 0.1 0.1 0.1\n' 'material m: it is given again; the first one is used' 0.8 0.8
 material "a file that is empty" '' 'm.mtl: has no material'
 material "a file of something else" '\x7fELF\0\1\2\n\xff\xfe' 'm.mtl: is not a text file'

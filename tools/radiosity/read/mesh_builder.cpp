@@ -223,11 +223,11 @@ private:
                 at[2 * k + c] = known ? given.coordinates[(size_t)corner.coordinate][c] : NAN;
             placed &= known;
         }
-        if (!placed) unplaced.insert(material);
         if (isFlat(t)) {
             ++mesh.flat;
             return;
         }
+        if (!placed) unplaced.insert(material);
         mesh.triangles.push_back(t);
         if (pictured) mesh.coordinates.push_back(at);
         if (!settings.twoSided &&
