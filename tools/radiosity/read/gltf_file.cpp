@@ -3,6 +3,7 @@
 
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
+#include "tools/radiosity/read/gltf_check.h"
 #include "tools/radiosity/read/mtl_reader.h"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int kDeepest = 64;           // JSON; tinygltf is recursive
 constexpr size_t kMostEmpty = 1 << 20; // items of an accessor without a buffer
 constexpr char kBase64[] = ";base64,";
 
@@ -27,32 +27,11 @@ uint32_t word(std::string_view bytes, size_t at) {
     return value;
 }
 
-json parsed(std::string_view text) {
-    int depth = 0;
-    bool quoted = false;
-    for (size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted && c == '\\') ++i;
-        if (c == '"') quoted = !quoted;
-        if (!quoted && (c == '[' || c == '{')) need(++depth < kDeepest, "its JSON is nested too deeply");
-        if (!quoted && (c == ']' || c == '}')) --depth;
-    }
-    try {
-        return json::parse(text);
-    } catch (const json::parse_error &e) {
-        throw Refused("its JSON is damaged at byte " + std::to_string(e.byte));
-    } catch (const json::exception &) {
-        throw Refused("its JSON has a number that is too large");
-    }
-}
-
 json listOf(json &object, const char *name) {
     auto found = object.find(name);
     if (found == object.end()) return json::array();
     json list = std::move(*found);
     object.erase(found);
-    need(list.is_array() && std::all_of(list.begin(), list.end(), [](auto &x) { return x.is_object(); }),
-         std::string("its ") + name + " are no list of objects");
     return list;
 }
 
@@ -124,8 +103,7 @@ GltfFile::GltfFile(const std::string &path) : path(path) {
 }
 
 void GltfFile::readJson(std::string_view text, std::string_view binary) {
-    json all = parsed(text);
-    need(all.is_object() && all.contains("asset"), "is JSON, but not glTF: it has no asset");
+    json all = parseGltf(text);
     json list = listOf(all, "buffers");
     images = listOf(all, "images");
     tinygltf::TinyGLTF reader;

@@ -14,11 +14,9 @@ namespace {
 
 Placing transformOf(const tinygltf::Node &n) {
     auto take = [](const std::vector<double> &given, std::vector<double> otherwise) {
-        need(given.empty() || given.size() == otherwise.size(),
-             "a node's transform has other numbers than " + std::to_string(otherwise.size()));
         return given.empty() ? otherwise : given;
     };
-    if (!n.matrix.empty()) return placingOf(take(n.matrix, std::vector<double>(16)).data());
+    if (!n.matrix.empty()) return placingOf(n.matrix.data());
     const auto t = take(n.translation, {0, 0, 0}), s = take(n.scale, {1, 1, 1});
     auto q = take(n.rotation, {0, 0, 0, 1});
     const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);

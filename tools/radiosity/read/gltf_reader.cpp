@@ -2,13 +2,13 @@
 
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
+#include "tools/radiosity/read/gltf_check.h"
 #include "tools/radiosity/read/gltf_materials.h"
 #include "tools/radiosity/read/gltf_nodes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 namespace odraz::radiosity {
 
@@ -19,12 +19,6 @@ namespace {
 
 constexpr size_t kMostTriangles = 1 << 26;
 constexpr double kBallShare = 1e-3; // the width of a lamp, as a share of the model's size
-
-// The last one groups triangles, which are joined anyway
-const std::set<std::string> kExtensions = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
-                                           "KHR_materials_unlit",   "KHR_materials_pbrSpecularGlossiness",
-                                           "KHR_mesh_quantization", "KHR_texture_transform",
-                                           "FB_ngon_encoding"};
 
 class GltfReader {
 public:
@@ -50,8 +44,7 @@ public:
             const tinygltf::Node &n = model.nodes[(size_t)i];
             if (n.mesh >= 0) readMesh(n, i);
             auto light = n.extensions.find("KHR_lights_punctual");
-            if (light != n.extensions.end() && light->second.Has("light") &&
-                light->second.Get("light").IsInt())
+            if (light != n.extensions.end() && light->second.Has("light"))
                 readLight(GltfFile::at(model.lights, light->second.Get("light").GetNumberAsInt(), "light"),
                           nodes.places[(size_t)i]);
         }
@@ -77,9 +70,9 @@ private:
 
     void checkExtensions() {
         for (const std::string &name : model.extensionsRequired)
-            need(kExtensions.count(name), "needs " + name + ", which is not read: export it without");
+            need(isExtensionRead(name), "needs " + name + ", which is not read: export it without");
         for (const std::string &name : model.extensionsUsed)
-            if (!kExtensions.count(name)) kinds["extensions that are not used"].push_back(name);
+            if (!isExtensionRead(name)) kinds["extensions that are not used"].push_back(name);
     }
 
     // Points that were not used yet are -1.
@@ -189,7 +182,6 @@ private:
     }
 
     void readLight(const tinygltf::Light &light, const Placing &place) {
-        need(light.color.empty() || light.color.size() == 3, "a light's colour is not of three numbers");
         Vec3d colour = {1, 1, 1};
         for (size_t k = 0; k < light.color.size(); ++k) colour[k] = light.color[k];
         colour = colour * light.intensity;

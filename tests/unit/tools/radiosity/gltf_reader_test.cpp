@@ -361,11 +361,11 @@ TEST(GltfReader, RefusesDamage) {
     EXPECT_EQ(changed("2.0", "1.0"), "m.gltf: is glTF 1.0, and 2.0 is read");
     EXPECT_EQ(changed("\"count\":4", "\"count\":5"),
               "m.gltf: an accessor of 5 items ends outside bufferView 0");
-    EXPECT_EQ(changed("\"count\":4", "\"count\":18446744073709551615"),
-              "m.gltf: an accessor of 18446744073709551615 items ends outside bufferView 0");
-    EXPECT_EQ(changed("\"count\":4", "\"count\":4,\"byteOffset\":18446744073709551615"),
+    EXPECT_EQ(changed("\"count\":4", "\"count\":9007199254740991"),
+              "m.gltf: an accessor of 9007199254740991 items ends outside bufferView 0");
+    EXPECT_EQ(changed("\"count\":4", "\"count\":4,\"byteOffset\":9007199254740991"),
               "m.gltf: an accessor of 4 items ends outside bufferView 0");
-    EXPECT_EQ(changed("\"byteOffset\":0", "\"byteOffset\":18446744073709551600"),
+    EXPECT_EQ(changed("\"byteOffset\":0", "\"byteOffset\":9007199254740990"),
               "m.gltf: bufferView 0 ends outside its buffer");
     EXPECT_EQ(changed("\"byteLength\":48}", "\"byteLength\":48,\"byteStride\":252}"),
               "m.gltf: an accessor of 4 items ends outside bufferView 0");
@@ -386,6 +386,56 @@ TEST(GltfReader, RefusesDamage) {
     EXPECT_EQ(
         changed("\"asset\"", "\"extras\":" + std::string(200, '[') + std::string(200, ']') + ",\"asset\""),
         "m.gltf: its JSON is nested too deeply");
+    // Of another type: a property, and its right type
+    const std::string index = "a whole number below 2^31", size = "a whole number below 2^53",
+                      number = "a number", three = "a list of 3 numbers", floor = "\"materials\":[{",
+                      light = R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point",)";
+    struct Wrong {
+        std::string from, to, right;
+    };
+    for (const auto &[from, to, right] : {
+             Wrong{"\"indices\":1", "\"material\":\"lamp\"", index},
+             {"\"indices\":1", "\"material\":2.0", index},
+             {"\"indices\":1", "\"material\":4294967296", index},
+             {"\"indices\":1", "\"material\":-1", index},
+             {"\"indices\":1", "\"indices\":-3", index},
+             {"\"indices\":1", "\"indices\":{}", index},
+             {"\"indices\":1", "\"mode\":-9", index},
+             {"\"mesh\":0", "\"mesh\":-5", index},
+             {"\"mesh\":0", "\"mesh\":4294967296", index},
+             {"\"POSITION\":0", "\"POSITION\":0.5", index},
+             {"\"nodes\":", "\"scene\":-5,\"nodes\":", index},
+             {"\"nodes\":", "\"scene\":\"a\",\"nodes\":", index},
+             {"{\"mesh\":0}", "{\"children\":[0.5],\"mesh\":0}", "a list of whole numbers below 2^31"},
+             {"\"count\":4", "\"count\":4,\"sparse\":{\"count\":4294967296}", index},
+             {"\"count\":4", "\"count\":18446744073709551616", size},
+             {"\"byteOffset\":0", "\"byteOffset\":-1", size},
+             {"\"byteOffset\":0", "\"byteOffset\":1e300", size},
+             {"\"byteOffset\":0", "\"byteStride\":18446744073709551615", size},
+             {"\"mesh\":0", "\"translation\":[\"a\",2,3]", three},
+             {"\"mesh\":0", "\"translation\":5", three},
+             {"\"mesh\":0", "\"scale\":[1,2]", three},
+             {"\"mesh\":0", R"("extensions":{"KHR_lights_punctual":{"light":"a"}})", index},
+             {"\"nodes\":", R"("extensions":{"KHR_lights_punctual":{"lights":"q"}},"nodes":)",
+              "a list of objects"},
+             {"\"nodes\":", light + R"("intensity":"8"}]}},"nodes":)", number},
+             {"\"nodes\":", light + R"("color":[1]}]}},"nodes":)", three},
+             {"\"nodes\":", floor + R"("pbrMetallicRoughness":{"baseColorFactor":"red"}}],"nodes":)",
+              "a list of 4 numbers"},
+             {"\"nodes\":", floor + R"("pbrMetallicRoughness":{"metallicFactor":"0"}}],"nodes":)",
+              "a number, or a list of numbers"},
+             {"\"nodes\":", floor + R"("doubleSided":1}],"nodes":)", "true or false"},
+             {"\"nodes\":",
+              floor +
+                  R"("extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":"10"}}}],"nodes":)",
+              number},
+         }) {
+        const std::string error = changed(from, to);
+        EXPECT_TRUE(error.starts_with("m.gltf: ") && error.ends_with(" is not " + right))
+            << to << ": " << error;
+    }
+    // What is not read may be anything
+    EXPECT_EQ(changed("\"mesh\":0", R"("mesh":0,"extras":{"mesh":-1},"extensions":{"VRM":{"mesh":-1}})"), "");
     Writer w;
     w.add<float>(5126, "VEC3", 3, {0, 0, 0, 1, 0, 0, NAN, 1, 0});
     w.add<uint8_t>(5121, "SCALAR", 3, {0, 1, 3});

@@ -1,0 +1,131 @@
+#include "tools/radiosity/read/gltf_check.h"
+
+#include "tools/common/command_line.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace odraz::radiosity {
+
+using common::need;
+using common::Refused;
+using nlohmann::json;
+
+namespace {
+
+constexpr int kDeepest = 64; // tinygltf is recursive
+
+// The last one groups triangles, which are joined anyway
+const std::set<std::string> kExtensions = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
+                                           "KHR_materials_unlit",   "KHR_materials_pbrSpecularGlossiness",
+                                           "KHR_mesh_quantization", "KHR_texture_transform",
+                                           "FB_ngon_encoding"};
+
+bool isWhole(const json &x, int bits) { return x.is_number_unsigned() && x.get<uint64_t>() >> bits == 0; }
+
+// What a property must be, and whether it is that
+struct Kind {
+    std::string what;
+    bool (*is)(const json &);
+};
+template <bool (*Is)(const json &)> bool eachIs(const json &x) {
+    return x.is_array() && std::all_of(x.begin(), x.end(), Is);
+}
+bool isNumber(const json &x) { return x.is_number(); }
+bool isObject(const json &x) { return x.is_object(); }
+bool isIndex(const json &x) { return isWhole(x, 31); }
+template <size_t N> Kind numbers() {
+    return {"a list of " + std::to_string(N) + " numbers",
+            [](const json &x) { return eachIs<isNumber>(x) && x.size() == N; }};
+}
+const Kind kIndex = {"a whole number below 2^31", isIndex},
+           kSize = {"a whole number below 2^53", [](const json &x) { return isWhole(x, 53); }},
+           kIndices = {"a list of whole numbers below 2^31", eachIs<isIndex>},
+           kNumber = {"a number", isNumber},
+           kFactor = {"a number, or a list of numbers",
+                      [](const json &x) { return x.is_number() || eachIs<isNumber>(x); }},
+           kFlag = {"true or false", [](const json &x) { return x.is_boolean(); }},
+           kText = {"text", [](const json &x) { return x.is_string(); }}, kObject = {"an object", isObject},
+           kObjects = {"a list of objects", eachIs<isObject>};
+
+// By name, or by name within what holds it
+const std::map<std::string, Kind> kKinds = [] {
+    std::map<std::string, Kind> all;
+    auto add = [&](const Kind &kind, std::initializer_list<const char *> names) {
+        for (const char *name : names) all[name] = kind;
+    };
+    add(kIndex, {"attributes.*", "buffer", "bufferView", "byteLength", "byteOffset", "byteStride", "camera"});
+    add(kIndex, {"componentType", "count", "index", "inverseBindMatrices", "light", "material", "mesh"});
+    add(kIndex, {"mode", "primitives.indices", "sampler", "scene", "skin", "source", "texCoord"});
+    // tinygltf takes those of sparse accessors as int
+    add(kSize, {"accessors.byteOffset", "accessors.count", "bufferViews.byteLength", "bufferViews.byteOffset",
+                "bufferViews.byteStride", "buffers.byteLength"});
+    add(kIndices, {"children", "joints", "scenes.nodes"});
+    add(kNumber, {"KHR_texture_transform.rotation", "emissiveStrength", "intensity", "range"});
+    add(numbers<2>(), {"KHR_texture_transform.offset", "KHR_texture_transform.scale"});
+    add(numbers<3>(), {"emissiveFactor", "lights.color", "nodes.scale", "nodes.translation"});
+    add(numbers<4>(), {"baseColorFactor", "diffuseFactor", "nodes.rotation"});
+    add(numbers<16>(), {"nodes.matrix"});
+    add(kFlag, {"doubleSided", "normalized"});
+    add(kText, {"alphaMode", "type", "uri"});
+    add(kObject,
+        {"asset", "attributes", "baseColorTexture", "diffuseTexture", "emissiveTexture", "extensions",
+         "extensions.*", "pbrMetallicRoughness", "sparse", "sparse.indices", "sparse.values"});
+    add(kObjects, {"accessors", "animations", "bufferViews", "buffers", "images", "lights", "materials",
+                   "meshes", "nodes", "primitives", "samplers", "scenes", "skins", "textures"});
+    return all;
+}();
+
+void checkProperty(const std::string &holder, const std::string &name, const json &value) {
+    for (const std::string &key : {holder + "." + name, name, holder + ".*"})
+        if (auto kind = kKinds.find(key); kind != kKinds.end())
+            return need(kind->second.is(value), name + " is not " + kind->second.what);
+    if (name.ends_with("Factor")) need(kFactor.is(value), name + " is not " + kFactor.what);
+}
+
+void check(const json &all) {
+    std::vector<std::pair<const json *, std::string>> open = {{&all, ""}}; // with their names
+    while (!open.empty()) {
+        const auto [object, holder] = open.back();
+        open.pop_back();
+        if (object->is_array())
+            for (const json &item : *object)
+                if (item.is_structured()) open.push_back({&item, holder});
+        if (!object->is_object()) continue;
+        for (const auto &[name, value] : object->items()) {
+            if (name == "extras" || (holder == "extensions" && !isExtensionRead(name))) continue;
+            checkProperty(holder, name, value);
+            if (value.is_structured() && name != "asset") open.push_back({&value, name});
+        }
+    }
+}
+
+} // namespace
+
+bool isExtensionRead(const std::string &name) { return kExtensions.count(name); }
+
+json parseGltf(std::string_view text) {
+    int depth = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quoted && c == '\\') ++i;
+        if (c == '"') quoted = !quoted;
+        if (!quoted && (c == '[' || c == '{')) need(++depth < kDeepest, "its JSON is nested too deeply");
+        if (!quoted && (c == ']' || c == '}')) --depth;
+    }
+    json all;
+    try {
+        all = json::parse(text);
+    } catch (const json::parse_error &e) {
+        throw Refused("its JSON is damaged at byte " + std::to_string(e.byte));
+    } catch (const json::exception &) {
+        throw Refused("its JSON has a number that is too large");
+    }
+    need(all.is_object() && all.contains("asset"), "is JSON, but not glTF: it has no asset");
+    check(all);
+    return all;
+}
+
+} // namespace odraz::radiosity
