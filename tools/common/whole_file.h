@@ -24,12 +24,13 @@ WholeFile readWholeFile(const std::string &path);
 // Its first `size` bytes, or all if it has fewer.
 std::string readStart(const std::string &path, size_t size);
 
-// Calls `body`, and puts the file's name in front of the errors that it throws.
+// Calls `body`, and puts the file's name in front of the errors that it throws, if it is not there yet.
 template <class Body> auto inFile(const std::string &path, Body body) {
     try {
         return body();
     } catch (const Refused &e) {
-        throw Refused(path + ": " + e.what());
+        const std::string why = e.what(), start = path + ": ";
+        throw Refused(why.starts_with(start) ? why : start + why);
     }
 }
 
