@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace odraz::radiosity {
 
@@ -17,25 +18,43 @@ struct Format {
     decltype(&readModel) read;
     decltype(&readMaterialsAgain) readMaterials;
 };
-const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, readGltf, readGltfMaterials},
-                           {{".obj"}, [](std::string_view) { return true; }, readObj, readObjMaterials}};
+// Whether the first line that is not blank is a comment, or a command of OBJ.
+bool isObj(std::string_view start) {
+    static const std::set<std::string_view> kCommands = {"v", "vn", "vt", "vp", "f",      "l",
+                                                         "p", "o",  "g",  "s",  "usemtl", "mtllib"};
+    if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+    start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
+    return start.starts_with('#') || kCommands.count(start.substr(0, start.find_first_of(" \t\r\n")));
+}
 
+const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, readGltf, readGltfMaterials},
+                           {{".obj"}, isObj, readObj, readObjMaterials}};
+
+constexpr size_t kStart = 4096;
+
+bool isNamed(const Format &format, std::string path) {
+    std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::any_of(format.endings.begin(), format.endings.end(),
+                       [&](const char *ending) { return path.ends_with(ending); });
+}
+
+// By content; if that is damaged by name, so that the right reader reports why.
 const Format &formatOf(const std::string &path) {
-    const std::string start = common::readStart(path, 64);
-    return *std::find_if(std::begin(kFormats), std::end(kFormats),
-                         [&](const Format &format) { return format.begins(start); });
+    const std::string start = common::readStart(path, kStart);
+    for (const Format &format : kFormats)
+        if (format.begins(start)) return format;
+    for (const Format &format : kFormats)
+        if (isNamed(format, path)) return format;
+    return std::end(kFormats)[-1];
 }
 
 } // namespace
 
 bool isModel(const std::string &path) {
-    std::string name = path;
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
     for (const Format &format : kFormats)
-        for (const char *ending : format.endings)
-            if (name.ends_with(ending)) return true;
+        if (isNamed(format, path)) return true;
     try {
-        return isGltf(common::readStart(path, 64));
+        return isGltf(common::readStart(path, kStart));
     } catch (const common::Refused &) {
         return false; // readers report why
     }

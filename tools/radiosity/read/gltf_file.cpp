@@ -18,7 +18,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr size_t kMostEmpty = 1 << 20; // items of an accessor without a buffer
+constexpr size_t kMostEmpty = 1 << 20;                  // items of an accessor without a buffer
+constexpr uint32_t kKinds[] = {0x4e4f534a, 0x004e4942}; // of chunks: JSON, binary
 constexpr char kBase64[] = ";base64,";
 
 uint32_t word(std::string_view bytes, size_t at) {
@@ -46,6 +47,7 @@ size_t sizeOf(const json &object, const char *name) {
     return found->get<size_t>();
 }
 
+bool hasScheme(const std::string &uri) { return uri.find("://") != std::string::npos; }
 bool isData(const std::string &uri) { return uri.starts_with("data:"); }
 
 // What a data URI holds.
@@ -84,6 +86,8 @@ void GltfFile::refuseIndex(const char *what, int index) {
 GltfFile::GltfFile(const std::string &path) : path(path) {
     const std::string file = common::readWhole(path);
     std::string_view all = file;
+    need(!all.empty(), "is empty");
+    need(isGltf(all), "is neither .glb nor JSON in UTF-8: it is damaged, or another format");
     if (!all.starts_with("glTF")) {
         readJson(all, {});
         return;
@@ -93,12 +97,14 @@ GltfFile::GltfFile(const std::string &path) : path(path) {
     need(size <= all.size(),
          "ends early: it has " + std::to_string(all.size()) + " of " + std::to_string(size) + " bytes");
     all = all.substr(0, size);
-    std::string_view chunks[2]; // JSON, binary
-    for (size_t at = 12, k = 0; at + 8 <= all.size() && k < 2; at += 8 + chunks[k++].size()) {
-        need(word(all, at) <= all.size() - at - 8, "ends early, within a chunk");
-        if (word(all, at + 4) == (k ? 0x004e4942u : 0x4e4f534au))
-            chunks[k] = all.substr(at + 8, word(all, at));
+    std::string_view chunks[2];
+    for (size_t at = 12, chunk; at + 8 <= all.size(); at += 8 + chunk) {
+        chunk = word(all, at);
+        need(chunk <= all.size() - at - 8, "ends early, within a chunk");
+        for (size_t k : {0, 1}) // other kinds are allowed
+            if (word(all, at + 4) == kKinds[k] && chunks[k].empty()) chunks[k] = all.substr(at + 8, chunk);
     }
+    need(!chunks[0].empty(), "has no JSON");
     readJson(chunks[0], chunks[1]);
 }
 
@@ -131,6 +137,8 @@ void GltfFile::readBuffers(const json &list, std::string_view binary) {
         if (isData(uri))
             bytes = dataOf(uri);
         else if (!uri.empty()) {
+            need(!hasScheme(uri),
+                 "buffer " + number + " is not read, as its URI has a scheme: " + uri.substr(0, 200));
             parts.push_back(nameOf(uri));
             bytes = common::readWhole(findFile(folderOf(path), parts.back()));
         } else if (buffers.empty())
@@ -186,7 +194,7 @@ void GltfFile::copy(int number, size_t offset, int component, bool normalised, s
 std::vector<double> GltfFile::numbers(int number, int type) const {
     const tinygltf::Accessor &a = at(model.accessors, number, "accessor");
     const std::string name = "accessor " + std::to_string(number);
-    need(a.type == type, name + " is of another type than its use");
+    need(a.type == type, name + " does not have the type that its use needs");
     const size_t wide = (size_t)tinygltf::GetNumComponentsInType((uint32_t)type);
     std::vector<double> all;
     if (a.bufferView >= 0)

@@ -340,6 +340,22 @@ TEST(GltfReader, TakesContainers) {
         << Read(beside).error;
     for (size_t size = 4; size < whole.size(); size += 3)
         EXPECT_NE(Read(whole.substr(0, size), "m.glb").error.find("m.glb: "), std::string::npos) << size;
+    // Chunks of other kinds may lie between
+    const std::string more("\4\0\0\0MOREabcd", 12);
+    std::string between = whole;
+    between[8] = (char)(between[8] + 12), between.insert(12, more);
+    ASSERT_GE((uint8_t)between[8], 12);
+    EXPECT_NEAR(Read(between).area(), 1, 1e-6);
+    std::string none = "glTF" + std::string("\2\0\0\0\30\0\0\0", 8) + more;
+    EXPECT_EQ(Read(none).error, "m.gltf: has no JSON");
+    // Damaged at the start: the name decides
+    const std::string neither = "is neither .glb nor JSON in UTF-8: it is damaged, or another format";
+    EXPECT_NEAR(Read(std::string(3000, '\n') + w.text(rest), "m").area(), 1, 1e-6);
+    EXPECT_EQ(Read("").error, "m.gltf: is empty");
+    EXPECT_EQ(Read("[]").error, "m.gltf: " + neither);
+    EXPECT_EQ(Read(std::string("\xff\xfe{\0", 4)).error, "m.gltf: " + neither);
+    EXPECT_EQ(Read("gLTF" + whole.substr(4), "m.GLB").error, "m.GLB: " + neither);
+    EXPECT_EQ(Read("[]", "m.obj").error, "m.obj: holds no point");
     std::string other = whole;
     other[4] = 1;
     EXPECT_EQ(Read(other).error, "m.gltf: is glTF 1, and 2.0 is read");
@@ -372,7 +388,7 @@ TEST(GltfReader, RefusesDamage) {
     EXPECT_EQ(changed("\"bufferView\":0,", ""), "m.gltf: accessor 0 has no bufferView");
     EXPECT_EQ(changed("\"bufferView\":0", "\"bufferView\":7"), "m.gltf: there is no bufferView 7");
     EXPECT_EQ(changed("\"buffer\":0", "\"buffer\":1"), "m.gltf: there is no buffer 1");
-    EXPECT_EQ(changed("VEC3", "VEC4"), "m.gltf: accessor 0 is of another type than its use");
+    EXPECT_EQ(changed("VEC3", "VEC4"), "m.gltf: accessor 0 does not have the type that its use needs");
     EXPECT_EQ(changed("\"mesh\":0", "\"mesh\":1"), "m.gltf: there is no mesh 1");
     EXPECT_EQ(changed("\"mesh\":0", "\"mesh\":0,\"children\":[0]"), "m.gltf: holds no triangle");
     EXPECT_EQ(changed("[{\"mesh\":0}]",
@@ -386,6 +402,13 @@ TEST(GltfReader, RefusesDamage) {
     EXPECT_EQ(
         changed("\"asset\"", "\"extras\":" + std::string(200, '[') + std::string(200, ']') + ",\"asset\""),
         "m.gltf: its JSON is nested too deeply");
+    EXPECT_EQ(
+        changed(
+            "\"nodes\":",
+            R"("materials":[{"name":"floor","pbrMetallicRoughness":{"baseColorFactor":[-1,0,0,1]}}],"nodes":)"),
+        "m.gltf: material floor: baseColorFactor must lie between 0 and 1");
+    EXPECT_TRUE(changed("data:application/octet-stream;base64,", "http://a/")
+                    .starts_with("m.gltf: buffer 0 is not read, as its URI has a scheme: http://a/AAAA"));
     // Of another type: a property, and its right type
     const std::string index = "a whole number below 2^31", size = "a whole number below 2^53",
                       number = "a number", three = "a list of 3 numbers", floor = "\"materials\":[{",
