@@ -47,7 +47,6 @@ size_t sizeOf(const json &object, const char *name) {
     return found->get<size_t>();
 }
 
-bool hasScheme(const std::string &uri) { return uri.find("://") != std::string::npos; }
 bool isData(const std::string &uri) { return uri.starts_with("data:"); }
 
 // What a data URI holds.
@@ -72,6 +71,8 @@ std::string nameOf(const std::string &uri) {
 }
 
 } // namespace
+
+bool hasScheme(const std::string &uri) { return uri.find("://") != std::string::npos; }
 
 bool isGltf(std::string_view start) {
     if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
@@ -230,7 +231,7 @@ MeshPicture GltfFile::picture(int texture) {
     if (isData(uri))
         picture.bytes = std::make_shared<const std::string>(dataOf(uri));
     else if (!uri.empty())
-        picture.path = findFile(folderOf(path), nameOf(uri));
+        picture.path = hasScheme(uri) ? uri : findFile(folderOf(path), nameOf(uri));
     else
         picture.bytes = std::make_shared<const std::string>(
             view((int)std::min(sizeOf(image, "bufferView"), (size_t)1 << 30)));

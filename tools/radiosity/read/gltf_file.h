@@ -18,6 +18,9 @@ namespace odraz::radiosity {
 // Whether a file that begins like this is read as glTF: as .glb, or as JSON.
 bool isGltf(std::string_view start);
 
+// Whether a URI is none of a file beside the model, but http:// or another.
+bool hasScheme(const std::string &uri);
+
 // All functions throw Refused, without the file's name.
 class GltfFile {
 public:
@@ -35,7 +38,8 @@ public:
     // The components of an accessor, item by item; of normalised ones -1 .. 1. `type` is TINYGLTF_TYPE_VEC3
     // or another.
     std::vector<double> numbers(int accessor, int type) const;
-    // The picture of a texture. Without a path if it has none in a format that is read.
+    // The picture of a texture. Without a path if it has none in a format that is read; one whose URI has a
+    // scheme has that as its path.
     MeshPicture picture(int texture);
 
 private:

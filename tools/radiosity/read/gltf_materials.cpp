@@ -55,7 +55,7 @@ private:
         if (used++ == 0) return;
         while (names.count(name = first + " (" + std::to_string(used) + ")")) ++used;
         names[name] = 1;
-        note("a name was given before, and has a number now");
+        note("materials with a name that was used before get a number");
     }
 
     GltfMaterial read(const tinygltf::Material &m, size_t number) {
@@ -105,7 +105,9 @@ private:
                const std::array<float, 3> &tint) {
         if (info.index < 0) return;
         MeshPicture found = file.picture(info.index);
-        if (found.path.empty()) return note("a picture is in no format that is read");
+        if (found.path.empty()) return note("a picture's format is not read");
+        if (!found.bytes && hasScheme(found.path))
+            return note("a picture's URI has a scheme, and is not read");
         if (tint == std::array<float, 3>{})
             return note(&picture == &to.mesh.picture ? "baseColorTexture is black by its factor"
                                                      : "emissiveTexture needs an emissiveFactor");
@@ -135,8 +137,7 @@ private:
             note("metallicRoughnessTexture is not used");
         if (m.alphaMode == "MASK" || m.alphaMode == "BLEND" || alpha < 1)
             note("alpha is not used, and all is opaque");
-        if (find(m.extensions, "KHR_materials_unlit") || m.extensions.count("KHR_materials_unlit"))
-            note("unlit materials reflect their colour");
+        if (m.extensions.count("KHR_materials_unlit")) note("unlit materials reflect their colour");
     }
 };
 

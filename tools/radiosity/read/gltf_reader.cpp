@@ -50,6 +50,8 @@ public:
         }
         need(!polygons.polygons.empty(), "holds no triangle");
         addBalls();
+        for (size_t i = 0; i < model.animations.size(); ++i)
+            kinds["animations are not used"].push_back(named("animation", model.animations[i].name, (int)i));
         noteKinds(path, kinds, notes);
     }
 
@@ -187,6 +189,7 @@ private:
         colour = colour * light.intensity;
         for (size_t k = 0; k < 3; ++k)
             need(colour[k] >= 0 && colour[k] <= kMostPower, "a light must lie between 0 and 1e12");
+        if (colour == Vec3d{}) return;
         if (light.type == "directional") {
             // It shines along -z; lux over pi is the radiance of a white surface
             need(length(place.z) > 0 && length(place.z) < 1e18, "a sun has no direction");
@@ -201,6 +204,7 @@ private:
     // Points that shine become balls, with radiance = candela / area of the disc.
     void addBalls() {
         if (bulbs.empty()) return;
+        double largest = 0;
         auto [lo, hi] = boxOf(polygons.points);
         const double radius = std::max(length(hi - lo) * kBallShare / 2, 1e-12);
         for (const auto &[centre, candela] : bulbs) {
@@ -209,12 +213,16 @@ private:
             // A bright one is larger, so that its radiance stays within bounds
             const double most = std::max({candela.x, candela.y, candela.z}),
                          own = std::max(radius, std::sqrt(most / (std::numbers::pi * kMostPower / 2)));
+            largest = std::max(largest, own);
             lights.lamps.push_back(ballLamp(centre, own, toFloat(candela / (std::numbers::pi * own * own))));
         }
         notes.push_back(
             path +
-            common::format(": lights at points are balls, %.3g across: %zu", 2 * radius, bulbs.size()) +
-            (spots ? common::format("; spots, which shine in all directions: %d", spots) : ""));
+            common::format(": %zu point or spot light%s, up to %.3g across", bulbs.size(),
+                           bulbs.size() == 1 ? " becomes a ball" : "s become balls", 2 * largest) +
+            (spots
+                 ? common::format("; %d spot%s in all directions", spots, spots == 1 ? " shines" : "s shine")
+                 : ""));
     }
 };
 

@@ -237,8 +237,8 @@ TEST(GltfReader, TakesMaterials) {
     EXPECT_EQ(
         r.notes,
         (Lines{"m.gltf: material unnamed 2: its baseColorFactor must lie between 0 and 1: more counts as 1",
-               "m.gltf: a name was given before, and has a number now: material a (2)",
                "m.gltf: alpha is not used, and all is opaque: material a",
+               "m.gltf: materials with a name that was used before get a number: material a (2)",
                "m.gltf: metal counts as diffuse: material unnamed 2",
                "m.gltf: normalTexture is not used: material unnamed 2"}));
     // Changes name them
@@ -286,6 +286,8 @@ TEST(GltfReader, TakesPictures) {
     const std::array<float, 6> at = r.mesh.coordinates[0], right = {0.25f, 1, 0.25f, 3, 1.25f, 3};
     for (size_t k = 0; k < 6; ++k) EXPECT_NEAR(at[k], right[k], 1e-6) << k;
     EXPECT_FLOAT_EQ(r.mesh.materials[0].picture.read().linear(0)[0], 1);
+    r = Read(text(plain, R"({"uri":"https://a/b.ppm"})"));
+    EXPECT_EQ(r.notes, Lines{"m.gltf: a picture's URI has a scheme, and is not read: material unnamed 0"});
     // Beside the file, with a blank in its name; and missing
     common::TemporaryFolder folder;
     common::writeWhole(folder / "a b.ppm", pnm),
@@ -317,8 +319,21 @@ TEST(GltfReader, TakesLights) {
     // Candela is radiance times the area of the disc, before --scale
     EXPECT_NEAR((double)(ball.radiance.x * ball.radius * ball.radius) * std::numbers::pi / 100, 5, 1e-4);
     EXPECT_EQ(r.mesh.lights.lamps[1].radiance.x, 0);
-    EXPECT_EQ(r.notes, Lines{"m.gltf: lights at points are balls, 0.00141 across: 2; spots, which shine in "
-                             "all directions: 1"});
+    EXPECT_EQ(r.notes,
+              Lines{"m.gltf: 2 point or spot lights become balls, up to 0.00141 across; 1 spot shines "
+                    "in all directions"});
+    // A very bright ball is wide; a dark light is none; animations are noted
+    auto one = [&](const char *intensity) {
+        return Read(square(R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","intensity":)" +
+                           std::string(intensity) + R"(}]}},"nodes":[{"mesh":0},)" +
+                           node(0, R"("name":"n")") +
+                           R"(],"animations":[{"name":"walk","channels":[],"samplers":[]}],)" + kMesh));
+    };
+    const std::string walk = "m.gltf: animations are not used: animation walk";
+    EXPECT_EQ(one("1e12").notes,
+              (Lines{"m.gltf: 1 point or spot light becomes a ball, up to 1.6 across", walk}));
+    EXPECT_EQ(one("0").notes, Lines{walk});
+    EXPECT_TRUE(one("0").mesh.lights.lamps.empty());
 }
 
 // The content decides, not the name.
