@@ -126,13 +126,9 @@ private:
         const GltfMaterial *material =
             p.material < 0 ? nullptr : &GltfFile::at(materials, p.material, "material");
         std::vector<double> at; // coordinates
-        if (material && !(material->mesh.picture.path.empty() && material->mesh.glow.path.empty())) {
-            const std::string which = "TEXCOORD_" + std::to_string(material->set);
-            if (int set = attribute(which); set >= 0)
+        if (material && material->mesh.pictured())
+            if (int set = attribute("TEXCOORD_" + std::to_string(material->set)); set >= 0)
                 at = file.numbers(set, TINYGLTF_TYPE_VEC2);
-            else
-                kinds["coordinates of pictures are missing"].push_back(name);
-        }
         std::vector<int> coordinates(at.size() / 2, -1);
         auto corner = [&](size_t i) -> Polygons::Corner {
             int &point = points.numbers[i];
