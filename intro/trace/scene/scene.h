@@ -33,7 +33,7 @@ struct Scene {
     int shapeCount, materialCount, lightCount;
     float fog;      // of a surface's light 2^(-fog * distance) is left; the rest is the sky's
     float exposure; // factor before tone mapping
-    float lines; // how dark the lines between patches are drawn, up to 1; below 0: how bright
+    float lines;    // how dark the lines between patches are drawn, up to 1; below 0: how bright
     // Balls block light in closed form: the light from all around near them, and that of Lights with a
     // radius. The latter gives soft shadows, with caustics behind balls of glass
     bool ballsOcclude;
