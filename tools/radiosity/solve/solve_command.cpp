@@ -34,11 +34,12 @@ public:
 
     void run() {
         if (!job.relight.empty()) return relight();
-        read();
+        const std::vector<std::string> notes = read();
         toKeep.model = modelSum();
         if (job.kept && job.kept->model != toKeep.model)
             throw common::Refused(job.resume + ": belongs to another model, or " + job.model +
                                   " has changed: solve it again");
+        printNotes(notes);
         prepare();
         Solved solved = solve();
         if (mayLightBacks() && solved.report.whole && staysDark(solved.solution)) {
@@ -67,11 +68,12 @@ private:
 
     std::string stateFile() const { return job.out + ".state"; }
 
-    void read() {
+    // Returns the notes: they are printed once nothing is refused, so that a refusal stays one line.
+    std::vector<std::string> read() {
         std::vector<std::string> notes;
         mesh = readModel(job.model, job.options.read, notes);
         job.options.addLights(mesh, job.options.settings.surroundings, notes);
-        printNotes(notes);
+        return notes;
     }
     uint64_t modelSum() const { return sumOf(mesh, job.options.settings.surroundings.sky); }
 
@@ -123,9 +125,10 @@ private:
             refuseMemory(bytes, settings.memory, "raise it");
         settings.resumed = kept.rows;
         if (!prepare(kept)) {
-            read();
+            const std::vector<std::string> notes = read();
             bool dark = !emitsLight(mesh) && !settings.surroundings.any();
             if (dark && settings.evenSky && !kept.evenSky) refuseDark();
+            printNotes(notes);
         }
         if (prepared && job.options.stopsAlike && !kept.evenSky) {
             Solution scaled(job.relight);
