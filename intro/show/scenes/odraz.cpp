@@ -37,10 +37,11 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     HallLight light = {kNight, {}, {}, 1, value(track(kDoor), in.row)};
     light.lanterns[1] = light.lanterns[2] = value(track(kOuter), in.row);
     light.lanterns[0] = max(light.lanterns[1], value(track(kLast), in.row));
-    float burn = value(track(kStripsGo), in.row), sway = value(track(kSway), in.row);
-    float all = 0;
-    for (int i = 0; i < kStrips; ++i) all += light.strips[i] = saturate(1 + sway * ((float)i - 3.5f));
-    for (float &strip : light.strips) strip *= burn * kStrips / all; // one side goes out, the sum stays
+    float burn = 0; // of the strips; they go out from both sides to the middle
+    for (int i = 0; i < kStrips; ++i)
+        burn += light.strips[i] =
+            value(track(kStripsGo), in.row - (float)(2 * kBeat * min(i, kStrips - 1 - i)));
+    burn /= kStrips;
     // The word glows up when it is large enough to be read, and lights the hall
     float since = in.row - rowOf(kWordIsFound);
     Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.1f * since - 1.3f);
