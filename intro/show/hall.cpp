@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kDust = 0.017f; // share of light that dust scatters, a metre
 constexpr float kStripArea = 0.28f * 3.9f;
-constexpr Rgb kLanternLight = Rgb{31, 29, 26}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
+constexpr Rgb kLanternLight = Rgb{33, 28, 21}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
 
 // Blends a material (grey 0) with a grey that is the same for all (grey 1).
 Material faded(Material m, float grey) {
@@ -144,17 +144,14 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     }
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
-    // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it. If only
-    // one side of the door is lit, it stands beyond that side, so that shadows visibly turn. If it were
-    // more than 0.3 metres behind the wall, its light on the side walls would end at a strip on one side
+    // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it. If it
+    // were more than 0.3 metres behind the wall, its light on the side walls would end at a strip on one side
     // and at a gap on the other
-    float burning = 0, aside = 0;
-    for (int i = 0; i < kStrips; ++i)
-        burning += light.strips[i], aside += light.strips[i] * ((float)i - 3.5f);
+    float burning = 0;
+    for (float on : light.strips) burning += on;
     if (burning * light.door > 0)
-        scene.add(Light{{aside / burning, 2.7f, -0.03f - kZ},
-                        kStripLight * (burning * (kStripArea * light.door / kPi)),
-                        0.3f});
+        scene.add(
+            Light{{0, 2.7f, -0.03f - kZ}, kStripLight * (burning * (kStripArea * light.door / kPi)), 0.3f});
 
     if (grey == 0) scene.addAll(kOutside);
     // The ambient light of balls is the mean light of floor and ceiling
