@@ -21,38 +21,37 @@ static constexpr struct {
     float row, gain;
     char name[16];
 } kStages[] = {
-    {rowOf(kDirectLight), 1, "direct light"},
+    {rowOf(kDirectLight) - 0.6f, 1, "direct light"},
     {rowOf(kBounce1), 2, "bounce 1"},
     {rowOf(kBounce2), 4, "bounce 2"},
     {rowOf(kBounce3), 6, "bounce 3"},
 };
 static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
-static constexpr float kWave = 1.5f; // how far light comes in a row
+static constexpr float kWave = 30; // how far light comes in a row: it is everywhere on the row of the hit
 static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {1.7f, 1.1f, 0.86f},
                      kSunlight = {6, 4.8f, 3.4f};
 // The way of a photon from the sun: through a window, to floor, wall and column
 static constexpr Vec3 kPhoton[] = {
     {-7.5f, 6.3f, 3.3f}, {-1.2f, 0, 3.3f}, {1.5f, 3, -9}, {-1.93f, 2.2f, -1.7f}};
 
-// How far a step has come: its contribution rises and, before its bar ends, joins the rest.
+// How far a step has come: its contribution is there on its row and, before its bar ends, joins the rest.
 struct Step {
     int number; // -1: there is no light yet
-    float rise, join;
+    float join;
 
     explicit Step(float row) {
         number = -1;
         while (number + 1 < kStageCount && row >= kStages[number + 1].row) ++number;
         float at = row - kStages[max(number, 0)].row;
-        rise = smoothstep(-2.f, 2.f, at);
         join = smoothstep(11.f, 14.f, at);
     }
     Rgb of(const Hall &hall, int patch) const {
         Rgb before = number ? hall.bounce[number - 1][patch] : Rgb{},
             more = hall.bounce[number][patch] - before;
         Rgb shows = lerp(number ? kCopperLight : Rgb{1, 1, 1}, Rgb{1, 1, 1}, join);
-        return before * lerp(1 - 0.7f * rise * min((float)number, 1.f), 1.f, join) +
-               more * shows * (rise * lerp(kStages[number].gain, 1.f, join));
+        return before * lerp(number ? 0.3f : 1, 1.f, join) +
+               more * shows * lerp(kStages[number].gain, 1.f, join);
     }
 };
 
@@ -82,7 +81,7 @@ void posePatches(const SceneInput &in, Scene &scene) {
     // Colour the patches. Light spreads over them from the visited one
     const Model &m = hall->model;
     Vec3 from = m.patches[hall->visited].p;
-    float reach = (row - rowOf(kDirectLight)) * kWave + 3;
+    float reach = (row - kStages[0].row) * kWave;
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
@@ -107,7 +106,7 @@ void letterPatches(const SceneInput &in, const View &view, Frame &frame) {
     float h = (float)frame.height;
     if (step.number >= 0 && in.row < rowOf(kPatchesMelt))
         drawText(frame, kStages[step.number].name, view.width - h * 0.12f, h * 0.88f, h * 0.032f, 0.085f,
-                 1.6f, Align::Right, {0.8f, 0.42f, 0.24f}, step.rise);
+                 1.6f, Align::Right, {0.8f, 0.42f, 0.24f}, 1);
     // One photon: a leg a beat, then into the lens
     float flown = in.row < rowOf(kPatchesMelt) ? (in.row - rowOf(kBounce3)) / 4 : 0;
     for (int i = 0; i < 3 && flown > (float)i; ++i) {
