@@ -32,13 +32,6 @@ const Material *const kParts[] = {
 };
 static_assert(sizeof kParts / sizeof *kParts == kLantern);
 
-// Outside: the ground, and an avenue
-constexpr Shape kOutside[] = {
-    box({0, -0.1f, 48}, {40, 0.1f, 39}, kBlock),    box({-3, 2.5f, 14}, {0.4f, 2.5f, 0.4f}, kBlock),
-    box({3, 2.5f, 14}, {0.4f, 2.5f, 0.4f}, kBlock), box({-3, 2.5f, 20}, {0.4f, 2.5f, 0.4f}, kBlock),
-    box({3, 2.5f, 20}, {0.4f, 2.5f, 0.4f}, kBlock),
-};
-
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material *m : kParts) scene.add(faded(*m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
@@ -153,7 +146,13 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         scene.add(
             Light{{0, 2.7f, -0.03f - kZ}, kStripLight * (burning * (kStripArea * light.door / kPi)), 0.3f});
 
-    if (grey == 0) scene.addAll(kOutside);
+    // Outside, the paving and the columns go on, as an avenue
+    if (grey == 0) {
+        scene.add(box({0, -0.1f, 48}, {40, 0.1f, 39}, kFloor));
+        for (int i = 0; i < 10; ++i)
+            scene.add(cylinder({i & 1 ? -kColumnX : kColumnX, 4, 12.f + 6.5f * (float)(i >> 1)},
+                               kColumnRadius, 4, kShaft));
+    }
     // The ambient light of balls is the mean light of floor and ceiling
     scene.ambientHigh = meanLight(hall, hall.floor);
     scene.ambientLow = meanLight(hall, hall.vault);
