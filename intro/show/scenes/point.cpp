@@ -1,4 +1,4 @@
-// Scene 1. Black; a light is born over dark marble, passes behind a ball of glass and rises; the ball gathers
+// Scene 1. Black; a light is born over dark marble, rises behind a ball of glass; the ball gathers
 // it on the stone in a caustic that wanders. Then a word of light is written there, 5 cm above the marble,
 // which mirrors it.
 #include "base/maths.h"
