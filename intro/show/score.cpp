@@ -77,7 +77,7 @@ void playRow(Mixer &m, int row) {
         // Metre, and an arch over four bars, which is highest after a third of them
         float way = (float)since / (float)((p.to - p.from) * 16), x = (float)(since & 63) * (1.f / 64);
         float phrased =
-            1 - (float)((story % 16 > 0) + (story % 8 > 0)) * 0.13f + x * (1 - x) * (1 - x) * 1.8f;
+            1 - (float)((story % 16 > 0) + (story % 8 > 0)) * 0.16f + x * (1 - x) * (1 - x) * 1.8f;
         strike(m, p.articulation, *tone, chord, lerp((float)p.soft, (float)p.loud, way) * 0.01f * phrased,
                (float)(p.rows * held) / (float)p.strokes);
     }
