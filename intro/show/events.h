@@ -58,7 +58,7 @@ inline constexpr Event kEvents[] = {
     {kLamp2,            kHall,   156, true},
     {kLamp3,            kHall,   160, true},
     {kLamp3Dies,        kHall,   172, true},
-    {kLamp2Dies,        kHall,   176, false},
+    {kLamp2Dies,        kHall,   176, true},
     {kLamp1Dies,        kHall,   180, true},
     {kLightReturns,     kHall,   196, true},
     {kStrip1,           kHall,   224, true}, // the light enters the door

@@ -144,6 +144,7 @@ static constexpr EventSound kEventSounds[] = {
     {kLamp3, {kPiano, 5, 1, 150}, 60, 'd'},
     {kLightReturns, {kGlassDrop, 6, 1, 120}, 60, 'a'},
     {kLamp3Dies, {kGlassDrop, 5, 1, 150}, 60, 'D'},
+    {kLamp2Dies, {kGlassDrop, 5, 1, 150}, 60, 'E'},
     {kLamp1Dies, {kGlassDrop, 5, 1, 150}, 60, 'F'},
     {kStrip1, {kDrum, 1, 1, 150}, 80, 'a'},
     {kStrip1, {kImpact, 2, 1, 150}, 60, 'D'},
