@@ -2,6 +2,9 @@
 
 namespace odraz {
 
+// A colour in 256ths, which pack well.
+static constexpr Rgb linear(float r, float g, float b) { return {r / 256, g / 256, b / 256}; }
+
 static constexpr Texture plain(Rgb c) {
     return {.pattern = Pattern::Plain, .scale = 1, .palette = {c, c, c, c}};
 }
@@ -10,40 +13,35 @@ static constexpr Texture plain(Rgb c) {
 static constexpr Texture kBlackMarble = {
     .pattern = Pattern::Marble,
     .scale = 2.3f,
-    .palette = {
-        {0.010f, 0.010f, 0.012f}, {0.035f, 0.035f, 0.04f}, {0.15f, 0.14f, 0.13f}, {0.42f, 0.39f, 0.35f}}};
+    .palette = {linear(2.5f, 2.5f, 3), linear(9, 9, 10), linear(38, 36, 33), linear(108, 100, 90)}};
+static constexpr Texture kSlateTiles = {
+    .pattern = Pattern::Plaster,
+    .scale = 4,
+    .palette = {linear(16, 16, 16), linear(20, 20, 24), linear(32, 32, 34), linear(48, 48, 48)}};
 static constexpr Texture kWhiteMarble = {
     .pattern = Pattern::Marble,
     .scale = 0.9f,
-    .palette = {{0.72f, 0.69f, 0.65f}, {0.62f, 0.59f, 0.55f}, {0.44f, 0.42f, 0.40f}, {0.30f, 0.29f, 0.28f}}};
+    .palette = {linear(184, 177, 166), linear(159, 151, 141), linear(113, 108, 102), linear(77, 74, 72)}};
 static constexpr Texture kSpeckled = {
     .pattern = Pattern::Stone,
-    .scale = 1.6f,
-    .palette = {
-        {0.10f, 0.10f, 0.105f}, {0.20f, 0.195f, 0.19f}, {0.34f, 0.33f, 0.32f}, {0.52f, 0.50f, 0.48f}}};
+    .scale = 40,
+    .palette = {linear(8, 8, 8), linear(56, 56, 56), linear(80, 75, 72), linear(120, 110, 104)}};
 static constexpr Texture kPaleStone = {
     .pattern = Pattern::Stone,
-    .scale = 1.2f,
-    .palette = {{0.74f, 0.70f, 0.63f}, {0.66f, 0.62f, 0.55f}, {0.60f, 0.56f, 0.50f}, {0.45f, 0.42f, 0.38f}}};
-static constexpr Texture kCloud = {
-    .pattern = Pattern::Cloud,
-    .scale = 1.1f,
-    .palette = {
-        {0.05f, 0.055f, 0.065f}, {0.09f, 0.095f, 0.11f}, {0.14f, 0.145f, 0.16f}, {0.24f, 0.24f, 0.25f}}};
-// Stained in patches, and grained by the trowel.
+    .scale = 40,
+    .palette = {linear(120, 112, 96), linear(152, 144, 128), linear(168, 160, 144), linear(184, 176, 160)}};
+// Stained in patches and near the floor, and streaked by the trowel.
 static constexpr Texture plaster(Rgb c) {
     auto times = [&](float k) { return Rgb{c.x * k, c.y * k, c.z * k}; };
     return {.pattern = Pattern::Plaster,
             .scale = 1.1f,
-            .palette = {times(1.12f), times(1.02f), times(0.98f), times(0.8f)}};
+            .palette = {times(1.25f), times(1.0625f), times(0.9375f), times(0.75f)}};
 }
 static constexpr Texture oakBy(Pattern pattern) {
-    return {.pattern = pattern,
-            .scale = 4.2f,
-            .palette = {{0.40f, 0.235f, 0.11f},
-                        {0.31f, 0.17f, 0.075f},
-                        {0.19f, 0.095f, 0.040f},
-                        {0.10f, 0.048f, 0.022f}}};
+    return {
+        .pattern = pattern,
+        .scale = 10 / 3.f,
+        .palette = {linear(102, 60, 28), linear(79, 44, 19), linear(49, 24, 10), linear(26, 12.5f, 5.5f)}};
 }
 static constexpr Texture kOakAlong = oakBy(Pattern::Wood);
 
@@ -51,78 +49,81 @@ const Material kDarkMarble = {.texture = kBlackMarble,
                               .diffuse = 1,
                               .specular = 0.25f,
                               .exponent = 90,
-                              .reflect = 0.04f,
+                              .reflect = 5 / 128.f,
                               .fresnel = true};
 const Material kSlate = {
-    .texture = kCloud, .diffuse = 0.35f, .specular = 0.1f, .exponent = 30, .reflect = 0.03f, .fresnel = true};
+    .texture = plain(linear(28, 29, 33)), .diffuse = 0.375f, .reflect = 1 / 32.f, .fresnel = true};
 const Material kBoards = {.texture = kSpeckled,
                           .other = kOakAlong,
                           .cell = 0.6f,
                           .diffuse = 1,
-                          .specular = 0.15f,
+                          .specular = 5 / 32.f,
                           .exponent = 60,
-                          .reflect = 0.035f,
+                          .reflect = 1 / 32.f,
                           .fresnel = true};
 const Material kLimestone = {.texture = kPaleStone, .diffuse = 1};
 const Material kHallFloor = {.texture = kWhiteMarble,
-                             .other = kCloud,
+                             .other = kSlateTiles,
                              .cell = 1.125f,
-                             .diffuse = 0.85f,
-                             .specular = 0.1f,
+                             .diffuse = 27 / 32.f,
+                             .specular = 3 / 32.f,
                              .exponent = 160,
-                             .reflect = 0.06f,
+                             .reflect = 1 / 16.f,
                              .fresnel = true,
-                             .tint = {0.8f, 0.8f, 0.8f}};
-const Material kPlaster = {.texture = plaster({0.76f, 0.73f, 0.68f}), .diffuse = 1};
-const Material kWarmPlaster = {.texture = plaster({0.62f, 0.33f, 0.19f}), .diffuse = 1};
+                             .tint = linear(205, 205, 205)};
+const Material kPlaster = {.texture = plaster(linear(194, 187, 174)), .diffuse = 1};
+const Material kWarmPlaster = {.texture = plaster(linear(159, 84, 49)), .diffuse = 1};
 const Material kBeamAlong = {.texture = kOakAlong, .diffuse = 1};
 const Material kBeamAcross = {.texture = oakBy(Pattern::WoodAcross), .diffuse = 1};
-const Material kGranite = {.texture = kSpeckled, .diffuse = 1, .specular = 0.05f, .exponent = 20};
-const Material kOak = {
-    .texture = kOakAlong, .diffuse = 1, .specular = 0.2f, .exponent = 50, .reflect = 0.03f, .fresnel = true};
+const Material kGranite = {.texture = kSpeckled, .diffuse = 1};
+const Material kOak = {.texture = kOakAlong,
+                       .diffuse = 1,
+                       .specular = 3 / 16.f,
+                       .exponent = 50,
+                       .reflect = 1 / 32.f,
+                       .fresnel = true};
 const Material kGlass = {.texture = plain({}),
-                         .specular = 0.9f,
+                         .specular = 29 / 32.f,
                          .exponent = 400,
                          .ior = 1.5f,
-                         .absorb = {0.22f, 0.10f, 0.13f},
-                         .tint = {0.72f, 0.80f, 0.78f}};
+                         .absorb = linear(56, 26, 33),
+                         .tint = linear(184, 205, 200)};
 const Material kMirror = {.texture = plain({0.5f, 0.5f, 0.5f}),
-                          .diffuse = 0.03f,
-                          .specular = 0.8f,
+                          .specular = 13 / 16.f,
                           .exponent = 300,
-                          .reflect = 0.86f,
+                          .reflect = 55 / 64.f,
                           .fresnel = true,
-                          .tint = {0.96f, 0.97f, 1}};
-const Material kCopper = {.texture = plain({0.72f, 0.34f, 0.18f}),
+                          .tint = linear(246, 248, 256)};
+const Material kCopper = {.texture = plain(linear(184, 87, 46)),
                           .diffuse = 0.25f,
-                          .specular = 0.7f,
+                          .specular = 11 / 16.f,
                           .exponent = 120,
-                          .reflect = 0.55f,
+                          .reflect = 35 / 64.f,
                           .fresnel = true,
-                          .tint = {1, 0.62f, 0.42f}};
+                          .tint = linear(256, 159, 108)};
 
 Material pearl(bool warm, float reflect) {
-    Rgb own = warm ? Rgb{0.66f, 0.30f, 0.17f} : Rgb{0.55f, 0.56f, 0.58f};
+    Rgb own = warm ? linear(169, 77, 44) : linear(141, 143, 148);
     return {.texture = plain(own),
             .diffuse = 0.5f - 0.8f * reflect,
-            .specular = 0.8f,
+            .specular = 13 / 16.f,
             .exponent = 300,
             .reflect = reflect,
             .fresnel = reflect > 0,
-            .tint = warm ? Rgb{1, 0.66f, 0.46f} : Rgb{0.96f, 0.97f, 1}};
+            .tint = warm ? linear(256, 169, 118) : linear(246, 248, 256)};
 }
 Material lamp(const Rgb &radiance) { return {.texture = plain({}), .emit = radiance}; }
 
 Sky duskSky(float row) {
-    Rgb low = {0.13f, 0.115f, 0.135f}, up = Rgb{0.015f, 0.04f, 0.11f} - low;
+    Rgb low = linear(33, 29, 35), up = linear(4, 10, 28) - low;
     Sky sky = plainSky(low, {});
     sky.slope = up * 3.f, sky.curve = up * -2.2f;
     sky.sun = normalize(kDuskSun);
-    sky.near = {2.4f, 1.1f, 0.4f};
-    sky.glow = {0.42f, 0.15f, 0.035f};
-    sky.clouds = {0.55f, 0.20f, 0.11f};
-    sky.cover = 0.4f;
-    sky.drift = row * 0.004f;
+    sky.near = linear(612, 280, 102);
+    sky.glow = linear(108, 38, 9);
+    sky.clouds = linear(141, 51, 28);
+    sky.cover = 13 / 32.f;
+    sky.drift = row / 256;
     return sky;
 }
 

@@ -20,7 +20,7 @@ constexpr Shape side(int i) {
     Shape s =
         box(alongX ? Vec3{0, -0.09f, at} : Vec3{at, -0.09f, 0}, {0.11f, 0.13f, alongX ? 3.22f : 3.0f}, kEdge);
     if (alongX) s.frame = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
-    s.textureShift = {0.3f, 0.9f + 0.7f * (float)i, 2.0f * (float)i};
+    s.textureShift = {0.15f, 0.9f + 0.7f * (float)i, 2.0f * (float)i};
     return s;
 }
 // What does not move: the table, the ground, and a large mirror ball in the middle.

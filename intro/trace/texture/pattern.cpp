@@ -4,42 +4,65 @@
 
 namespace odraz {
 
+static Float8 fract(Float8 x) { return x - floor(x); }
+
 // Fine bright veins where two warped noises cross zero, strong here and faint there, over slow clouds. They
 // have an edge on one side and run out on the other.
 static Float8 marble(const Vec3x8 &p, Float8 width) {
     Float8 warp = fractalNoise(p * broadcast(0.7f), 2, width * 0.7f);
     Vec3x8 bent = p + Vec3x8{warp * 1.3f, warp * -0.9f, warp * 1.1f};
-    Float8 broad = noise(bent), thin = noise(bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f});
-    // A vein widens to what a sample sees, and pales in proportion
-    auto vein = [](Float8 off, Float8 width, Float8 seen) {
+    // Broad veins, and thin ones, which are weaker
+    Float8 strength = saturate(fmadd(warp, 0.875f, 0.5625f)), share = strength, own = 0.02f + 0.1f * strength,
+           seen = width, veins = {};
+    for (int i = 0; i < 2; ++i) {
+        // A vein widens to what a sample sees, and pales in proportion
         constexpr float kEdge = 0.4f; // its share of the width
-        Float8 wide = fmadd(seen, 0.5f, width), edge = fmadd(seen, 1.f, width * kEdge);
+        Float8 off = noise(bent), wide = fmadd(seen, 0.5f, own), edge = fmadd(seen, 1.f, own * kEdge);
         Float8 inside = saturate(1.f - max(off / wide, -off / edge));
-        return inside * inside * (width * (1 + kEdge) / (wide + edge));
-    };
-    Float8 strength = saturate(fmadd(warp, 0.9f, 0.55f));
-    Float8 veins = fmadd(vein(broad, 0.02f + 0.1f * strength, width), strength,
-                         vein(thin, broadcast(0.1f), width * 2.3f) * 0.35f);
-    return saturate(fmadd(warp, 0.16f, 0.22f) + veins * 0.8f);
+        veins = fmadd(inside * inside, own * (1 + kEdge) / (wide + edge) * share, veins);
+        bent = bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f};
+        seen *= 2.3f, own = broadcast(0.1f), share = broadcast(0.35f);
+    }
+    return saturate(fmadd(warp, 0.15625f, 0.21875f) + veins * 0.8125f);
 }
 
-// Growth rings about the local z axis, wavering, with fibres along it.
+// Boards along the local z axis, one unit wide, each cut from a trunk of its own.
 static Float8 wood(const Vec3x8 &p, Float8 width) {
-    Float8 waver = noise(p * broadcast(0.35f));
-    Float8 radius = fmadd(waver, 0.55f, sqrt(fmadd(p.x, p.x, p.y * p.y)));
-    Float8 ring = radius * 2.2f;
-    Float8 f = ring - floor(ring);
-    // Early wood darkens slowly, late wood ends abruptly
-    Float8 shade = f * f * select(f > 0.88f, (1.f - f) * 8.333f, 1.f);
-    shade = fmadd(shade - 0.3f, bandLimit(width * 2.2f, 1.f), 0.3f);
-    Vec3x8 along = {p.x * 9.f, p.y * 9.f, p.z * 0.6f};
-    Float8 fibre = fractalNoise(along, 2, width * 9.f, 3, 0.8f);
-    return saturate(fmadd(fibre, 0.22f, shade * 0.75f + 0.12f));
+    Float8 board = floor(p.x), own = fract(board * 0.625f), x = p.x - board - 0.5f, y = p.y + own + 0.125f;
+    Float8 radius = sqrt(fmadd(x, x, y * y));
+    Float8 waver = noise({radius * 1.5f, board * 7.25f, p.z * 0.375f});
+    constexpr float kRings = 9;
+    Float8 ring = fmadd(waver, 3.f, radius * kRings), year = floor(ring), f = ring - year;
+    // Early wood darkens slowly, late wood ends abruptly; some years more than others
+    Float8 perRing = width * kRings;
+    Float8 shade = min(f * f * fmadd(fract(year * 0.625f), 0.625f, 0.5f), (1.f - f) / max(perRing, 0.0625f));
+    shade = fmadd(shade - 0.25f, bandLimit(perRing, 1.f), 0.25f);
+    Float8 fibre = noise(p * Vec3{32, 32, 1}) * bandLimit(width * 32.f, 1.f);
+    return saturate(fmadd(fibre, 0.1875f, fmadd(own, 0.25f, fmadd(shade, 0.75f, 0.0625f))));
 }
 
-// Noise of several scales about the middle of the palette.
-static Float8 grains(const Vec3x8 &p, int octaves, Float8 width, float finer, float weaker) {
-    return saturate(fmadd(fractalNoise(p, octaves, width, finer, weaker), 0.3f, 0.5f));
+// Granite: crystals are the cells of scattered points (Worley, "A Cellular Texture Basis Function", 1996).
+// Pale ones are larger. Samples as wide as a crystal see the mean, under slow clouds.
+static Float8 stone(const Vec3x8 &p, Float8 width) {
+    Vec3x8 low = {floor(p.x - 0.5f), floor(p.y - 0.5f), floor(p.z - 0.5f)};
+    Float8 least = broadcast(9.f), tone = {}, perEdge = 1.f / fmadd(width, 1.5f, 0.03125f);
+    for (int i = 8; i--;) {
+        Vec3x8 cell = low + Vec3{(float)(i & 1), (float)(i & 2) * 0.5f, (float)(i & 4) * 0.25f};
+        Float8 n = dot(cell, broadcast(Vec3{7.31f, 5.17f, 3.77f})), own = fract(n * fract(n));
+        Vec3x8 to = cell + Vec3x8{fract(own * 17.f), fract(own * 59.f), fract(own * 211.f)} - p;
+        Float8 far = dot(to, to) - own * 0.25f;
+        tone = fmadd(own - tone, saturate(fmadd(least - far, perEdge, 0.5f)), tone);
+        least = min(least, far);
+    }
+    tone = fmadd(tone - 0.5f, bandLimit(width, 1.f), 0.5f);
+    return saturate(fmadd(noise(p * broadcast(0.0625f)), 0.375f, tone));
+}
+
+// Stained in patches and near the floor, and streaked by the trowel.
+static Float8 plaster(const Vec3x8 &p, Float8 width) {
+    Float8 patches = noise(p), bent = patches * 2.f;
+    Float8 streaks = noise(p * Vec3{2.5f, 9, 2.5f} + Vec3x8{bent, bent, bent}) * bandLimit(width * 6.f, 1.f);
+    return saturate(fmadd(streaks + patches + saturate(1.f - abs(p.y)), 0.3125f, 0.4375f));
 }
 
 static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
@@ -51,11 +74,9 @@ static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
     case Pattern::WoodAcross:
         return wood({p.z, p.y, p.x}, width);
     case Pattern::Stone:
-        return grains(p, 3, width, 5, 1.1f);
+        return stone(p, width);
     case Pattern::Plaster:
-        return grains(p, 2, width, 9, 0.75f);
-    case Pattern::Cloud:
-        return fmadd(noise(p), bandLimit(width, 1.f) * 0.5f, 0.5f);
+        return plaster(p, width);
     case Pattern::Plain:
     case Pattern::Count:
         break;

@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Plaster, Cloud, Count };
+enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Plaster, Count };
 
 // The properties of a pattern that other code depends on.
 struct PatternTraits {
@@ -23,12 +23,21 @@ struct PatternTraits {
 
 inline constexpr PatternTraits kPatterns[] = {
     {.pattern = Pattern::Plain, .rough = false, .shares = {1, 0, 0, 0}}, // the first colour alone
-    {.pattern = Pattern::Marble, .rough = true, .shares = {0.29f, 0.655f, 0.046f, 0.009f}},
-    {.pattern = Pattern::Wood, .rough = true, .shares = {0.25f, 0.53f, 0.21f, 0.01f}},       // grows along z
-    {.pattern = Pattern::WoodAcross, .rough = true, .shares = {0.25f, 0.53f, 0.21f, 0.01f}}, // along x
-    {.pattern = Pattern::Stone, .rough = true, .faint = true, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
-    {.pattern = Pattern::Plaster, .rough = false, .faint = true, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
-    {.pattern = Pattern::Cloud, .rough = false, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
+    {.pattern = Pattern::Marble, .rough = true, .shares = {18 / 64.f, 42 / 64.f, 3.5f / 64, 0.5f / 64}},
+    {.pattern = Pattern::Wood,
+     .rough = true,
+     .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // grows along z
+    {.pattern = Pattern::WoodAcross,
+     .rough = true,
+     .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // along x
+    {.pattern = Pattern::Stone,
+     .rough = true,
+     .faint = true,
+     .shares = {8 / 64.f, 18.5f / 64, 23.5f / 64, 14 / 64.f}},
+    {.pattern = Pattern::Plaster,
+     .rough = false,
+     .faint = true,
+     .shares = {1.5f / 64, 38 / 64.f, 24 / 64.f, 0.5f / 64}},
 };
 static_assert(inOrder(kPatterns, &PatternTraits::pattern), "a row for every pattern, in the enum's order");
 

@@ -65,7 +65,7 @@ TEST(Shapes, HaveTheirTraits) {
 
 // Whether two shapes side by side continue each other's texture.
 TEST(Shapes, JoinTheirTexturesOrNot) {
-    Texture cloud = {.pattern = Pattern::Cloud, .scale = 1, .palette = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}};
+    Texture cloud = {.pattern = Pattern::Plaster, .scale = 1, .palette = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}};
     for (const ShapeTraits &traits : kShapeTraits) {
         auto scene = emptyScene();
         scene->add(Material{.texture = cloud, .diffuse = 1});

@@ -25,7 +25,7 @@ Material plain(Rgb colour, float diffuse, float reflect, float specular, float e
 }
 
 Texture cloud(Rgb low, Rgb high, float scale) {
-    return {Pattern::Cloud, 1 / scale, {low, lerp(low, high, 1 / 3.f), lerp(low, high, 2 / 3.f), high}};
+    return {Pattern::Plaster, 1 / scale, {low, lerp(low, high, 1 / 3.f), lerp(low, high, 2 / 3.f), high}};
 }
 
 // A light that is as bright in the middle of the scene as one of this colour that does not fade.
