@@ -71,17 +71,16 @@ Int8 patchAt(const Chart &c, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine, Fl
     Vec3x8 q = p - c.corner;
     float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
     Float8 x = along(c.u, q, perU), y = along(c.v, q, perV);
-    // Along each axis, the share of the sample's ellipse that a line covers. The ellipse is stretched along
-    // the view alone
-    static constexpr float kHalf = 0.008f;
+    // Along each axis, the share of an ellipse that a line covers. The ellipse is stretched along the view
+    // alone. It is twice the sample's: lines of one sample's width have stairs, and sparks where they cross
+    static constexpr float kHalf = 0.01f;
     Float8 stretch = 1.f / max(cosine, 0.02f);
-    auto off = [&](Float8 x, float perUnit, Vec3 axis) {
+    auto cover = [&](Float8 x, float perUnit, Vec3 axis) {
         Float8 distance = abs(x - round(x)) * (1.f / perUnit), slant = dot(d, axis) * stretch;
-        Float8 wide = max(width * sqrt(fmadd(slant, slant, 1.f)), 1e-4f);
-        Float8 cover = min((kHalf + wide * 0.5f - distance) / wide, min(2.f * kHalf / wide, 1.f));
-        return 1.f - max(cover, 0.f);
+        Float8 half = max(width * sqrt(fmadd(slant, slant, 1.f)), 1e-4f);
+        return min((kHalf + half - distance) * 0.5f, min(half, broadcast(kHalf))) / half;
     };
-    clear = off(x, perU, c.u) * off(y, perV, c.v);
+    clear = 1.f - max(max(cover(x, perU, c.u), cover(y, perV, c.v)), 0.f);
     Int8 i = toInt(clamp(x, 0.f, (float)c.patchesAcross - 0.5f)),
          j = toInt(clamp(y, 0.f, (float)c.patchesDown - 0.5f));
     return j * c.patchesAcross + i + c.firstPatch;
