@@ -66,7 +66,7 @@ void poseFlake(const SceneInput &in, Scene &scene) {
     scene.add(Light{kDuskSun * 3.f, {4600, 2900, 1700}, 1.8f});
     scene.add(Light{eye + back * 0.6f + Vec3{back.z, 0.7f, -back.x} * 0.9f,
                     Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.05f), 0.1f});
-    scene.ambientLow = {0.05f, 0.05f, 0.05f};
+    scene.ambientLow = {0.13f, 0.115f, 0.135f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky(in.row + 192);
     scene.exposure = 0.75f;
