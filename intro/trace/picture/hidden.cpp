@@ -34,10 +34,11 @@ static void addDisc(Tile &t, int index) {
     ++d.count;
 }
 
-// Where the eye sees p: there, or in a ball that mirrors it. There the ball's normal halves the angle between
-// the ways to both; that of the first estimate points to the eye.
+// Where the eye sees p: there, or in a floor or a ball that mirrors it. There the ball's normal halves the
+// angle between the ways to both; that of the first estimate points to the eye.
 [[gnu::noinline]] static Vec3 seenAt(const Shape *ball, const Vec3 &eye, const Vec3 &p) {
     if (!ball) return p;
+    if (ball->isFloor()) return {p.x, ball->centre.y * 2 - p.y, p.z};
     Vec3 n = normalize(eye - ball->centre), at = {};
     for (int i = 0; i < 8; ++i) {
         at = fmadd(n, ball->half.x, ball->centre);
@@ -47,13 +48,13 @@ static void addDisc(Tile &t, int index) {
 }
 
 // Adds a line along a shape's longest side, as thick as its second longest is seen, if that is thin. With a
-// mirror: a line along the shape's image in that ball.
+// mirror: a line along the shape's image in that floor or ball.
 static void addThinShape(Tile &t, int index, const Shape *mirror = nullptr) {
     ThinShapes &to = t.s.thin;
     const View &v = t.view;
     const Shape &shape = t.scene.shapes[index];
     if (to.count == kThinShapes) return;
-    float widest = (float)t.quality.coarse * 0.375f, pixel = 1 / v.spread;
+    float widest = (float)t.quality.coarse * 0.125f, pixel = 1 / v.spread;
     // Where in the tile the eye sees a point; returns how far ahead
     auto place = [&](Vec3 p, float &x, float &y) {
         p = seenAt(mirror, v.eye, p);
@@ -64,7 +65,8 @@ static void addThinShape(Tile &t, int index, const Shape *mirror = nullptr) {
     const Bounds &b = t.scene.box[index];
     Vec3 middle = (b.lo + b.hi) * 0.5f;
     // A ball shows things smaller: it mirrors like a lens of half its radius
-    if (mirror) pixel *= mirror->half.x / fmadd(length(middle - mirror->centre), 2.f, -mirror->half.x);
+    if (mirror && mirror->isBall())
+        pixel *= mirror->half.x / fmadd(length(middle - mirror->centre), 2.f, -mirror->half.x);
     float x0, y0, r = length(b.hi - b.lo) * 0.5f, far = place(middle, x0, y0), x = x0, y = y0;
     if (far <= r * 1.1f) return;
     float radius = r / far * pixel * 1.1f;
@@ -112,13 +114,13 @@ void findBallsAndThinShapes(Tile &t) {
         for (int i = 0; i < t.scene.shapeCount; ++i) add(i);
     // What glows is seen in mirrors, however thin it is there
     s.thin.images = s.thin.count;
-    for (int k = 0; k < s.discs.count; ++k) {
-        const Shape &ball = t.scene.shapes[s.discs.shape[k]];
-        if (t.scene.materials[ball.material].reflect < 0.5f) continue;
+    for (int k = -t.scene.unboundedCount; k < s.discs.count; ++k) {
+        const Shape &mirror = t.scene.shapes[k < 0 ? t.scene.unbounded[~k] : s.discs.shape[k]];
+        if (!mirror.isFloor() && t.scene.materials[mirror.material].reflect < 0.5f) continue;
         for (int i = 0; i < t.scene.shapeCount; ++i) {
             const Shape &s = t.scene.shapes[i];
             if (!s.isBall() && s.traits().bounded && t.scene.materials[s.material].onlyGlows())
-                addThinShape(t, i, &ball);
+                addThinShape(t, i, &mirror);
         }
     }
 }
@@ -162,7 +164,7 @@ bool mayHideThin(const Tile &t, Square q, int size, int first) {
         Float8 share = saturate(along / max(square, 1e-12f));
         dx = max(abs(fmadd(share, -alongX, dx)) - half, 0.f),
         dy = max(abs(fmadd(share, -alongY, dy)) - half, 0.f);
-        if (any((fmadd(dx, dx, dy * dy) <= radius * radius) & (radius < (float)size) & (kLanes >= first - i) &
+        if (any((fmadd(dx, dx, dy * dy) <= radius * radius) & (radius < half) & (kLanes >= first - i) &
                 (kLanes < s.count - i)))
             return true;
     }
