@@ -131,7 +131,7 @@ TEST(Lightmap, FindsPatchesAndTheLinesBetweenThem) {
     EXPECT_LT(look(1.5f, 0.25f, 0.5f).second, 1);
 }
 
-// The lines between patches look as with many samples, seen straight and at an angle.
+// The lines between patches look as with many samples over twice the width, seen straight and at an angle.
 TEST(Lightmap, LinesAreFilteredLikeManySamples) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;
@@ -143,7 +143,7 @@ TEST(Lightmap, LinesAreFilteredLikeManySamples) {
             for (float s : {1.3f, 1.45f, 1.49f, 1.5f, 1.52f}) {
                 // Along u it gets longer with the angle
                 Vec3 d = c.u * std::sqrt(1 - cosine * cosine) - c.n * cosine;
-                float wide = width / cosine;
+                float wide = 2 * width / cosine;
                 double sum = 0;
                 constexpr int kSide = 200;
                 for (int i = 0; i < kSide; ++i)
