@@ -104,7 +104,7 @@ void letterPatches(const SceneInput &in, const View &view, Frame &frame) {
     const Hall &hall = *in.hall;
     Step step(in.row);
     float h = (float)frame.height;
-    if (step.number >= 0 && in.row < rowOf(kPatchesMelt))
+    if (step.number >= 0 && in.row < rowOf(kBounce3) + 4)
         drawText(frame, kStages[step.number].name, view.width - h * 0.12f, h * 0.88f, h * 0.032f, 0.085f,
                  1.6f, Align::Right, {0.8f, 0.42f, 0.24f}, 1);
     // One photon: a leg a beat, then into the lens
