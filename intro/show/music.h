@@ -110,7 +110,7 @@ static constexpr Part kParts[] = {
     {kCredits, 0, 1, {kPiano, 2, 2, 150}, 1, 16, 60, 60, "0"},
     {kCredits, 0, 3, {kPad, 4, 5, 150}, 1, 48, 35, 35, "0"},
     {kCredits, 0, 2, {kWind, 6, 1, 100}, 1, 16, 20, 10, "0"},
-    {kCredits, 2, 4, {kGlassDrop, 5, 1, 150}, 4, 16, 60, 40, "Ge..a--e"},
+    {kCredits, 2, 4, {kGlassDrop, 5, 1, 120}, 4, 16, 60, 40, "Ge..a-e-"},
 };
 
 // Event; instrument, octave, tones at once, room; velocity; tone.

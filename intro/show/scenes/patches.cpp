@@ -30,7 +30,7 @@ static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
 static constexpr float kWave = 30; // how far light comes in a row: it is everywhere on the row of the hit
 static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {2.6f, 1.6f, 1.25f},
-                     kSunlight = {6, 4.8f, 3.4f};
+                     kSunlight = {1.2f, 0.8f, 0.5f};
 // The way of a photon from the sun: through a window, to floor, wall and column
 static constexpr Vec3 kPhoton[] = {
     {-7.5f, 6.3f, 3.3f}, {-1.2f, 0, 3.3f}, {1.5f, 3, -9}, {-1.93f, 2.2f, -1.7f}};
