@@ -150,18 +150,8 @@ int splitSquares(Tile &t, int count, int size) {
     return rough;
 }
 
-// Where samples stand in a pixel, from its middle: the first kFirst and, where these differ, the others. A
-// search found these places, together with the weights of the corners below. They give the best estimate of
-// how much of a pixel lies beyond an edge that crosses it. Edges along the axes counted most, as their
-// stairs are longest. The first three are off by 0.074 (rms). A grid of three by three (corners, middles of
-// sides, and the middle) costs one more and is off by 0.096. All twelve are off by 0.033; five by five
-// places are off by 0.038.
-constexpr int kFirst = 3, kInside = 12;
-constexpr float kInsideAt[kInside][2] = {
-    {-0.043f, -0.236f}, {0.242f, -0.006f}, {-0.215f, 0.224f},  {0.365f, -0.226f},
-    {0.37f, 0.158f},    {-0.124f, 0.401f}, {-0.383f, 0.006f},  {0.099f, -0.386f},
-    {-0.143f, -0.082f}, {0.023f, 0.133f},  {-0.316f, -0.323f}, {0.149f, 0.314f},
-};
+// How many samples a pixel takes first, of kMostInside, and the weight of a corner beside them.
+constexpr int kFirst = 3;
 constexpr float kOfCorner = 0.078f, kOfCornerAtLast = 0.038f;
 
 // Takes samples in pixels: kFirst in each, and the others where the quality takes them and the first
@@ -171,7 +161,7 @@ void sampleInside(Tile &t, int count) {
     const Quality &q = t.quality;
     Square *pixels = s.squares[2];
     const __m128 white = _mm_set1_ps(whiteOf(t.scene));
-    for (int from = 0, to = kFirst; count; from = to, to = kInside) {
+    for (int from = 0, to = kFirst; count; from = to, to = kMostInside) {
         int each = to - from, most = kChunk / each, kept = 0;
         bool again = !from && q.fine < 2;
         float ofCorner = from ? kOfCornerAtLast : kOfCorner, ofInside = (1 - 4 * ofCorner) / (float)to;
@@ -179,8 +169,8 @@ void sampleInside(Tile &t, int count) {
             int few = min(count - first, most), samples = 0;
             for (int i = first; i < first + few; ++i)
                 for (int k = from; k < to; ++k) {
-                    s.x[samples] = (float)(t.x0 + pixels[i].x) + 0.5f + kInsideAt[k][0];
-                    s.y[samples] = (float)(t.y0 + pixels[i].y) + 0.5f + kInsideAt[k][1];
+                    s.x[samples] = (float)(t.x0 + pixels[i].x) + 0.5f + kInsideX[k];
+                    s.y[samples] = (float)(t.y0 + pixels[i].y) + 0.5f + kInsideY[k];
                     s.index[samples] = (uint32_t)samples;
                     ++samples;
                 }

@@ -61,6 +61,15 @@ ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
     return (same & kSameId) && c.id ? (int)c.shape() : -1;
 }
 
+// Whether rays find how much of a pixel each shape covers that its corners show (fill.cpp): in `draft`, and
+// near it.
+[[gnu::cold]] inline bool covers(const Tile &t, const uint32_t *c) {
+    const Sample *s = t.s.corners;
+    int one = shapeOrSky(s[c[0]]);
+    return t.quality.edge > 0.3f &&
+           (shapeOrSky(s[c[1]]) != one || shapeOrSky(s[c[2]]) != one || shapeOrSky(s[c[3]]) != one);
+}
+
 // Why a square splits. Hidden: its corners are alike, but there may be a shape between them.
 enum class Split { No, Differs, Hidden };
 
@@ -78,6 +87,9 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
         if (marks || textured || lamps) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
+    if (size == 2 && t.scene.lines == 0 && covers(t, c) && !exceeds(difference, t.quality.edge) &&
+        !mayHideThin(t, a, size, 0))
+        return Split::No;
     // Where surfaces meet, they may differ in their textures alone. Lines between patches stand on all
     // edges
     if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)) ||

@@ -1,5 +1,6 @@
 #include "trace/picture/fill.h"
 
+#include "trace/picture/criterion.h"
 #include "trace/shade/diffuse.h"
 
 namespace odraz {
@@ -42,6 +43,32 @@ struct Bilinear {
     }
 };
 
+// What a pixel shows where the corners of its square show several shapes: eight rays find how much of it each
+// of these covers. Nothing is shaded: the corners give a shape's colour. Rays that miss all of these shapes
+// count as the mean.
+[[gnu::noinline, gnu::cold]] static __m128 covered(const Tile &t, int x, int y, const uint32_t *c,
+                                                   const __m128 *colour, __m128 mean) {
+    Ray8 ray = {broadcast(t.view.eye),
+                normalize(t.view.direction(load(kInsideX) + ((float)(t.x0 + x) + 0.5f),
+                                           load(kInsideY) + ((float)(t.y0 + y) + 0.5f)))};
+    Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
+    int shape[6] = {-1, -1}; // -1: the sky
+    for (int k = 0; k < 4; ++k) {
+        int mine = shape[k + 2] = shapeOrSky(t.s.corners[c[k]]);
+        // Most shapes are shown by corners beside each other
+        if (mine >= 0 && mine != shape[k] && mine != shape[k + 1])
+            takeNearer(hit, distance(t.scene.shapes[mine], ray), mine);
+    }
+    __m128 sum = mean;
+    for (int k = 0; k < 4; ++k) {
+        int mine = shape[k + 2], corners = 0;
+        for (int i = 2; i < 6; ++i) corners += shape[i] == mine;
+        float share = (float)__builtin_popcount((unsigned)laneBits(hit.shape == mine)) / (float)(8 * corners);
+        sum += (colour[k] - mean) * share;
+    }
+    return sum;
+}
+
 void fill(Tile &t, Square q, int size) {
     TileScratch &s = t.s;
     uint32_t c[4];
@@ -57,13 +84,18 @@ void fill(Tile &t, Square q, int size) {
         light[i] = fourOf(k.light);
         rest[i] = lit ? fourOf(k.rest) : radianceOf(k);
     }
-    if (size == 1) {
+    bool covering = size <= 2 && exceeds(rangeOf(s, c), t.quality.markThreshold) && covers(t, c);
+    if (size == 1 || covering) {
         __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
         __m128 white = _mm_set1_ps(whiteOf(t.scene)), r = {}, darkest = rest[0];
-        for (__m128 v : rest) r += _mm_min_ps(v, white), darkest = _mm_min_ps(darkest, v);
-        r = _mm_max_ps(r * 0.25f, darkest);
-        for (int k = 0; k < 3; ++k) s.light[k][at] = l[k], s.rest[k][at] = r[k];
-        s.owner[at] = owner;
+        for (__m128 &v : rest) darkest = _mm_min_ps(darkest, v), v = _mm_min_ps(v, white), r += v * 0.25f;
+        for (int i = 0; i < size * size; ++i) {
+            int x = i % size, y = i / size, p = at + y * kTile + x;
+            __m128 v = covering ? covered(t, x0 + x, y0 + y, c, rest, r) : r;
+            v = _mm_max_ps(v, darkest);
+            for (int k = 0; k < 3; ++k) s.light[k][p] = l[k], s.rest[k][p] = v[k];
+            s.owner[p] = owner;
+        }
         return;
     }
     // A row of the square is one packet
