@@ -66,7 +66,7 @@ ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
 [[gnu::cold]] inline bool covers(const Tile &t, const uint32_t *c) {
     const Sample *s = t.s.corners;
     int one = shapeOrSky(s[c[0]]);
-    return t.quality.edge > 0.3f &&
+    return t.quality.edge > 0.3f && exceeds(rangeOf(t.s, c), t.quality.markThreshold) &&
            (shapeOrSky(s[c[1]]) != one || shapeOrSky(s[c[2]]) != one || shapeOrSky(s[c[3]]) != one);
 }
 
@@ -87,8 +87,7 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
         if (marks || textured || lamps) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
-    if (size == 2 && t.scene.lines == 0 && covers(t, c) && !exceeds(difference, t.quality.edge) &&
-        !mayHideThin(t, a, size, 0))
+    if (size == 2 && t.scene.lines == 0 && covers(t, c) && !exceeds(difference, t.quality.edge))
         return Split::No;
     // Where surfaces meet, they may differ in their textures alone. Lines between patches stand on all
     // edges
