@@ -87,7 +87,8 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
         if (marks || textured || lamps) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
-    if (size == 2 && t.scene.lines == 0 && covers(t, c) && !exceeds(difference, t.quality.edge))
+    if (size == 2 && !(same & kSameId) && t.scene.lines == 0 && covers(t, c) &&
+        !exceeds(difference, t.quality.edge))
         return Split::No;
     // Where surfaces meet, they may differ in their textures alone. Lines between patches stand on all
     // edges

@@ -84,7 +84,7 @@ void fill(Tile &t, Square q, int size) {
         light[i] = fourOf(k.light);
         rest[i] = lit ? fourOf(k.rest) : radianceOf(k);
     }
-    bool covering = size <= 2 && covers(t, c);
+    bool covering = size <= 2 && !same && covers(t, c);
     if (size == 1 || covering) {
         __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
         __m128 white = _mm_set1_ps(whiteOf(t.scene)), r = {}, darkest = rest[0];
