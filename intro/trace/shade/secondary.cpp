@@ -17,8 +17,8 @@ struct Emitter {
     Int8 active;
     Rgb8 ended = {};
 
-    [[gnu::noinline]] void operator()(const Vec3x8 &o, const Vec3x8 &d, const Rgb8 &weight, Float8 width, Float8 spread,
-                    int branch) {
+    [[gnu::noinline]] void operator()(const Vec3x8 &o, const Vec3x8 &d, const Rgb8 &weight, Float8 width,
+                                      Float8 spread, int branch) {
         // What a mirror shows in a mirror fades where a sample spreads over a quarter of a radian
         Float8 kept = saturate(fmadd(spread, -4.f, c.bounces ? 1.5f : 9.f));
         Int8 goes = active & (maxComponent(weight) * kept * c.scene.exposure > c.quality.cutoff);

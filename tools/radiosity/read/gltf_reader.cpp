@@ -13,7 +13,6 @@
 namespace odraz::radiosity {
 
 using common::need;
-using tinygltf::Value;
 
 namespace {
 

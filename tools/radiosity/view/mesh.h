@@ -1,7 +1,7 @@
 // A solved model for OpenGL: triangles of its elements, their outlines, and the edges of its polygons.
 //
-// The geometry is fixed. Light is a separate array with a radiosity for each point, made again when the texels
-// change.
+// The geometry is fixed. Light is a separate array with a radiosity for each point, made again when the
+// texels change.
 #pragma once
 
 #include "tools/radiosity/solution/solution.h"

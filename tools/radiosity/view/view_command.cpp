@@ -37,7 +37,8 @@ void readJob(common::CommandLine &line, Job &job) {
                "its keys when it starts. A room from transfer is relit while it is shown: the right mouse\n"
                "button turns the sky, and the keys 1 to 9 and 0 switch lamps, with Shift from the\n"
                "eleventh on.");
-    line.argument("FILE", job.in, "a file that solve or transfer wrote, or a model: Wavefront OBJ or glTF", false);
+    line.argument("FILE", job.in, "a file that solve or transfer wrote, or a model: Wavefront OBJ or glTF",
+                  false);
     line.option("--screenshot", "FILE.png", job.view.screenshot,
                 "write the picture when all light is found, then exit");
     line.option(
