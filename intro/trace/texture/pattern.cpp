@@ -36,7 +36,7 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
     // Early wood darkens slowly, late wood ends abruptly; some years more than others
     Float8 perRing = width * kRings;
     Float8 shade = min(f * f * fmadd(fract(year * 0.625f), 0.625f, 0.5f), (1.f - f) / max(perRing, 0.0625f));
-    shade = fmadd(shade - 0.25f, bandLimit(perRing, 1.f), 0.25f);
+    shade = fmadd(shade - 0.25f, bandLimit(perRing, 2.f), 0.25f);
     Float8 fibre = noise(p * Vec3{32, 32, 1}) * bandLimit(width * 32.f, 1.f);
     return saturate(fmadd(fibre, 0.1875f, fmadd(own, 0.25f, fmadd(shade, 0.75f, 0.0625f))));
 }
@@ -54,7 +54,7 @@ static Float8 stone(const Vec3x8 &p, Float8 width) {
         tone = fmadd(own - tone, saturate(fmadd(least - far, perEdge, 0.5f)), tone);
         least = min(least, far);
     }
-    tone = fmadd(tone - 0.5f, bandLimit(width, 1.f), 0.5f);
+    tone = fmadd(tone - 0.5f, bandLimit(width, 3.f), 0.5f);
     return saturate(fmadd(noise(p * broadcast(0.0625f)), 0.375f, tone));
 }
 

@@ -19,9 +19,9 @@ TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
     };
     double draft = of(QualityName::Draft), play = of(QualityName::Play), film = of(QualityName::Film);
     EXPECT_GT(draft, 30);
-    EXPECT_GT(play, draft + 2);
+    EXPECT_GT(play, draft + 1);
     EXPECT_GT(film, play + 2);
-    EXPECT_GT(film, 37.5); // at this size boards and stones have grain finer than a pixel
+    EXPECT_GT(film, 36); // at this size crystals and boards have detail finer than a pixel
 }
 
 // The steps between qualities that the governor takes: each saves samples and costs accuracy, and none is
