@@ -49,7 +49,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
     scene.exposure = value(track(kExposure), in.row);
     // The night outside dims with the door, or the entrance would outshine the word before it
-    scene.sky.low = Rgb{0.008f, 0.012f, 0.02f} * min(0.3f + burn, 1.f);
+    scene.sky.low = Rgb{0.004f, 0.006f, 0.01f} * min(0.3f + burn, 1.f);
     scene.sky.cover = 0;
     // As the door dies, a cold light comes up behind it: the last ball keeps its outline and its shadow
     if (float cold = 0.7f - burn; cold > 0)

@@ -68,7 +68,7 @@ TEST(Between, IsNearerToTheTruthThanADraft) {
         double anew = (double)tracedAnew(film().between) / (kWidth * kHeight);
         std::printf("%s at %g s: %.1f dB, draft %.1f, traced anew %.2f %%\n", sceneName(sceneAt(seconds)),
                     seconds, between, draft, 100 * anew);
-        EXPECT_GT(between, std::fmin(draft + 0.5, 42)) << seconds; // above that no difference is seen
+        EXPECT_GT(between, std::fmin(draft + 0.2, 42)) << seconds; // above that no difference is seen
         EXPECT_LT(anew, 0.2) << seconds;
     }
 }
