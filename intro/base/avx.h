@@ -5,7 +5,9 @@
 // part has a guard of its own.
 #pragma once
 
-#if defined(__GNUC__) && !defined(__clang__) && !defined(_IMMINTRIN_H_INCLUDED)
+#ifdef __wasm__
+#include "base/wasm.h"
+#elif defined(__GNUC__) && !defined(__clang__) && !defined(_IMMINTRIN_H_INCLUDED)
 #define _IMMINTRIN_H_INCLUDED
 // clang-format off
 #include <smmintrin.h> // and all SSE before it

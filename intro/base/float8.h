@@ -27,7 +27,13 @@ ODRAZ_INLINE Int8 broadcast(int32_t x) { return x - Int8{}; }
 
 // --- The same name for one float and for eight ---
 
+#ifdef __wasm__ // has it for four alone
+ODRAZ_INLINE float fmadd(float a, float b, float c) {
+    return wasm::madd(_mm_set1_ps(a), _mm_set1_ps(b), _mm_set1_ps(c))[0];
+}
+#else
 ODRAZ_INLINE float fmadd(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+#endif
 ODRAZ_INLINE Float8 fmadd(Float8 a, Float8 b, Float8 c) { return _mm256_fmadd_ps(a, b, c); }
 
 ODRAZ_INLINE float sqrt(float x) { return __builtin_sqrtf(x); }

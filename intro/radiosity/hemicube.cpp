@@ -12,6 +12,14 @@ constexpr int kVertices = 1 << 16; // that are laid out before a draw call
 // A vertex: x, y, w in the atlas; place on the chart, in patches; first patch + 1; patches across and down
 constexpr int kFloats = 7;
 
+#ifdef __wasm__ // WebGL 2, without depth clamp: depth is in the middle of what is kept
+#define ODRAZ_VERSION "#version 300 es\nprecision highp float;precision highp int;\n"
+#define ODRAZ_KEPT "0."
+#else
+#define ODRAZ_VERSION "#version 330\n"
+#define ODRAZ_KEPT "d"
+#endif
+
 // Backs are drawn slightly deeper than they are: along a silhouette, where a front shares their edge, the
 // front wins
 constexpr char kVertexShader[] = "layout(location=0)in vec3 p;"
@@ -19,7 +27,7 @@ constexpr char kVertexShader[] = "layout(location=0)in vec3 p;"
                                  "layout(location=2)in uvec2 c;"
                                  "out vec2 s;flat out uvec2 f;flat out float d;"
                                  "uniform float n;"
-                                 "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy,d,p.z);s=q;f=c;}";
+                                 "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy," ODRAZ_KEPT ",p.z);s=q;f=c;}";
 // Without reversed depth (D) it writes 1/w itself
 constexpr char kFragmentShader[] =
     "in vec2 s;flat in uvec2 f;flat in float d;out uint o;"
@@ -163,7 +171,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h.program = gl.glCreateProgram();
     for (int i = 0; i < 2; ++i) {
         GLuint shader = gl.glCreateShader(i ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER);
-        const char *sources[2] = {h.clipControl ? "#version 330\n" : "#version 330\n#define D\n",
+        const char *sources[2] = {h.clipControl ? ODRAZ_VERSION : ODRAZ_VERSION "#define D\n",
                                   i ? kFragmentShader : kVertexShader};
         gl.glShaderSource(shader, 2, sources, nullptr);
         gl.glCompileShader(shader);

@@ -29,7 +29,9 @@ namespace {
 // Keeps x in a register or on the stack. Otherwise a constant is made again in every round of a loop, in up
 // to three steps.
 template <class T> ODRAZ_INLINE T kept(T x) {
+#ifndef __wasm__ // which has no registers
     asm("" : "+x"(x));
+#endif
     return x;
 }
 

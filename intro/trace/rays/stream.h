@@ -43,11 +43,27 @@ struct Eight {
 };
 
 // The permutation that moves the lanes of a mask to the front.
+#ifdef __wasm__
+struct PackedOrders {
+    uint64_t order[256] = {};
+    constexpr PackedOrders() {
+        for (int mask = 0; mask < 256; ++mask)
+            for (int lane = 0, n = 0; lane < 8; ++lane)
+                if (mask >> lane & 1) order[mask] |= (uint64_t)lane << 8 * n++;
+    }
+};
+inline constexpr PackedOrders kPackedOrders;
+ODRAZ_INLINE Int8 packedOrder(int mask) {
+    using Bytes = uint8_t __attribute__((vector_size(8)));
+    return __builtin_convertvector((Bytes)kPackedOrders.order[mask], Int8);
+}
+#else
 ODRAZ_INLINE Int8 packedOrder(int mask) {
     uint64_t bytes = _pdep_u64((uint64_t)mask, 0x0101010101010101) * 255;
     uint64_t order = _pext_u64(0x0706050403020100, bytes);
     return (Int8)_mm256_cvtepu8_epi32(_mm_cvtsi64_si128((int64_t)order));
 }
+#endif
 ODRAZ_INLINE Float8 permute(Float8 v, Int8 order) { return _mm256_permutevar8x32_ps(v, (__m256i)order); }
 ODRAZ_INLINE Int8 permute(Int8 v, Int8 order) { return (Int8)permute((Float8)v, order); }
 
