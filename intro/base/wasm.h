@@ -1,8 +1,8 @@
-// The instructions of base/avx.h for WebAssembly: each on the two halves of a register, in 128-bit SIMD and its
-// relaxed part.
+// The instructions of base/avx.h for WebAssembly: each on the two halves of a register, in 128-bit SIMD and
+// its relaxed part.
 //
-// A fused multiply-add is one wherever the processor has it (every ARM, x86-64 since 2013); elsewhere, and where
-// a number is not in range or a NaN, an engine may differ from another in the last bit.
+// A fused multiply-add is one wherever the processor has it (every ARM, x86-64 since 2013); elsewhere, and
+// where a number is not in range or a NaN, an engine may differ from another in the last bit.
 #pragma once
 
 #include <stddef.h>
@@ -30,8 +30,14 @@ using B32 = uint8_t __attribute__((vector_size(32)));
 using D4 = double __attribute__((vector_size(32)));
 using L4 = long long __attribute__((vector_size(32)));
 
-template <class T> ODRAZ_W F4 low(T x) { F8 v = (F8)x; return __builtin_shufflevector(v, v, 0, 1, 2, 3); }
-template <class T> ODRAZ_W F4 high(T x) { F8 v = (F8)x; return __builtin_shufflevector(v, v, 4, 5, 6, 7); }
+template <class T> ODRAZ_W F4 low(T x) {
+    F8 v = (F8)x;
+    return __builtin_shufflevector(v, v, 0, 1, 2, 3);
+}
+template <class T> ODRAZ_W F4 high(T x) {
+    F8 v = (F8)x;
+    return __builtin_shufflevector(v, v, 4, 5, 6, 7);
+}
 template <class T> ODRAZ_W F8 join(T a, T b) {
     return __builtin_shufflevector((F4)a, (F4)b, 0, 1, 2, 3, 4, 5, 6, 7);
 }
@@ -42,12 +48,22 @@ template <class F> ODRAZ_W F8 both(F8 a, F8 b, const F &f) {
 template <class F> ODRAZ_W F8 both(F8 a, F8 b, F8 c, const F &f) {
     return join((F4)f(low(a), low(b), low(c)), (F4)f(high(a), high(b), high(c)));
 }
-template <class T, class P> ODRAZ_W T read(const P *p) { T v; __builtin_memcpy(&v, p, sizeof v); return v; }
+// By functions of <wasm_simd128.h>
+template <class T, class F> ODRAZ_W T each(T a, T b, const F &f) {
+    return (T)join((F4)f((v128_t)low(a), (v128_t)low(b)), (F4)f((v128_t)high(a), (v128_t)high(b)));
+}
+template <class T, class P> ODRAZ_W T read(const P *p) {
+    T v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
 template <class T, class P> ODRAZ_W void write(P *p, T v) { __builtin_memcpy(p, &v, sizeof v); }
 
 #ifdef __wasm_relaxed_simd__
 ODRAZ_W F4 madd(F4 a, F4 b, F4 c) { return (F4)__builtin_wasm_relaxed_madd_f32x4(a, b, c); }
-ODRAZ_W F4 blend(F4 a, F4 b, F4 m) { return (F4)__builtin_wasm_relaxed_laneselect_i32x4((I4)b, (I4)a, (I4)m); }
+ODRAZ_W F4 blend(F4 a, F4 b, F4 m) {
+    return (F4)__builtin_wasm_relaxed_laneselect_i32x4((I4)b, (I4)a, (I4)m);
+}
 ODRAZ_W F4 truncated(F4 x) { return (F4)__builtin_wasm_relaxed_trunc_s_i32x4_f32x4(x); }
 #else // rounded twice: pictures differ
 ODRAZ_W F4 madd(F4 a, F4 b, F4 c) { return a * b + c; }
@@ -66,11 +82,13 @@ ODRAZ_W int signs(F4 a) { return (int)__builtin_wasm_bitmask_i32x4((I4)a); }
 // --- Eight floats ---
 ODRAZ_W __m256 _mm256_fmadd_ps(__m256 a, __m256 b, __m256 c) { return W both(a, b, c, W madd); }
 ODRAZ_W __m256 _mm256_fmsub_ps(__m256 a, __m256 b, __m256 c) { return W both(a, b, -c, W madd); }
-ODRAZ_W __m256 _mm256_sqrt_ps(__m256 a) { return W both(a, [](W F4 x) { return (W F4)wasm_f32x4_sqrt((v128_t)x); }); }
-ODRAZ_W __m256 _mm256_floor_ps(__m256 a) { return W both(a, [](W F4 x) { return (W F4)wasm_f32x4_floor((v128_t)x); }); }
+ODRAZ_W __m256 _mm256_sqrt_ps(__m256 a) { return W both(a, [](W F4 x) { return wasm_f32x4_sqrt((v128_t)x); }); }
+ODRAZ_W __m256 _mm256_floor_ps(__m256 a) { return W both(a, [](W F4 x) { return wasm_f32x4_floor((v128_t)x); }); }
 #define _MM_FROUND_TO_NEAREST_INT 0
 #define _MM_FROUND_NO_EXC 8
-ODRAZ_W __m256 _mm256_round_ps(__m256 a, int) { return W both(a, [](W F4 x) { return (W F4)wasm_f32x4_nearest((v128_t)x); }); }
+ODRAZ_W __m256 _mm256_round_ps(__m256 a, int) {
+    return W both(a, [](W F4 x) { return wasm_f32x4_nearest((v128_t)x); });
+}
 ODRAZ_W __m256 _mm256_min_ps(__m256 a, __m256 b) { return W both(a, b, W min4); }
 ODRAZ_W __m256 _mm256_max_ps(__m256 a, __m256 b) { return W both(a, b, W max4); }
 ODRAZ_W __m256 _mm256_blendv_ps(__m256 a, __m256 b, __m256 m) {
@@ -95,12 +113,18 @@ ODRAZ_W __m256 _mm256_i32gather_ps(const float *p, __m256i at, int) {
     return W F8{p[i[0]], p[i[1]], p[i[2]], p[i[3]], p[i[4]], p[i[5]], p[i[6]], p[i[7]]};
 }
 // Only where the mask is set; the rest stays, but is written again
-ODRAZ_W void _mm256_maskstore_ps(float *p, __m256i m, __m256 v) { W write(p, _mm256_blendv_ps(W read<__m256>(p), v, (__m256)m)); }
+ODRAZ_W void _mm256_maskstore_ps(float *p, __m256i m, __m256 v) {
+    W write(p, _mm256_blendv_ps(W read<__m256>(p), v, (__m256)m));
+}
 ODRAZ_W void _mm256_maskstore_epi32(int *p, __m256i m, __m256i v) { _mm256_maskstore_ps((float *)p, m, (__m256)v); }
 
 // --- Lanes in another order ---
-ODRAZ_W W F4 half_(__m256 a, __m256 b, int k) { return k == 0 ? W low(a) : k == 1 ? W high(a) : k == 2 ? W low(b) : W high(b); }
-ODRAZ_W __m256 _mm256_permute2f128_ps(__m256 a, __m256 b, int k) { return W join(half_(a, b, k & 3), half_(a, b, k >> 4 & 3)); }
+ODRAZ_W W F4 half_(__m256 a, __m256 b, int k) {
+    return k == 0 ? W low(a) : k == 1 ? W high(a) : k == 2 ? W low(b) : W high(b);
+}
+ODRAZ_W __m256 _mm256_permute2f128_ps(__m256 a, __m256 b, int k) {
+    return W join(half_(a, b, k & 3), half_(a, b, k >> 4 & 3));
+}
 // The order is a constant: two bits a lane
 #define _mm256_permute_ps(a, k) \
     __builtin_shufflevector((__m256)(a), (__m256)(a), (k) & 3, (k) >> 2 & 3, (k) >> 4 & 3, (k) >> 6 & 3, \
@@ -113,15 +137,23 @@ ODRAZ_W __m256i _mm256_permutevar8x32_epi32(__m256i a, __m256i at) {
     W I8 bytes = ((W I8)at & 7) * 0x04040404 + 0x03020100;
     auto pick = [&](W F4 which) {
         W B16 w = (W B16)which;
-        return (W F4)((W I4)wasm_i8x16_swizzle((v128_t)W low(a), (v128_t)w) | (W I4)wasm_i8x16_swizzle((v128_t)W high(a), (v128_t)(w - 16)));
+        return (W F4)(wasm_i8x16_swizzle((v128_t)W low(a), (v128_t)w) |
+                      wasm_i8x16_swizzle((v128_t)W high(a), (v128_t)(w - 16)));
     };
     return (__m256i)W both((__m256)bytes, pick);
 }
-ODRAZ_W __m256 _mm256_permutevar8x32_ps(__m256 a, __m256i at) { return (__m256)_mm256_permutevar8x32_epi32((__m256i)a, at); }
-ODRAZ_W __m256 _mm256_unpacklo_ps(__m256 a, __m256 b) { return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13); }
-ODRAZ_W __m256 _mm256_unpackhi_ps(__m256 a, __m256 b) { return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15); }
+ODRAZ_W __m256 _mm256_permutevar8x32_ps(__m256 a, __m256i at) {
+    return (__m256)_mm256_permutevar8x32_epi32((__m256i)a, at);
+}
+ODRAZ_W __m256 _mm256_unpacklo_ps(__m256 a, __m256 b) {
+    return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+}
+ODRAZ_W __m256 _mm256_unpackhi_ps(__m256 a, __m256 b) {
+    return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+}
 ODRAZ_W __m256 _mm256_hadd_ps(__m256 a, __m256 b) {
-    return __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14) + __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15);
+    return __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14) +
+            __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15);
 }
 ODRAZ_W __m256 _mm256_addsub_ps(__m256 a, __m256 b) {
     return a + (__m256)((W I8)b ^ W I8{INT32_MIN, 0, INT32_MIN, 0, INT32_MIN, 0, INT32_MIN, 0});
@@ -142,7 +174,7 @@ ODRAZ_W __m256i _mm256_add_epi16(__m256i a, __m256i b) { return (__m256i)((W S16
 ODRAZ_W __m256i _mm256_srai_epi16(__m256i a, int k) { return (__m256i)((W S16)a >> (int16_t)k); }
 ODRAZ_W __m256i _mm256_set1_epi16(short x) { return (__m256i)(x - W S16{}); }
 ODRAZ_W __m256i _mm256_madd_epi16(__m256i a, __m256i b) {
-    return (__m256i)W both((__m256)a, (__m256)b, [](W F4 a, W F4 b) { return (W F4)wasm_i32x4_dot_i16x8((v128_t)a, (v128_t)b); });
+    return W each(a, b, wasm_i32x4_dot_i16x8);
 }
 // Without saturation, which we never need
 ODRAZ_W __m256i _mm256_maddubs_epi16(__m256i a, __m256i b) {
@@ -151,18 +183,20 @@ ODRAZ_W __m256i _mm256_maddubs_epi16(__m256i a, __m256i b) {
     return (__m256i)(even + (W S16)((U16)a >> (uint16_t)8) * ((W S16)b >> (int16_t)8));
 }
 ODRAZ_W __m256i _mm256_packus_epi16(__m256i a, __m256i b) {
-    return (__m256i)W both((__m256)a, (__m256)b, [](W F4 a, W F4 b) { return (W F4)wasm_u8x16_narrow_i16x8((v128_t)a, (v128_t)b); });
+    return W each(a, b, wasm_u8x16_narrow_i16x8);
 }
 ODRAZ_W __m256i _mm256_shuffle_epi8(__m256i a, __m256i at) {
-    return (__m256i)W both((__m256)a, (__m256)at, [](W F4 a, W F4 at) { return (W F4)wasm_i8x16_swizzle((v128_t)a, (v128_t)at); });
+    return W each(a, at, wasm_i8x16_swizzle);
 }
 ODRAZ_W __m256i _mm256_unpacklo_epi8(__m256i a, __m256i b) {
     return (__m256i)W both((__m256)a, (__m256)b, [](W F4 a, W F4 b) {
-        return (W F4)__builtin_shufflevector((W B16)a, (W B16)b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23); });
+        return (W F4)__builtin_shufflevector((W B16)a, (W B16)b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20,
+            5, 21, 6, 22, 7, 23); });
 }
 ODRAZ_W __m256i _mm256_unpackhi_epi8(__m256i a, __m256i b) {
     return (__m256i)W both((__m256)a, (__m256)b, [](W F4 a, W F4 b) {
-        return (W F4)__builtin_shufflevector((W B16)a, (W B16)b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31); });
+        return (W F4)__builtin_shufflevector((W B16)a, (W B16)b, 8, 24, 9, 25, 10, 26, 11, 27, 12,
+            28, 13, 29, 14, 30, 15, 31); });
 }
 ODRAZ_W __m256i _mm256_srli_si256(__m256i a, int) { // by 8
     W L4 v = (W L4)a;
@@ -174,7 +208,7 @@ ODRAZ_W __m256i _mm256_cvtepu16_epi32(__m128i a) {
 }
 
 ODRAZ_W __m256i _mm256_packs_epi32(__m256i a, __m256i b) {
-    return (__m256i)W both((__m256)a, (__m256)b, [](W F4 a, W F4 b) { return (W F4)wasm_i16x8_narrow_i32x4((v128_t)a, (v128_t)b); });
+    return W each(a, b, wasm_i16x8_narrow_i32x4);
 }
 
 // --- Four at a time ---

@@ -82,7 +82,7 @@ judge(@planted) if @planted;
 
 # --- System headers: the engine is freestanding, and the system stays behind host/linux and host/windows ---
 my $own = qr{^intro/(maker/|record\.|main_debug\.|host/linux/)};
-my %special = ('intro/base/avx.h' => qr{intrin\.h$}, 'intro/base/gl.h' => qr{^GL/}, 'intro/host/cpu.cpp' => qr{^cpuid\.h$});
+my %special = ('intro/base/avx.h' => qr{intrin\.h$}, 'intro/base/wasm.h' => qr{^wasm_simd128\.h$}, 'intro/base/gl.h' => qr{^GL/}, 'intro/host/cpu.cpp' => qr{^cpuid\.h$});
 sub judge_system {
     my ($file, $header) = @_;
     return if $file =~ $own || $header =~ /^(stddef\.h|stdint\.h|initializer_list)$/;

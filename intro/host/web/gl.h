@@ -1,0 +1,27 @@
+// OpenGL as the page provides it: the functions that hemicubes use, imported from gl.js.
+#pragma once
+
+#include "base/gl.h"
+
+namespace odraz {
+
+// clang-format off
+#define ODRAZ_WEB_GL(F) \
+    F(glGenFramebuffers) F(glBindFramebuffer) F(glCheckFramebufferStatus) F(glReadPixels) F(glGetIntegerv) \
+    F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) F(glFramebufferRenderbuffer) \
+    F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) F(glAttachShader) F(glLinkProgram) \
+    F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) F(glUniform1fv) F(glGenVertexArrays) \
+    F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) F(glBufferData) F(glVertexAttribPointer) \
+    F(glVertexAttribIPointer) F(glEnableVertexAttribArray) F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) \
+    F(glClearBufferuiv) F(glClearBufferfv) F(glDrawArrays) F(glDeleteFramebuffers) F(glDeleteRenderbuffers) \
+    F(glDeleteBuffers) F(glDeleteShader) F(glDeleteProgram) F(glDeleteVertexArrays)
+// clang-format on
+
+inline void fillGl(Gl &gl) {
+    gl = {};
+#define ODRAZ_WEB_TAKE(name) gl.name = ::name;
+    ODRAZ_WEB_GL(ODRAZ_WEB_TAKE)
+#undef ODRAZ_WEB_TAKE
+}
+
+} // namespace odraz

@@ -1,0 +1,232 @@
+// The film as a page: main() gets the program (main_web.cpp) as bytes, and the scripts of its workers as text.
+const main = async (wasm, scripts) => {
+  const of = selector => document.querySelector(selector), body = document.body
+  const canvas = of('canvas'), bar = of('i'), button = of('b'), word = of('p'), printed = of('pre')
+  const q = new URLSearchParams(location.search), now = () => performance.now(), opened = now()
+  const kRate = 48000, kBlock = 240
+  let over
+  const say = text => word.textContent = text
+  const fail = what => { over = 1; button.textContent = ''; say(what) }
+  onerror = onunhandledrejection = e => fail('The film has stopped: ' + (e.reason?.message ?? e.message ?? e))
+
+  // --- What the browser lacks ---
+  const can = code => { // a function of no parameters that returns a vector
+    const body = [1, code.length + 2, 0, ...code, 11]
+    const parts = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, body.length, ...body]
+    return WebAssembly.validate(new Uint8Array(parts))
+  }
+  const kZero = [65, 0, 253, 15] // i32.const 0, i8x16.splat
+  if (!can(kZero)) return fail('This browser has no WebAssembly SIMD, which every browser since 2023 has.')
+  if (!self.AudioContext) return fail('This browser has no Web Audio, which plays the music.')
+  const relaxed = can([...kZero, ...kZero, ...kZero, 253, 133, 2])
+  const module = await WebAssembly.compile(relaxed ? wasm : plain(wasm))
+  const x = (await WebAssembly.instantiate(module, { env: new Proxy({}, { get: () => () => 0 }) })).exports
+
+  // --- Workers: as large as the screen is what they draw, so that they are ready before the click ---
+  const cores = navigator.hardwareConcurrency || 2, count = Math.min(cores, 8), most = cores > 4 ? 1920 : 1280
+  const full = q.get('full') != '0', dpr = devicePixelRatio || 1
+  const [across, down] = (full ? [screen.width, screen.height] : [innerWidth, innerHeight]).sort((a, b) => b - a)
+  const w = Math.max(16, Math.min(most, Math.round(across * dpr))), h = Math.max(9, Math.round(w * down / across))
+  canvas.width = w, canvas.height = h
+  const draw = canvas.getContext('2d', { alpha: false })
+  const url = URL.createObjectURL(new Blob([scripts], { type: 'text/javascript' }))
+  const start = (heard, ...first) => {
+    const k = new Worker(url)
+    k.onerror = e => fail('The film has stopped: ' + e.message)
+    k.onmessage = ({ data }) => data.wrong ? fail(data.wrong) : heard(data, k)
+    k.postMessage(first)
+    return k
+  }
+  const paint = rgba => draw.putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), w, h), 0, 0)
+
+  // --- Pictures: each worker makes the next run that nobody has ---
+  const from = +q.get('from') || 0, duration = x.duration(), ready = [], idle = []
+  let run, planned = from, length = 0, hall, solved = 0, unlit, playing
+  let shown = 0, skipped = 0, first = 0, shownTime = -1
+  x.begin(from, w, h)
+  const filmAt = () => !playing ? -1e9 : holds.size ? stopped : x.at(now())
+  const give = () => {
+    while (playing != null && idle.length && !over) {
+      const film = filmAt()
+      if (planned >= duration || planned > Math.max(film, from) + length * count + 0.3) return
+      if (!run) {
+        const planned = [...new Float64Array(x.memory.buffer, x.plan(film, count, 1), 8)]
+        const [time, step, before, between, traced, level, width, height] = planned
+        run = { time, step, before, between, traced, level, width, height }
+        length = traced * step
+      }
+      const last = run.time + (run.traced - 1) * run.step
+      if (!hall && x.lit(last)) {
+        if (!unlit) return // not yet
+        planned = last, run = null // left out
+        continue
+      }
+      const k = idle.pop()
+      if (hall && !k.lit) k.postMessage(['light', hall]), k.lit = 1
+      k.postMessage(['run', run])
+      planned = last, run = null
+    }
+  }
+  const heard = (d, k) => {
+    if (d.rgba) {
+      if (d.still) return playing == null && paint(d.rgba)
+      ready.push(d)
+      ready.sort((a, b) => a.time - b.time)
+    }
+    const r = d.run
+    if (r) x.spent(r.traced, d.trace / r.traced / 1e3, d.made && d.make / d.made / 1e3, d.made && r.between, count)
+    if (d.idle) idle.push(k), give()
+  }
+  const tracers = Array.from({ length: count }, () => start(heard, 'trace', module, w, h))
+  tracers[0].postMessage(['still', 35, 1])
+  const leaveOut = why => {
+    unlit = `The light of the hall could not be solved (${why}): the scenes from 64 to 152 s are left out.`
+    release('hall'), give()
+  }
+  let solver = start(d => {
+    if (d.progress) solved = d.progress
+    if (d.hall) hall = d.hall, solver.terminate(), release('hall'), give()
+  }, 'solve', module, w, h)
+  const solverWrong = solver.onmessage
+  solver.onmessage = e => e.data.wrong ? leaveOut(e.data.wrong) : solverWrong(e)
+  solver.onerror = e => leaveOut(e.message)
+
+  // --- Music: scheduled twenty seconds ahead, so that it goes on whatever else the machine does ---
+  const kChunk = 100, kAhead = 20 // blocks at a time; seconds
+  let audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0
+  const waiting = []
+  const composer = start(d => {
+    if (!d.left) return
+    const b = audio.createBuffer(2, d.left.length, kRate)
+    b.copyToChannel(d.left, 0), b.copyToChannel(d.right, 1)
+    waiting.push(b)
+    schedule()
+  }, 'compose', module, Math.round(from * kRate / kBlock))
+  const seconds = kChunk * kBlock / kRate
+  const compose = () => {
+    const most = kAhead + Math.max(0, filmAt() - from)
+    for (; !silent && asked * seconds < most; ++asked) composer.postMessage(['sound', kChunk])
+  }
+  const schedule = () => {
+    while (zero != null && waiting.length) {
+      const s = audio.createBufferSource(), when = zero + scheduled++ * seconds
+      const late = Math.max(0, audio.currentTime + 0.02 - when)
+      s.buffer = waiting.shift()
+      s.connect(gain)
+      if (late < seconds) s.start(when + late, late)
+    }
+  }
+  // The film's time that is heard now
+  const heardAt = t => {
+    const { contextTime, performanceTime } = audio.getOutputTimestamp?.() ?? {}
+    return from - zero + (contextTime > 0 ? contextTime + (t - performanceTime) / 1e3
+      : audio.currentTime - (audio.outputLatency || 0))
+  }
+
+  // --- The clock stands while something holds the film ---
+  const holds = new Set
+  let stopped = from
+  const hold = why => {
+    if (!holds.size) stopped = playing ? x.at(now()) : from, audio?.suspend()
+    holds.add(why)
+  }
+  const release = why => {
+    if (!holds.delete(why) || holds.size) return
+    const t = now()
+    if (!playing) {
+      playing = 1
+      if (!silent) zero = audio.currentTime + 0.1, schedule()
+    } else audio.resume()
+    x.start(stopped - (silent ? 0 : 0.1), t)
+    settled = t + 400
+    say(unlit && x.lit(stopped) ? unlit : '')
+  }
+
+  // --- A refresh of the screen ---
+  let lastSixtieth = -1, begun
+  const step = () => {
+    if (over) return
+    const t = now()
+    if (holds.has('start')) {
+      const needs = x.lit(from) && !hall && !unlit, share = Math.min(1, ready.length / 3)
+      bar.style.width = 100 * (needs ? solved * 0.8 : (x.lit(from) ? 0.8 + share / 5 : share)) + '%'
+      say(needs ? 'The light of the hall is being solved.' : '')
+      if (audio.state != 'running' && t - clicked > 1500) silent = 1
+      const heard = silent || audio.state == 'running' && waiting.length > 3
+      if (heard && (ready.length >= 3 || unlit && x.lit(from))) bar.style.width = 0, begun = now(), release('start')
+    } else if (!holds.size) {
+      if (!silent && audio.currentTime > zero) t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
+      const film = x.at(t)
+      if (film >= duration) return end()
+      if (x.lit(film) && !hall) {
+        if (!unlit) hold('hall')
+        else say(unlit), draw.fillRect(0, 0, w, h)
+      } else if (unlit && word.textContent) say('')
+      let p
+      while (ready.length && ready[0].time <= film) p && ++skipped, p = ready.shift()
+      if (p && p.time > shownTime) {
+        paint(p.rgba)
+        if (!shown++) first = now()
+        const sixtieth = Math.floor((now() - begun) * 0.06)
+        const missed = lastSixtieth < 0 ? 0 : Math.max(0, sixtieth - lastSixtieth - 1)
+        x.shown(p.time, p.trace ?? 0, p.make ?? 0, now() - t, p.samples ?? 0, p.width ?? 0, missed)
+        lastSixtieth = sixtieth
+        shownTime = p.time
+      }
+    } else if (holds.has('hall')) {
+      say('The light of the hall is being solved.')
+      bar.style.width = 100 * solved + '%'
+    }
+    compose()
+    give()
+    requestAnimationFrame(step)
+  }
+  const statistics = () => {
+    const b = new Uint8Array(x.memory.buffer, x.statistics((first - clicked) / 1e3), 4096)
+    return new TextDecoder().decode(b.slice(0, b.indexOf(0)))
+  }
+  if (q.has('stats')) setInterval(() => { if (shown) printed.textContent = statistics() }, 1000)
+  const end = () => {
+    over = 1
+    audio.close()
+    document.exitFullscreen?.().catch(() => {})
+    if (q.has('stats')) printed.textContent = statistics()
+    else location.reload()
+  }
+
+  // --- The viewer ---
+  let clicked
+  const fullScreen = () => full && document.documentElement.requestFullscreen?.().catch(() => {})
+  const play = () => {
+    if (over) return
+    if (playing != null) return audio.resume()
+    playing = 0, clicked = now()
+    body.className = 'on'
+    draw.fillRect(0, 0, w, h)
+    fullScreen()
+    audio = new AudioContext({ sampleRate: kRate })
+    audio.resume()
+    gain = audio.createGain()
+    gain.connect(audio.destination)
+    holds.add('start')
+    step()
+  }
+  onclick = play
+  onkeydown = e => {
+    if (e.key == 'Enter' || e.key == ' ') play()
+    if (e.key == 'm' && gain) gain.gain.value = 1 - gain.gain.value
+    if (e.key == 'f') document.fullscreenElement ? document.exitFullscreen() : fullScreen()
+    if (e.key == 'Escape' && playing != null) end()
+  }
+  document.onvisibilitychange = () => {
+    if (playing != null && !over) document.hidden ? hold('hidden') : release('hidden')
+  }
+  say('')
+  button.textContent = '\u25b6 play'
+  // For tests
+  const state = () => ({
+    film: filmAt(), heard: zero != null && audio.state == 'running' ? heardAt(now()) : null, ready: ready.length,
+    shown, skipped, shownTime, first: first - clicked, silent, holds: [...holds], unlit, hall: !!hall, over,
+  })
+  self.film = { module, start, statistics, state, hall: () => hall }
+}
