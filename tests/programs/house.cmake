@@ -56,6 +56,7 @@ odraz_scripts(odraz_script .
     tradeoff_pack 30
     tradeoff_trace 15
     tradeoff_transfer 4
+    web 90
     window 60)
 odraz_script(hostile_damaged 15 hostile/damaged 8)
 odraz_script(hostile_killed 12 hostile/killed 6)
@@ -65,7 +66,7 @@ odraz_script(machine 12 machine odraz-safe)
 odraz_script(pages_scene 20 pages/scene)
 
 # They play in real time, and other tests would take their processor time
-set_tests_properties(playing shown PROPERTIES RUN_SERIAL TRUE)
+set_tests_properties(playing shown web PROPERTIES RUN_SERIAL TRUE)
 
 # tools/test --long
 function(odraz_long_script name seconds script)

@@ -1,0 +1,25 @@
+# The film's page in Chromium and Firefox: golden pictures, the music, and ten seconds of playing.
+. "$(dirname "$0")/common.sh"
+skip_unless node chromium firefox-esr Xvfb
+[ -s "$BUILD/$FILM.html" ] || { echo "there is no $BUILD/$FILM.html: build film_web first"; exit 77; }
+# Decibels of PSNR: SwiftShader, Chromium's OpenGL, does not draw hemicubes as Mesa does
+declare -A tolerance=([chromium]=30 [firefox]=45)
+Xvfb -displayfd 3 -screen 0 1280x800x24 3>"$WORK/display" 2>/dev/null &
+PIDS+=($!)
+until [ -s "$WORK/display" ]; do sleep 0.1; done
+export DISPLAY=:$(cat "$WORK/display")
+for browser in ${BROWSERS:-chromium firefox}; do
+    out=$WORK/$browser
+    mkdir "$out"
+    check "$browser" timeout "$PATIENCE" node "$SOURCE/tests/programs/web/page.mjs" $browser "$BUILD/$FILM.html" "$out" \
+        $FILM_TRACED $FILM_LIT
+    for t in $FILM_TRACED $FILM_LIT; do
+        within=()
+        [[ " $FILM_LIT " = *" $t "* ]] && within=(--psnr ${tolerance[$browser]})
+        golden=$(printf '%s/tests/golden/film-%03d.png' "$SOURCE" "$t")
+        check "$browser: the picture at $t s" "$BUILD/compare" "$golden" "$out/$t.ppm" "${within[@]}"
+    done
+    check "$browser: the music" cmp "$out/music.sha256" "$SOURCE/tests/golden/music.sha256"
+    [ -z "${KEEP-}" ] || cp -r "$out" "$KEEP"
+done
+finish

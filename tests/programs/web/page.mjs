@@ -1,0 +1,100 @@
+// node page.mjs chromium|firefox PAGE OUT SECONDS...: opens the page as a viewer does. Writes pictures of these seconds,
+// 320x180, as `film` draws them, and the music's hash, into OUT; plays; prints what is wrong.
+import { writeFileSync } from 'node:fs'
+import { open, later } from './browser.mjs'
+
+const [kind, page, out, ...seconds] = process.argv.slice(2)
+let wrong = false
+const check = (what, right, seen) => {
+  console.log(`${right ? 'ok' : 'FAILED'}: ${kind}: ${what} (${JSON.stringify(seen)})`)
+  wrong ||= !right
+}
+const until = async (b, what, seconds = 120) => {
+  for (const end = Date.now() + seconds * 1000; Date.now() < end; await later(100)) if (await b.evaluate(what)) return true
+  return false
+}
+
+const b = await open(kind, 'file://' + page + '?full=0')
+try {
+  check('opens', await until(b, 'self.film && document.querySelector("b").textContent'), await b.evaluate('document.title'))
+
+  // --- Pictures, all of them by a worker that has the hall's light ---
+  await b.evaluate(`(async () => {
+    const hall = await new Promise((done, fail) =>
+      film.start(d => d.hall ? done(d.hall) : d.wrong && fail(d.wrong), 'solve', film.module, 320, 180))
+    let idle
+    const tracer = film.start(d => {
+      if (d.idle) idle?.()
+      if (d.rgba) self.pictured = d.rgba
+    }, 'trace', film.module, 320, 180)
+    await new Promise(done => idle = done)
+    tracer.postMessage(['light', hall])
+    self.draw = async time => {
+      tracer.postMessage(['still', time, 0])
+      await new Promise(done => idle = done)
+      return btoa(Array.from(pictured.filter((_, i) => i % 4 != 3), c => String.fromCharCode(c)).join(''))
+    }
+  })()`)
+  for (const t of seconds) {
+    const rgb = Buffer.from(await b.evaluate(`draw(${t})`), 'base64')
+    writeFileSync(`${out}/${t}.ppm`, Buffer.concat([Buffer.from('P6\n320 180\n255\n'), rgb]))
+  }
+
+  // --- Music: as output/wav.cpp writes it ---
+  writeFileSync(out + '/music.sha256', await b.evaluate(`new Promise(done => {
+    const blocks = 162 * 200, to = new DataView(new ArrayBuffer(44 + blocks * 960)), text = 'RIFF    WAVEfmt                     data'
+    for (let i = 0; i < text.length; ++i) to.setUint8(i, text.charCodeAt(i))
+    for (const [at, v] of [[4, 36 + blocks * 960], [16, 16], [20, 0x20001], [24, 48000], [28, 192000], [32, 0x100004], [40, blocks * 960]])
+      to.setUint32(at, v, true)
+    let n = 0
+    const random = x => {
+      const s = Math.imul(x, 747796405) + 2891336453 >>> 0, w = Math.imul((s >>> (s >>> 28) + 4 ^ s) >>> 0, 277803737) >>> 0
+      return (w >>> 22 ^ w) >>> 0
+    }
+    const even = x => { const r = Math.round(x); return r - x == 0.5 && r % 2 ? r - 1 : r }
+    const k = film.start(async ({ left, right }) => {
+      for (let i = 0; i < left.length; ++i) for (const side of [left, right]) {
+        const r = random(n), dither = ((r & 0xffff) - (r >>> 16)) / 65536
+        to.setInt16(44 + 2 * n++, even(Math.fround(side[i] * 32767 + dither)), true)
+      }
+      if (n < blocks * 480) return k.postMessage(['sound', 200])
+      k.terminate()
+      done(Array.from(new Uint8Array(await crypto.subtle.digest('SHA-256', to)), v => v.toString(16).padStart(2, 0)).join(''))
+    }, 'compose', film.module, 0)
+    k.postMessage(['sound', 200])
+  })`) + '  -\n')
+
+  // --- Playing ---
+  await b.screenshot(`${out}/poster.png`)
+  await b.click()
+  check('plays', await until(b, 'film.state().shown > 0'), await b.evaluate('film.state().first'))
+  await until(b, 'film.state().film > 10')
+  let s = await b.evaluate('film.state()')
+  check('for ten seconds', s.film > 10 && s.shown > 20, s)
+  check('in time with its sound', s.silent || Math.abs(s.heard - s.film) < 0.02, s.heard - s.film)
+  await b.screenshot(`${out}/playing.png`)
+  const stopped = await b.evaluate(`(async () => {
+    const hide = yes => {
+      Object.defineProperty(document, 'hidden', { value: yes, configurable: true })
+      document.dispatchEvent(new Event('visibilitychange'))
+    }
+    hide(true)
+    const before = film.state().film
+    await new Promise(r => setTimeout(r, 2000))
+    const after = film.state().film
+    hide(false)
+    return after - before
+  })()`)
+  check('stands while its tab is hidden', stopped == 0, stopped)
+  s = await b.evaluate('film.state()')
+  check('... and goes on', await until(b, `film.state().shown > ${s.shown + 5}`), await b.evaluate('film.state()'))
+  await b.resize(700, 600)
+  check('is as large as its window', await until(b, 'document.querySelector("canvas").clientWidth == innerWidth'), 700)
+  await b.key('m')
+  check('prints its statistics', /point +\d+/.test(await b.evaluate('film.statistics()')), 'point')
+  check('has printed no error', !b.errors.length, b.errors)
+} catch (e) {
+  check('answers', false, String(e.stack))
+}
+await b.close()
+process.exit(wrong ? 1 : 0)
