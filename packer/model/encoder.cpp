@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <new>
 
 namespace pack {
@@ -107,24 +106,6 @@ void *Workspace::zeroed(uint64_t size) {
     memory.reset(std::calloc(size + kPageSize, 1));
     if (!memory) throw std::bad_alloc();
     return (void *)(((uintptr_t)memory.get() + kPageSize - 1) & ~(kPageSize - 1));
-}
-
-std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &layout) {
-    std::vector<uint8_t> out = image;
-    uint8_t opcodes[kOpcodes];
-    expandOpcodes(opcodes);
-    Parser parser = {};
-    uint32_t fields[kFields] = {};
-    for (uint32_t i = layout.codeBegin; i < layout.codeBegin + layout.codeSize; ++i) {
-        uint32_t relative = parser.relative, behind = parser.step(fields, image[i], opcodes);
-        if (behind && relative == 4) {
-            uint32_t value;
-            std::memcpy(&value, &out[i - 3], 4);
-            value = __builtin_bswap32(value + i + behind);
-            std::memcpy(&out[i - 3], &value, 4);
-        }
-    }
-    return out;
 }
 
 Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const ModelParameters &parameters,

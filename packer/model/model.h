@@ -16,7 +16,11 @@
 // because slots may collide.
 #pragma once
 
+#ifdef PACK_SURROUNDINGS // those of another kind of code
+#include PACK_SURROUNDINGS
+#else
 #include "packer/model/surroundings.h"
+#endif
 
 namespace pack {
 

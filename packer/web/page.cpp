@@ -1,29 +1,39 @@
 // page: makes one HTML file of a WebAssembly program and its scripts.
 //
-// Program and scripts are deflated together, and stand in a comment of the page. There the bytes that HTML
-// would change, or that would end the comment, are written as two: a 1, and themselves with a bit turned. All
-// of them are turned by a key first, for which the fewest need that. As a file, the page is read as text in
+// Markup, scripts and program are coded together by the packer's model (surroundings.h). They stand behind
+// their decoder (decode.cpp), which is deflated, in a comment of the page. There the bytes that HTML would
+// change, or that would end the comment, are written as two: a 1, and themselves with a bit turned. All of
+// them are turned by a key first, for which the fewest need that. As a file, the page is read as text in
 // windows-1252, and a script turns its letters into bytes again. From a server, which may name another
 // charset, the script fetches the page itself.
+#include "packer/model/encoder.h"
+#include "packer/model/search.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 
 #include <zopfli/zopfli.h>
 
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace pack {
 
+// Nothing in WebAssembly is relative to its place.
+std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &) { return image; }
+
 namespace {
 
-constexpr char kUsage[] = "usage: page PROGRAM.wasm PAGE.html WORKER.js,... MAIN.js OUT.html BUDGET\n"
-                          "The scripts of workers are given to main() of MAIN.js, as text, behind the "
-                          "program. Fails when the page has more\n"
-                          "than BUDGET bytes.\n";
+constexpr char kUsage[] =
+    "usage: page PROGRAM.wasm DECODER.wasm MODEL PAGE.html WORKER.js,... MAIN.js OUT.html BUDGET [SECONDS]\n"
+    "The scripts of workers are given to main() of MAIN.js, as text, behind the program. Fails when the "
+    "page\n"
+    "has more than BUDGET bytes. With SECONDS, it first searches for better contexts, and renews MODEL.\n";
 
 // Without comments, which have lines of their own or follow two spaces, indentation and empty lines.
 std::string shortened(const std::string &script) {
@@ -32,11 +42,29 @@ std::string shortened(const std::string &script) {
         size_t end = std::min(script.find('\n', at), script.size());
         std::string line = script.substr(at, end - at);
         at = end + 1;
-        line.erase(0, line.find_first_not_of(' ') == std::string::npos ? line.size()
-                                                                       : line.find_first_not_of(' '));
+        line.erase(0, std::min(line.find_first_not_of(' '), line.size()));
         if (line.starts_with("//")) continue;
         line = line.substr(0, line.find(" // "));
         if (!line.empty()) out += line + '\n';
+    }
+    return out;
+}
+
+// A script without spaces beside punctuation, except in strings.
+std::string tight(const std::string &script) {
+    std::string out;
+    char quote = 0;
+    auto sign = [](char c) { return c == '+' || c == '-'; };
+    auto word = [](char c) { return std::isalnum((unsigned char)c) || c == '_' || c == '$'; };
+    for (size_t i = 0; i < script.size(); ++i) {
+        char c = script[i], before = out.empty() ? ' ' : out.back(), after = script[i + 1];
+        if (quote) {
+            if (c == quote) quote = 0;
+        } else if (c == '\'' || c == '"' || c == '`')
+            quote = c;
+        else if (c == ' ' && !(word(before) && word(after)) && !(sign(before) && sign(after)))
+            continue;
+        out += c;
     }
     return out;
 }
@@ -64,7 +92,11 @@ std::string deflated(const std::string &bytes) {
     return result;
 }
 
-bool changedByHtml(unsigned char c) { return c == 0 || c == 1 || c == '\r' || c == '>'; }
+// Whether a byte of a comment, behind another one, would be changed by HTML or end the comment; or is our
+// mark.
+bool mustEscape(unsigned char c, char before) {
+    return c == 0 || c == 1 || c == '\r' || (c == '>' && (before == '-' || before == '!'));
+}
 
 struct Escaped {
     std::string bytes;
@@ -76,7 +108,7 @@ Escaped escaped(const std::string &bytes) {
         std::string out;
         for (char c : bytes) {
             unsigned char turned = (unsigned char)(c ^ key);
-            if (changedByHtml(turned)) out += (char)1, turned ^= 64;
+            if (mustEscape(turned, out.empty() ? '-' : out.back())) out += (char)1, turned ^= 64;
             out += (char)turned;
         }
         if (!key || out.size() < best.bytes.size()) best = {out, key};
@@ -84,46 +116,112 @@ Escaped escaped(const std::string &bytes) {
     return best;
 }
 
-// Reads `s`, the packed bytes, and runs main().
-std::string loader(size_t scriptSize, int key) {
-    std::string text = R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[]
-if(!self.DecompressionStream||!self.WebAssembly)
-throw document.querySelector('p').textContent='This browser is too old: it lacks WebAssembly or DecompressionStream.'
-if(location.protocol=='file:'){
-[...new TextDecoder('latin1').decode(Uint8Array.from({length:256},(_,i)=>i))].map((c,i)=>m[c]=i);s=[...t].map(c=>m[c])
-}else{s=new Uint8Array(await(await fetch(location.href)).arrayBuffer());for(;s[i++]!=60||s[i]!=33||s[i+1]!=45;);i+=3}
-for(;i<s.length&&s[i]!=62;){let c=s[i++];o.push((c==1?s[i++]^64:c)^KEY)}
-s=new Blob([new Uint8Array(o)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
-s=new Uint8Array(await new Response(s).arrayBuffer())
-new Function('data',new TextDecoder().decode(s.subarray(0,SIZE)))(s.slice(SIZE))})())";
-    auto put = [&](const std::string &what, size_t number) {
-        for (size_t at; (at = text.find(what)) != std::string::npos;)
-            text.replace(at, what.size(), std::to_string(number));
+// Where the code of a program lies in `all`, which begins with scripts.
+Layout layoutOf(const std::string &all, size_t program) {
+    size_t at = program + 8;
+    auto number = [&] {
+        uint32_t value = 0;
+        for (int shift = 0;; shift += 7) {
+            auto c = (unsigned char)all.at(at++);
+            value |= (c & 127u) << shift;
+            if (c < 128) return value;
+        }
     };
-    put("KEY", (size_t)key), put("SIZE", scriptSize);
-    return text;
+    while (at < all.size()) {
+        int section = all[at++];
+        size_t size = number(), end = at + size;
+        if (section == 10) {
+            number(); // of functions
+            return {(uint32_t)all.size(), (uint32_t)at, (uint32_t)(end - at)};
+        }
+        at = end;
+    }
+    throw std::runtime_error("the program has no code");
 }
 
-void makePage(char **words) {
-    std::string program = common::readWhole(words[0]), html = common::readWhole(words[1]), workers,
-                list = words[2];
+// The masks of code and data, as hexadecimal numbers.
+ModelParameters readModel(const std::string &path) {
+    std::istringstream text(common::readWhole(path));
+    ModelParameters parameters = {16, 22, {}};
+    for (auto &type : parameters.masks)
+        for (uint32_t &mask : type) text >> std::hex >> mask;
+    if (!text || !parameters.sane()) throw common::Refused(path + ": these are no masks");
+    return parameters;
+}
+void writeModel(const std::string &path, const ModelParameters &parameters) {
+    std::string text;
+    for (auto &type : parameters.masks)
+        for (uint32_t i = 0; i < parameters.hashes(); ++i)
+            common::append(text, "%x%c", type[i], i + 1 < parameters.hashes() ? ' ' : '\n');
+    common::writeWhole(path, text);
+}
+
+// In: the comment's text `t`, or the page `s` itself; out: what the decoder makes of it, a script, which is
+// run with the program. The decoder works on a thread of its own, so that the page answers.
+constexpr char kLoader[] =
+    R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],w
+if(!self.DecompressionStream)throw document.body.textContent='This browser is too old for the film.'
+if(document.characterSet[0]=='w'){
+[...new TextDecoder('latin1').decode(Uint8Array.from({length:256},(_,i)=>i))].map((c,i)=>m[c]=i)
+s=[...t].map(c=>m[c])
+}else{s=new Uint8Array(await(await fetch(location.href)).arrayBuffer());for(;s[i++]!=60||s[i]!=33||s[i+1]!=45;);i+=3}
+for(;o.length<COUNT;){let c=s[i++];o.push((c==1?s[i++]^64:c)^KEY)}
+o=new Uint8Array(o)
+w=new Worker(URL.createObjectURL(new Blob([`onmessage=async({data:[h,o]})=>{let x=(await WebAssembly.instantiate(h.slice(
+MODEL))).instance.exports,b=new Uint8Array(x.memory.buffer),i=x.i()
+b.set(h.slice(0,MODEL),i);b.set(o,i+MODEL);i=x.d();postMessage(b.slice(i,i+ALL))}`])))
+w.onmessage=({data:s})=>{w.terminate()
+new Function('data',new TextDecoder().decode(s.slice(0,SCRIPT)))(s.slice(SCRIPT))}
+s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
+w.postMessage([new Uint8Array(await new Response(s).arrayBuffer()),o.slice(HEAD)])})())";
+
+void makePage(char **words, double seconds) {
+    std::string program = common::readWhole(words[0]), decoder = common::readWhole(words[1]), workers,
+                list = words[4];
+    ModelParameters parameters = readModel(words[2]);
     for (size_t at = 0; at < list.size();) {
         size_t end = std::min(list.find(',', at), list.size());
-        workers += shortened(common::readWhole(list.substr(at, end - at)));
+        workers += tight(shortened(common::readWhole(list.substr(at, end - at))));
         at = end + 1;
     }
-    std::string script =
-        shortened(common::readWhole(words[3])) + "main(data," + quoted(workers + "work()") + ")";
-    Escaped packed = escaped(deflated(script + program));
-    std::string head;
-    for (char c : shortened(html))
-        if (c != '\n') head += c;
-    std::string page =
-        head + "<!--" + packed.bytes + "--><script>" + loader(script.size(), packed.key) + "</script>";
-    common::writeWhole(words[4], page);
-    long left = std::stol(words[5]) - (long)page.size();
-    std::printf("%s: %zu bytes (scripts %zu, program %zu before packing), %ld left of %s\n", words[4],
-                page.size(), script.size(), program.size(), left, words[5]);
+    // The markup's first line stands in the page as it is; a script adds the rest
+    std::string html = shortened(common::readWhole(words[3])), first = html.substr(0, html.find('\n'));
+    std::string script = "document.body.innerHTML=" + quoted(html.substr(first.size() + 1)) + "\n" +
+                         tight(shortened(common::readWhole(words[5]))) + "main(data," +
+                         quoted(workers + "work()") + ")";
+
+    std::string all = script + program;
+    std::vector<uint8_t> bytes(all.begin(), all.end());
+    Layout layout = layoutOf(all, script.size());
+    if (seconds > 0) {
+        parameters = search(bytes, layout, parameters, seconds, [](const Progress &) { return true; });
+        writeModel(words[2], parameters);
+    }
+    Workspace workspace;
+    Encoded encoded = encode(bytes, layout, parameters, workspace);
+    if (decode(encoded.payload.data(), encoded.payload.size(), layout, parameters, workspace) != bytes)
+        throw std::runtime_error("the decoder does not decode");
+    std::string model((const char *)&layout, sizeof layout);
+    model.append((const char *)&parameters, sizeof parameters);
+    std::string head = deflated(model + decoder);
+    std::string coded = head + std::string(encoded.payload.begin(), encoded.payload.end());
+    Escaped packed = escaped(coded);
+
+    std::string loader = kLoader;
+    auto put = [&](const std::string &what, size_t number) {
+        for (size_t at; (at = loader.find(what)) != std::string::npos;)
+            loader.replace(at, what.size(), std::to_string(number));
+    };
+    put("KEY", (size_t)packed.key), put("COUNT", coded.size()), put("HEAD", head.size()),
+        put("MODEL", model.size());
+    put("ALL", all.size()), put("SCRIPT", script.size());
+    std::string page = first + "<!--" + packed.bytes + "--><script>" + loader + "</script>";
+    common::writeWhole(words[6], page);
+    long left = std::stol(words[7]) - (long)page.size();
+    std::printf("%s: %zu bytes (%zu coded, of scripts %zu and program %zu; decoder %zu; loader %zu), %ld "
+                "left of %s\n",
+                words[6], page.size(), encoded.payload.size(), script.size(), program.size(), head.size(),
+                first.size() + loader.size(), left, words[7]);
     if (left < 0) throw std::runtime_error("over budget by " + std::to_string(-left) + " bytes");
 }
 
@@ -137,14 +235,11 @@ int main(int argc, char **argv) {
             std::fputs(pack::kUsage, stdout);
             return 0;
         }
-        if (argc != 7) throw common::Refused("it takes six words: see page --help");
-        pack::makePage(argv + 1);
+        if (argc != 9 && argc != 10) throw common::Refused("it takes eight or nine words: see page --help");
+        pack::makePage(argv + 1, argc == 10 ? std::atof(argv[9]) : 0);
         return 0;
-    } catch (const common::Refused &e) {
-        std::fprintf(stderr, "page: %s\n", e.what());
-        return 2;
     } catch (const std::exception &e) {
         std::fprintf(stderr, "page: %s\n", e.what());
-        return 1;
+        return dynamic_cast<const common::Refused *>(&e) ? 2 : 1;
     }
 }

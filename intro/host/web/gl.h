@@ -13,8 +13,7 @@ namespace odraz {
     F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) F(glUniform1fv) F(glGenVertexArrays) \
     F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) F(glBufferData) F(glVertexAttribPointer) \
     F(glVertexAttribIPointer) F(glEnableVertexAttribArray) F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) \
-    F(glClearBufferuiv) F(glClearBufferfv) F(glDrawArrays) F(glDeleteFramebuffers) F(glDeleteRenderbuffers) \
-    F(glDeleteBuffers) F(glDeleteShader) F(glDeleteProgram) F(glDeleteVertexArrays)
+    F(glClearBufferuiv) F(glClearBufferfv) F(glDrawArrays)
 // clang-format on
 
 inline void fillGl(Gl &gl) {
@@ -22,6 +21,10 @@ inline void fillGl(Gl &gl) {
 #define ODRAZ_WEB_TAKE(name) gl.name = ::name;
     ODRAZ_WEB_GL(ODRAZ_WEB_TAKE)
 #undef ODRAZ_WEB_TAKE
+    // The worker that solves is ended, and all that it has with it
+    gl.glDeleteFramebuffers = gl.glDeleteRenderbuffers = gl.glDeleteBuffers =
+        gl.glDeleteVertexArrays = [](GLsizei, const GLuint *) {};
+    gl.glDeleteShader = gl.glDeleteProgram = [](GLuint) {};
 }
 
 } // namespace odraz

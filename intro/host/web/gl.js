@@ -7,7 +7,6 @@ const makeGl = (gl, memory) => {
     return String.fromCharCode(...b.subarray(0, b.indexOf(0)))
   }
   const generate = make => (n, to) => view(Uint32Array, to, n).forEach((_, i, v) => v[i] = name(make()))
-  const nothing = () => 0
   const f = {
     glGenFramebuffers: generate(() => gl.createFramebuffer()),
     glGenRenderbuffers: generate(() => gl.createRenderbuffer()),
@@ -31,8 +30,6 @@ const makeGl = (gl, memory) => {
       gl.readPixels(x, y, w, h, 0x8d99, type, four)
       for (let i = 0; i < w * h; ++i) out[i] = four[4 * i]
     },
-    glDeleteFramebuffers: nothing, glDeleteRenderbuffers: nothing, glDeleteBuffers: nothing, glDeleteShader: nothing,
-    glDeleteProgram: nothing, glDeleteVertexArrays: nothing,
     glEnable: what => what != 0x864f && gl.enable(what), // no depth clamp
   }
   // The others take numbers, and names (o) of things

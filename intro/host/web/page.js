@@ -16,8 +16,8 @@ const main = async (wasm, scripts) => {
     return WebAssembly.validate(new Uint8Array(parts))
   }
   const kZero = [65, 0, 253, 15] // i32.const 0, i8x16.splat
-  if (!can(kZero)) return fail('This browser has no WebAssembly SIMD, which every browser since 2023 has.')
-  if (!self.AudioContext) return fail('This browser has no Web Audio, which plays the music.')
+  if (!can(kZero)) return fail('This browser has no WebAssembly SIMD.')
+  if (!self.AudioContext) return fail('This browser has no Web Audio.')
   const relaxed = can([...kZero, ...kZero, ...kZero, 253, 133, 2])
   const module = await WebAssembly.compile(relaxed ? wasm : plain(wasm))
   const x = (await WebAssembly.instantiate(module, { env: new Proxy({}, { get: () => () => 0 }) })).exports

@@ -1,0 +1,30 @@
+// The page's decoder, as WebAssembly: the packer's model, compiled for the browser.
+#include "packer/model/decoder.h"
+
+using namespace pack;
+
+#define EXPORT(name) extern "C" __attribute__((export_name(#name), used))
+
+extern "C" unsigned char __heap_base;
+extern "C" void *memset(void *to, int value, size_t n) { return __builtin_memset(to, value, n); }
+extern "C" void *memcpy(void *__restrict to, const void *__restrict from, size_t n) {
+    return __builtin_memcpy(to, from, n);
+}
+
+namespace {
+
+// Behind the program's own data: the payload, which Layout and ModelParameters begin, and what is decoded
+unsigned char *payload() { return (unsigned char *)(((uintptr_t)&__heap_base + 15) & ~15ul); }
+constexpr uint32_t kMostPayload = 1 << 17, kMostDecoded = 1 << 20;
+
+} // namespace
+
+EXPORT(i) unsigned char *input() { return payload(); }
+EXPORT(d) unsigned char *decode() {
+    const Layout &layout = *(const Layout *)payload();
+    const ModelParameters &parameters = *(const ModelParameters *)(&layout + 1);
+    unsigned char *image = payload() + kMostPayload, *model = image + kMostDecoded;
+    Decoder decoder = {(const uint8_t *)(&parameters + 1)};
+    run(decoder, layout, parameters, model, image);
+    return image;
+}

@@ -1,0 +1,294 @@
+// What is known at a place in a page's payload: scripts and a WebAssembly program. In place of
+// packer/model/surroundings.h, for the same model: the fields, a parser of WebAssembly, and the byte that
+// followed the last place that looked like this one.
+#pragma once
+
+#include <initializer_list>
+#include <stddef.h>
+#include <stdint.h>
+
+namespace pack {
+
+enum Field {
+    kWhere,  // used by every context: what the next byte is part of, and the how manieth byte of it
+    kColumn, // address modulo four
+    kByte5,  // the fifth-last byte
+    kByte4,
+    kByte3,
+    kByte2,
+    kByte1,        // the last byte
+    kLocal1,       // in code: the last local named; elsewhere: the letters of this word so far, hashed
+    kLocal2,       // ... the one before that; the word before
+    kLocal3,       // ... and the one before that
+    kSet,          // the local set last
+    kUnread1,      // the local set last of those that were not read since
+    kUnread2,      // ... and the one before that
+    kFollows,      // the local that followed last time after the last one
+    kOffset,       // of the last access to memory
+    kOffsetOf,     // ... the last one behind the last local
+    kLast,         // the last operand of this instruction's opcode
+    kDepth,        // of blocks
+    kTop1,         // the opcode that made the topmost operand on the stack
+    kTop2,         // ... the one below it
+    kStack,        // how many operands are on the stack, as far as known
+    kInstruction1, // the last instruction, hashed
+    kInstruction2, // ... and those before it
+    kInstruction3,
+    kOpcode1, // their opcodes
+    kOpcode2,
+    kOpcode3,
+    kOpcode4,
+    kOpcode, // of this instruction, as far as it is known
+    kSoFar,  // all bytes of this instruction so far, hashed
+    kFields,
+    kTarget = kLocal2 // the last field that contexts outside code may use
+};
+
+constexpr uint32_t kChoices = kSoFar + 1 - kColumn, kCodeShift = kByte3 - kColumn,
+                   kCodeBits = kChoices - kCodeShift;
+constexpr uint32_t kDataBits = kLocal2 + 1 - kColumn;
+constexpr uint32_t kMayUse[2] = {((1u << kCodeBits) - 1) << kCodeShift, (1u << kDataBits) - 1};
+constexpr uint32_t kPhases = 7, kPhaseBits = 3, kColumns = 4;
+constexpr uint32_t kHash = 0x2c9277b5, kHashShift = 15;
+
+static inline uint32_t mixIn(uint32_t hash, uint32_t value) {
+    hash = (hash + value + 1) * kHash;
+    return hash ^ hash >> kHashShift;
+}
+
+// How many operands an instruction takes from the stack, and whether it leaves one there: taken * 2 + left. A
+// call takes all of them.
+constexpr uint8_t kUnary = 3, kBinary = 5;
+struct Effects {
+    uint8_t of[1024];
+    constexpr void set(uint32_t from, uint32_t to, uint8_t effect) {
+        for (uint32_t i = from; i <= to; ++i) of[i] = effect;
+    }
+    constexpr Effects() : of() {
+        set(0x04, 0x04, 2), set(0x0d, 0x0e, 2), set(0x10, 0x11, 15), set(0x1a, 0x1a, 2), set(0x1b, 0x1b, 7);
+        set(0x20, 0x20, 1), set(0x21, 0x21, 2), set(0x22, 0x22, kUnary), set(0x23, 0x23, 1),
+            set(0x24, 0x24, 2);
+        set(0x28, 0x35, kUnary), set(0x36, 0x3e, 4), set(0x3f, 0x3f, 1), set(0x40, 0x40, kUnary),
+            set(0x41, 0x44, 1);
+        set(0x45, 0xa6, kBinary), set(0xa7, 0xc4, kUnary), set(0x45, 0x45, kUnary), set(0x50, 0x50, kUnary);
+        set(0x67, 0x69, kUnary), set(0x79, 0x7b, kUnary), set(0x8b, 0x91, kUnary), set(0x99, 0x9f, kUnary);
+        set(256, 263, kUnary), set(264, 267, 6);
+        set(512, 522, kUnary), set(523, 523, 4), set(524, 524, 1), set(525, 526, kBinary),
+            set(527, 545, kUnary);
+        set(535, 535, kBinary), set(538, 538, kBinary), set(540, 540, kBinary), set(542, 542, kBinary);
+        set(544, 544, kBinary), set(546, 588, kBinary), set(589, 589, kUnary), set(590, 593, kBinary),
+            set(594, 594, 7);
+        set(595, 595, kUnary), set(596, 599, kBinary), set(600, 603, 4), set(604, 612, kUnary),
+            set(613, 614, kBinary);
+        set(615, 618, kUnary), set(619, 735, kBinary), set(736, 737, kUnary), set(739, 739, kUnary),
+            set(740, 747, kBinary);
+        set(760, 767, kUnary), set(768, 768, kBinary), set(769, 772, kUnary), set(773, 780, 7),
+            set(781, 790, kBinary);
+        for (uint32_t unary : {128, 131, 132, 135, 136, 137, 138, 160, 163, 164, 167, 168, 169, 170, 192,
+                               195, 196, 199, 200, 201, 202, 116, 117, 122, 124, 125, 126, 127, 148})
+            of[512 + unary] = kUnary;
+    }
+};
+constexpr Effects kEffects;
+
+struct Parser {
+    enum Phase : uint32_t { kHead, kOpcodeByte, kPrefixed, kNumber, kSecondNumber, kRaw, kData };
+    static constexpr uint32_t kTables = 1024, kUnreads = 8;
+
+    uint32_t phase, count; // what the next byte is part of, and how many bytes of that came before
+    uint32_t value, numbers, raw, depth, locals;
+    bool table; // its first number counts the others
+    uint32_t unread[kUnreads], stack[64], height;
+    uint32_t follows[kTables], offsetOf[kTables], last[kTables];
+
+    // A number's next byte; whether it is the last one
+    bool number(uint32_t byte) {
+        value |= (byte & 127) << 7 * count++;
+        return byte < 128;
+    }
+    void enter(uint32_t next) { phase = next, count = value = 0; }
+
+    void operands(uint32_t *fields) {
+        if (numbers)
+            enter(phase == kNumber ? kSecondNumber : kNumber);
+        else if (raw)
+            enter(kRaw);
+        else { // the instruction is whole
+            for (uint32_t k = kInstruction3; k > kInstruction1; --k) fields[k] = fields[k - 1];
+            for (uint32_t k = kOpcode4; k > kOpcode1; --k) fields[k] = fields[k - 1];
+            fields[kInstruction1] = fields[kSoFar];
+            fields[kOpcode1] = fields[kOpcode];
+            fields[kSoFar] = fields[kOpcode] = fields[kLast] = 0;
+            fields[kUnread1] = unread[0], fields[kUnread2] = unread[1];
+            fields[kFollows] = follows[fields[kLocal1] % kTables];
+            fields[kOffsetOf] = offsetOf[fields[kLocal1] % kTables];
+            fields[kDepth] = depth;
+            uint32_t effect = kEffects.of[fields[kOpcode1]], taken = effect >> 1;
+            height -= taken < height ? taken : height;
+            if (effect & 1) stack[height & 63] = fields[kOpcode1], ++height;
+            fields[kTop1] = height ? stack[(height - 1) & 63] : 0;
+            fields[kTop2] = height > 1 ? stack[(height - 2) & 63] : 0;
+            fields[kStack] = height;
+            enter(kOpcodeByte);
+            if (fields[kOpcode1] == 0x0b && !depth) { // the function's end
+                for (uint32_t k = kLocal1; k <= kOpcode4; ++k) fields[k] = 0;
+                for (uint32_t &u : unread) u = 0;
+                for (uint32_t &f : follows) f = 0;
+                for (uint32_t &o : offsetOf) o = 0;
+                locals = height = 0;
+                enter(kHead);
+            }
+            if (fields[kOpcode1] == 0x0b) depth -= depth > 0;
+        }
+    }
+    // 0 .. 255; 256 + n behind fc; 512 + n behind fd
+    void opcode(uint32_t *fields, uint32_t op) {
+        fields[kOpcode] = op;
+        fields[kLast] = last[op % kTables];
+        phase = kOpcodeByte;
+        numbers = raw = 0;
+        table = op == 0x0e;
+        if (op < 256) {
+            if (op >= 2 && op <= 4) ++depth, numbers = 1;
+            if ((op >= 0x0c && op <= 0x10) || (op >= 0x20 && op <= 0x24) || (op >= 0x3f && op <= 0x42))
+                numbers = op != 0x0f;
+            if (op == 0x11 || (op >= 0x28 && op <= 0x3e)) numbers = 2;
+            if (op == 0x43) raw = 4;
+            if (op == 0x44) raw = 8;
+        } else if (op < 512)
+            numbers = op == 256 + 11 ? 1 : op >= 256 + 8 ? 2 : 0;
+        else {
+            op -= 512;
+            if (op < 12 || (op >= 84 && op <= 93)) numbers = 2;
+            if (op == 12 || op == 13) raw = 16;
+            if ((op >= 21 && op <= 34) || (op >= 84 && op <= 91)) raw = 1;
+        }
+        operands(fields);
+    }
+    void operand(uint32_t *fields) {
+        uint32_t op = fields[kOpcode];
+        if (table) numbers += value + 1;
+        table = false;
+        --numbers;
+        if (op >= 0x20 && op <= 0x22) {
+            follows[fields[kLocal1] % kTables] = value;
+            fields[kLocal3] = fields[kLocal2], fields[kLocal2] = fields[kLocal1], fields[kLocal1] = value;
+            uint32_t k = 0;
+            while (k < kUnreads - 1 && unread[k] != value) ++k;
+            if (op == 0x20)
+                for (; k < kUnreads - 1; ++k) unread[k] = unread[k + 1];
+            else {
+                for (; k; --k) unread[k] = unread[k - 1];
+                unread[0] = fields[kSet] = value;
+            }
+        } else if (phase == kSecondNumber)
+            fields[kOffset] = offsetOf[fields[kLocal1] % kTables] = value;
+        last[op % kTables] = value;
+        operands(fields);
+    }
+
+    void step(uint32_t *fields, uint32_t byte) {
+        if (phase != kHead) fields[kSoFar] = mixIn(fields[kSoFar], byte);
+        switch (phase) {
+        case kHead: // size and locals: how many kinds, then how many of each, and its type
+            if (locals == 0) {
+                if (byte < 128) locals = 1;
+            } else if (locals == 1)
+                locals = 2 * byte + 2;
+            else if ((locals & 1) || byte < 128)
+                --locals;
+            count = locals < 2 ? locals : 2 | (locals & 1);
+            if (locals == 2) enter(kOpcodeByte);
+            break;
+        case kOpcodeByte:
+            if (byte == 0xfc || byte == 0xfd) {
+                fields[kOpcode] = byte;
+                enter(kPrefixed);
+            } else
+                opcode(fields, byte);
+            break;
+        case kPrefixed:
+            if (number(byte)) opcode(fields, (fields[kOpcode] == 0xfc ? 256 : 512) + value);
+            break;
+        case kRaw:
+            ++count;
+            if (!--raw) operands(fields);
+            break;
+        default:
+            if (number(byte)) operand(fields);
+        }
+    }
+};
+
+struct Place {
+    uint8_t byte;
+};
+constexpr uint32_t kPast = 128, kFuture = 256; // zeros before and behind the bytes
+
+constexpr uint32_t kOpcodes = 1; // the parser has no table
+inline void expandOpcodes(uint8_t *) {}
+
+struct Surroundings {
+    static constexpr uint32_t kSeenPlaces = 16, kLeastMatch = 5, kMostMatch = 32;
+    uint32_t fields[kFields];
+    Parser parser;
+    Place *places;
+    uint32_t size;
+    uint32_t match,
+        length; // where the bytes before this one were seen before, and how many are equal; 0: nowhere
+    uint32_t seen[1 << kSeenPlaces];
+    bool code;
+
+    void begin(uint32_t i) {
+        const Place *now = places + i;
+        for (uint32_t k = 0; k < 5; ++k) fields[kByte1 - k] = (now - k - 1)->byte;
+        fields[kColumn] = i % kColumns;
+        if (!code) {
+            uint32_t c = fields[kByte1], letter = c | 32;
+            if ((letter >= 'a' && letter <= 'z') || (c >= '0' && c <= '9'))
+                fields[kLocal1] = mixIn(fields[kLocal1], c);
+            else if (fields[kLocal1])
+                fields[kLocal2] = fields[kLocal1], fields[kLocal1] = 0;
+        }
+        fields[kWhere] =
+            code ? (parser.count < 31 ? parser.count : 31) << kPhaseBits | parser.phase : Parser::kData;
+        code = false;
+
+        // The match goes on, or another one is looked for
+        if (match && places[match].byte == fields[kByte1])
+            ++match, length += length < kMostMatch;
+        else
+            match = length = 0;
+        uint32_t hash = 0;
+        for (uint32_t k = 1; k <= kLeastMatch; ++k) hash = mixIn(hash, (now - k)->byte);
+        uint32_t &before = seen[hash >> (32 - kSeenPlaces)];
+        if (!match && before && i > kLeastMatch) {
+            match = before;
+            while (length < kMostMatch && length < match &&
+                   places[match - 1 - length].byte == (now - 1 - length)->byte)
+                ++length;
+            if (length < kLeastMatch) match = length = 0;
+        }
+        before = i;
+    }
+
+    struct Odds {
+        uint32_t ones, zeros;
+    };
+    Odds odds(uint32_t bits) const {
+        if (!match) return {1, 1};
+        uint32_t expected = places[match].byte | 256u, coded = 31 - (uint32_t)__builtin_clz(bits);
+        if (expected >> (8 - coded) != bits) return {1, 1};
+        return expected >> (7 - coded) & 1 ? Odds{length, 1} : Odds{1, length};
+    }
+
+    // After byte i of code. Returns 0: nothing is relative to its place.
+    uint32_t end(uint32_t i, uint8_t byte, const uint8_t *) {
+        (void)i;
+        parser.step(fields, byte);
+        code = true;
+        return 0;
+    }
+};
+
+} // namespace pack
