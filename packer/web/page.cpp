@@ -30,8 +30,9 @@ std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &) {
 namespace {
 
 constexpr char kUsage[] =
-    "usage: page PROGRAM.wasm DECODER.wasm MODEL PAGE.html WORKER.js,... MAIN.js OUT.html BUDGET [SECONDS]\n"
-    "The scripts of workers are given to main() of MAIN.js, as text, behind the program. Fails when the "
+    "usage: page PROGRAM.wasm DECODER.wasm MODEL PAGE.html WORKER.js,... MAIN.js,... OUT.html BUDGET "
+    "[SECONDS]\n"
+    "The scripts of workers are given to main() of MAIN.js,..., as text, behind the program. Fails when the "
     "page\n"
     "has more than BUDGET bytes. With SECONDS, it first searches for better contexts, and renews MODEL.\n";
 
@@ -175,20 +176,21 @@ new Function('data',new TextDecoder().decode(s.slice(0,SCRIPT)))(s.slice(SCRIPT)
 s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
 w.postMessage([new Uint8Array(await new Response(s).arrayBuffer()),o.slice(HEAD)])})())";
 
+// The scripts of a list with commas.
+std::string scriptsOf(const std::string &list) {
+    std::istringstream names(list);
+    std::string all;
+    for (std::string name; std::getline(names, name, ',');) all += tight(shortened(common::readWhole(name)));
+    return all;
+}
+
 void makePage(char **words, double seconds) {
-    std::string program = common::readWhole(words[0]), decoder = common::readWhole(words[1]), workers,
-                list = words[4];
+    std::string program = common::readWhole(words[0]), decoder = common::readWhole(words[1]);
     ModelParameters parameters = readModel(words[2]);
-    for (size_t at = 0; at < list.size();) {
-        size_t end = std::min(list.find(',', at), list.size());
-        workers += tight(shortened(common::readWhole(list.substr(at, end - at))));
-        at = end + 1;
-    }
     // The markup's first line stands in the page as it is; a script adds the rest
     std::string html = shortened(common::readWhole(words[3])), first = html.substr(0, html.find('\n'));
     std::string script = "document.body.innerHTML=" + quoted(html.substr(first.size() + 1)) + "\n" +
-                         tight(shortened(common::readWhole(words[5]))) + "main(data," +
-                         quoted(workers + "work()") + ")";
+                         scriptsOf(words[5]) + "main(data," + quoted(scriptsOf(words[4]) + "work()") + ")";
 
     std::string all = script + program;
     std::vector<uint8_t> bytes(all.begin(), all.end());

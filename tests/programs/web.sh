@@ -8,6 +8,13 @@ Xvfb -displayfd 3 -screen 0 1280x800x24 3>"$WORK/display" 2>/dev/null &
 PIDS+=($!)
 until [ -s "$WORK/display" ]; do sleep 0.1; done
 export DISPLAY=:$(cat "$WORK/display")
+mkdir "$WORK/plain"
+check "plain SIMD" node "$SOURCE/tests/programs/web/plain.mjs" "$BUILD/intro/host/web/$FILM.wasm" "$SOURCE/intro/host/web/plain.js" \
+    "$WORK/plain" $FILM_TRACED
+for t in $FILM_TRACED; do
+    golden=$(printf '%s/tests/golden/film-%03d.png' "$SOURCE" "$t")
+    check "plain SIMD: the picture at $t s" "$BUILD/compare" "$golden" "$WORK/plain/$t.ppm" --psnr 65
+done
 for browser in ${BROWSERS:-chromium firefox}; do
     out=$WORK/$browser
     mkdir "$out"

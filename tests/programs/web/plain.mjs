@@ -1,0 +1,13 @@
+// node plain.mjs PROGRAM.wasm PLAIN.js OUT SECONDS...: pictures as browsers without relaxed SIMD draw them, 320x180, in
+// `film`. Node 20 is such a browser.
+import { readFileSync, writeFileSync } from 'node:fs'
+
+const [program, script, out, ...seconds] = process.argv.slice(2)
+const plain = new Function(readFileSync(script, 'utf8') + '; return plain')()
+const module = new WebAssembly.Module(plain(readFileSync(program)))
+const x = new WebAssembly.Instance(module, { env: new Proxy({}, { get: () => () => 0 }) }).exports
+x.load(320, 180, 1, 0)
+for (const t of seconds) {
+  const rgba = new Uint8Array(x.memory.buffer, x.picture(0, +t, 0, 0, 0), 320 * 180 * 4)
+  writeFileSync(`${out}/${t}.ppm`, Buffer.concat([Buffer.from('P6\n320 180\n255\n'), rgba.filter((_, i) => i % 4 != 3)]))
+}
