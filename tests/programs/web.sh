@@ -9,8 +9,8 @@ PIDS+=($!)
 until [ -s "$WORK/display" ]; do sleep 0.1; done
 export DISPLAY=:$(cat "$WORK/display")
 mkdir "$WORK/plain"
-check "plain SIMD" node "$SOURCE/tests/programs/web/plain.mjs" "$BUILD/intro/host/web/$FILM.wasm" "$SOURCE/intro/host/web/plain.js" \
-    "$WORK/plain" $FILM_TRACED
+check "plain SIMD" node "$SOURCE/tests/programs/web/plain.mjs" "$BUILD/intro/host/web/$FILM.wasm" \
+    "$SOURCE/intro/host/web/plain.js" "$WORK/plain" $FILM_TRACED
 for t in $FILM_TRACED; do
     golden=$(printf '%s/tests/golden/film-%03d.png' "$SOURCE" "$t")
     check "plain SIMD: the picture at $t s" "$BUILD/compare" "$golden" "$WORK/plain/$t.ppm" --psnr 65
@@ -18,8 +18,8 @@ done
 for browser in ${BROWSERS:-chromium firefox}; do
     out=$WORK/$browser
     mkdir "$out"
-    check "$browser" timeout "$PATIENCE" node "$SOURCE/tests/programs/web/page.mjs" $browser "$BUILD/$FILM.html" "$out" \
-        $FILM_TRACED $FILM_LIT
+    check "$browser" timeout "$PATIENCE" node "$SOURCE/tests/programs/web/page.mjs" $browser "$BUILD/$FILM.html" \
+        "$out" $FILM_TRACED $FILM_LIT
     for t in $FILM_TRACED $FILM_LIT; do
         within=()
         [[ " $FILM_LIT " = *" $t "* ]] && within=(--psnr ${tolerance[$browser]})

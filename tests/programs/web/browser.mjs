@@ -1,5 +1,6 @@
-// A browser under test: open('chromium' | 'firefox', url) -> { evaluate(text), click(), key(name), hide(yes), resize(w, h),
-// screenshot(file), close(), errors }. Chromium listens on pipes, Firefox on a port of its own (Marionette).
+// A browser under test: open('chromium' | 'firefox', url, how Chromium draws) -> { evaluate(text), click(), key(name),
+// resize(w, h), screenshot(file), close(), errors }. Chromium listens on pipes, Firefox on a port of its own
+// (Marionette).
 import { spawn } from 'node:child_process'
 import { mkdtempSync, writeFileSync, readFileSync, rmSync } from 'node:fs'
 import { connect } from 'node:net'
@@ -8,20 +9,22 @@ import { tmpdir } from 'node:os'
 const later = ms => new Promise(r => setTimeout(r, ms))
 const kWidth = 1280, kHeight = 720
 
-const chromium = async (url, profile) => {
-  const child = spawn('chromium', ['--headless=new', '--no-sandbox', '--user-data-dir=' + profile, '--no-first-run', '--remote-debugging-pipe',
-    '--disable-background-networking', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--autoplay-policy=user-gesture-required',
+const chromium = async (url, profile, gl = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader']) => {
+  const child = spawn('chromium', ['--headless=new', '--no-sandbox', '--user-data-dir=' + profile, '--no-first-run',
+    '--remote-debugging-pipe', '--disable-background-networking', ...gl, '--autoplay-policy=user-gesture-required',
     `--window-size=${kWidth},${kHeight}`, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] })
   const waiting = new Map, errors = []
+  const told = details => details.exception?.description ?? details.text
   let rest = '', id = 0, session
   child.stdio[4].on('data', data => {
     const parts = (rest + data).split('\0')
     rest = parts.pop()
     for (const m of parts.map(p => JSON.parse(p))) {
       if (m.id) waiting.get(m.id)(m)
-      else if (m.method == 'Runtime.exceptionThrown') errors.push(m.params.exceptionDetails.exception?.description ?? m.params.exceptionDetails.text)
+      else if (m.method == 'Runtime.exceptionThrown') errors.push(told(m.params.exceptionDetails))
       else if (m.method == 'Log.entryAdded' && m.params.entry.level == 'error') errors.push(m.params.entry.text)
-      else if (m.method == 'Runtime.consoleAPICalled' && m.params.type == 'error') errors.push(m.params.args.map(a => a.value ?? a.description).join(' '))
+      else if (m.method == 'Runtime.consoleAPICalled' && m.params.type == 'error')
+        errors.push(m.params.args.map(a => a.value ?? a.description).join(' '))
     }
   })
   const call = (method, params = {}) => new Promise((done, fail) => {
@@ -36,29 +39,37 @@ const chromium = async (url, profile) => {
   return {
     child, errors,
     async evaluate(expression) {
-      const r = await call('Runtime.evaluate', { expression: `(async () => (${expression}))()`, awaitPromise: true, returnByValue: true })
-      if (r.exceptionDetails) throw Error(r.exceptionDetails.exception?.description ?? r.exceptionDetails.text)
+      const how = { expression: `(async () => (${expression}))()`, awaitPromise: true, returnByValue: true }
+      const r = await call('Runtime.evaluate', how)
+      if (r.exceptionDetails) throw Error(told(r.exceptionDetails))
       return r.result.value
     },
     async click() {
-      for (const type of ['mousePressed', 'mouseReleased']) await call('Input.dispatchMouseEvent', { type, x: 900, y: 200, button: 'left', clickCount: 1 })
+      for (const type of ['mousePressed', 'mouseReleased'])
+        await call('Input.dispatchMouseEvent', { type, x: 900, y: 200, button: 'left', clickCount: 1 })
     },
     async key(key) { for (const type of ['keyDown', 'keyUp']) await call('Input.dispatchKeyEvent', { type, key }) },
-    resize: (width, height) => call('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false }),
-    async screenshot(file) { writeFileSync(file, Buffer.from((await call('Page.captureScreenshot')).data, 'base64')) },
+    resize: (width, height) =>
+      call('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false }),
+    async screenshot(file) {
+      writeFileSync(file, Buffer.from((await call('Page.captureScreenshot')).data, 'base64'))
+    },
   }
 }
 
 const firefox = async (url, profile) => {
-  const prefs = { 'webgl.force-enabled': true, 'media.autoplay.blocking_policy': 0, 'datareporting.policy.dataSubmissionEnabled': false,
-    'browser.shell.checkDefaultBrowser': false, 'browser.aboutwelcome.enabled': false, 'devtools.console.stdout.content': true, 'marionette.port': 0 }
+  const prefs = { 'webgl.force-enabled': true, 'media.autoplay.blocking_policy': 0, 'marionette.port': 0,
+    'datareporting.policy.dataSubmissionEnabled': false, 'browser.shell.checkDefaultBrowser': false,
+    'browser.aboutwelcome.enabled': false, 'devtools.console.stdout.content': true }
   writeFileSync(profile + '/user.js', Object.entries(prefs).map(([k, v]) => `user_pref("${k}", ${v});\n`).join(''))
-  const child = spawn('firefox-esr', ['--no-remote', '--marionette', '--profile', profile, '--width', kWidth, '--height', kHeight], { stdio: ['ignore', 'pipe', 'pipe'] })
+  const words = ['--no-remote', '--marionette', '--profile', profile, '--width', kWidth, '--height', kHeight]
+  const child = spawn('firefox-esr', words, { stdio: ['ignore', 'pipe', 'pipe'] })
   const errors = []
   let said = '', port
   for (const out of [child.stdout, child.stderr]) out.on('data', d => {
     said += d
-    for (const line of String(d).split('\n')) if (/^(JavaScript error|console\.error)/.test(line) && /odraz|blob:/.test(line)) errors.push(line)
+    for (const line of String(d).split('\n'))
+      if (/^(JavaScript error|console\.error)/.test(line) && /odraz|blob:/.test(line)) errors.push(line)
   })
   for (let i = 0; i < 300 && !port; ++i) {
     await later(100)
@@ -81,29 +92,34 @@ const firefox = async (url, profile) => {
     const text = JSON.stringify([0, id, name, params])
     socket.write(Buffer.byteLength(text) + ':' + text)
   })
+  const act = (type, actions) => call('WebDriver:PerformActions', { actions: [{ type, id: type, actions }] })
   await call('WebDriver:NewSession', { capabilities: { alwaysMatch: { timeouts: { script: 300000 } } } })
   await call('WebDriver:Navigate', { url })
   return {
     child, errors,
     async evaluate(expression) {
-      const script = `const done = arguments[arguments.length - 1]; (async () => (${expression}))().then(v => done([v]), e => done([null, String(e.stack || e)]))`
-      const [value, wrong] = (await call('WebDriver:ExecuteAsyncScript', { script, args: [], sandbox: null, newSandbox: false })).value
+      const script = `const done = arguments[arguments.length - 1]
+        ;(async () => (${expression}))().then(v => done([v]), e => done([null, String(e.stack || e)]))`
+      const how = { script, args: [], sandbox: null, newSandbox: false }
+      const [value, wrong] = (await call('WebDriver:ExecuteAsyncScript', how)).value
       if (wrong) throw Error(wrong)
       return value
     },
     async click() {
-      const move = { type: 'pointerMove', x: 900, y: 200 }
-      await call('WebDriver:PerformActions', { actions: [{ type: 'pointer', id: 'mouse', actions: [move, { type: 'pointerDown', button: 0 }, { type: 'pointerUp', button: 0 }] }] })
+      const button = 0, move = { type: 'pointerMove', x: 900, y: 200 }
+      await act('pointer', [move, { type: 'pointerDown', button }, { type: 'pointerUp', button }])
     },
-    async key(value) { await call('WebDriver:PerformActions', { actions: [{ type: 'key', id: 'keys', actions: [{ type: 'keyDown', value }, { type: 'keyUp', value }] }] }) },
+    key: value => act('key', [{ type: 'keyDown', value }, { type: 'keyUp', value }]),
     resize: (width, height) => call('WebDriver:SetWindowRect', { width, height }),
-    async screenshot(file) { writeFileSync(file, Buffer.from((await call('WebDriver:TakeScreenshot', { full: false })).value, 'base64')) },
+    async screenshot(file) {
+      writeFileSync(file, Buffer.from((await call('WebDriver:TakeScreenshot', { full: false })).value, 'base64'))
+    },
   }
 }
 
-export const open = async (kind, url) => {
+export const open = async (kind, url, gl) => {
   const profile = mkdtempSync(tmpdir() + '/odraz-browser-')
-  const browser = await { chromium, firefox }[kind](url, profile)
+  const browser = await { chromium, firefox }[kind](url, profile, gl)
   const ended = new Promise(r => browser.child.on('exit', r))
   browser.close = async () => {
     browser.child.kill()

@@ -1,5 +1,5 @@
-// node page.mjs chromium|firefox PAGE OUT SECONDS...: opens the page as a viewer does. Writes pictures of these seconds,
-// 320x180, as `film` draws them, and the music's hash, into OUT; plays; prints what is wrong.
+// node page.mjs chromium|firefox PAGE OUT SECONDS...: opens the page as a viewer does. Writes pictures of these
+// seconds, 320x180, as `film` draws them, and the music's hash, into OUT; plays; prints what is wrong.
 import { writeFileSync } from 'node:fs'
 import { open, later } from './browser.mjs'
 
@@ -10,13 +10,15 @@ const check = (what, right, seen) => {
   wrong ||= !right
 }
 const until = async (b, what, seconds = 120) => {
-  for (const end = Date.now() + seconds * 1000; Date.now() < end; await later(100)) if (await b.evaluate(what)) return true
+  for (const end = Date.now() + seconds * 1000; Date.now() < end; await later(100))
+    if (await b.evaluate(what)) return true
   return false
 }
 
 const b = await open(kind, 'file://' + page + '?full=0')
 try {
-  check('opens', await until(b, 'self.film && document.querySelector("b").textContent'), await b.evaluate('document.title'))
+  const opens = await until(b, 'self.film && document.querySelector("b").textContent')
+  check('opens', opens, await b.evaluate('document.title'))
 
   // --- Pictures, all of them by a worker that has the hall's light ---
   await b.evaluate(`(async () => {
@@ -42,13 +44,15 @@ try {
 
   // --- Music: as output/wav.cpp writes it ---
   writeFileSync(out + '/music.sha256', await b.evaluate(`new Promise(done => {
-    const blocks = 162 * 200, to = new DataView(new ArrayBuffer(44 + blocks * 960)), text = 'RIFF    WAVEfmt                     data'
+    const blocks = 162 * 200, size = blocks * 960, to = new DataView(new ArrayBuffer(44 + size))
+    const text = 'RIFF    WAVEfmt                     data'
+    const numbers = [[4, 36 + size], [16, 16], [20, 0x20001], [24, 48000], [28, 192000], [32, 0x100004], [40, size]]
     for (let i = 0; i < text.length; ++i) to.setUint8(i, text.charCodeAt(i))
-    for (const [at, v] of [[4, 36 + blocks * 960], [16, 16], [20, 0x20001], [24, 48000], [28, 192000], [32, 0x100004], [40, blocks * 960]])
-      to.setUint32(at, v, true)
+    for (const [at, v] of numbers) to.setUint32(at, v, true)
     let n = 0
     const random = x => {
-      const s = Math.imul(x, 747796405) + 2891336453 >>> 0, w = Math.imul((s >>> (s >>> 28) + 4 ^ s) >>> 0, 277803737) >>> 0
+      const s = Math.imul(x, 747796405) + 2891336453 >>> 0
+      const w = Math.imul((s >>> (s >>> 28) + 4 ^ s) >>> 0, 277803737) >>> 0
       return (w >>> 22 ^ w) >>> 0
     }
     const even = x => { const r = Math.round(x); return r - x == 0.5 && r % 2 ? r - 1 : r }
@@ -59,7 +63,8 @@ try {
       }
       if (n < blocks * 480) return k.postMessage(['sound', 200])
       k.terminate()
-      done(Array.from(new Uint8Array(await crypto.subtle.digest('SHA-256', to)), v => v.toString(16).padStart(2, 0)).join(''))
+      const hash = new Uint8Array(await crypto.subtle.digest('SHA-256', to))
+      done(Array.from(hash, v => v.toString(16).padStart(2, 0)).join(''))
     }, 'compose', film.module, 0)
     k.postMessage(['sound', 200])
   })`) + '  -\n')
@@ -97,4 +102,16 @@ try {
   check('answers', false, String(e.stack))
 }
 await b.close()
+
+if (kind == 'chromium') {
+  const url = 'file://' + page + '?full=0&from=62'
+  const none = await open(kind, url, ['--disable-gpu', '--disable-software-rasterizer'])
+  await until(none, 'self.film && film.state().unlit')
+  await none.click()
+  const goesOn = await until(none, 'film.state().film > 65')
+  check('without WebGL leaves the hall out', goesOn, await none.evaluate('film.state()'))
+  check('... with a word', await none.evaluate('/WebGL 2/.test(document.querySelector("p").textContent)'), 'p')
+  check('... and no error', !none.errors.length, none.errors)
+  await none.close()
+}
 process.exit(wrong ? 1 : 0)

@@ -9,5 +9,6 @@ const x = new WebAssembly.Instance(module, { env: new Proxy({}, { get: () => () 
 x.load(320, 180, 1, 0)
 for (const t of seconds) {
   const rgba = new Uint8Array(x.memory.buffer, x.picture(0, +t, 0, 0, 0), 320 * 180 * 4)
-  writeFileSync(`${out}/${t}.ppm`, Buffer.concat([Buffer.from('P6\n320 180\n255\n'), rgba.filter((_, i) => i % 4 != 3)]))
+  const rgb = rgba.filter((_, i) => i % 4 != 3)
+  writeFileSync(`${out}/${t}.ppm`, Buffer.concat([Buffer.from('P6\n320 180\n255\n'), rgb]))
 }
