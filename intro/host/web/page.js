@@ -41,14 +41,14 @@ const main = async (wasm, scripts) => {
 
   // --- Pictures: each worker makes the next run that nobody has ---
   const from = +q.get('from') || 0, duration = x.duration(), ready = [], idle = []
-  let run, planned = from, length = 0, hall, solved = 0, unlit, playing
+  let run, planned = from, length = 0, lit = 0, hall, solved = 0, unlit, playing
   let shown = 0, skipped = 0, first = 0, shownTime = -1
   x.begin(from, w, h)
   const filmAt = () => !playing ? -1e9 : holds.size ? stopped : x.at(now())
   const give = () => {
     while (playing != null && idle.length && !over) {
       const film = filmAt()
-      if (planned >= duration || planned > Math.max(film, from) + length * count + 0.3) return
+      if (planned >= duration || planned > Math.max(film, from) + length * count + 0.15) return
       if (!run) {
         const planned = [...new Float64Array(x.memory.buffer, x.plan(film, count, 1), 8)]
         const [time, step, before, between, traced, level, width, height] = planned
@@ -62,7 +62,10 @@ const main = async (wasm, scripts) => {
         continue
       }
       const k = idle.pop()
-      if (hall && !k.lit) k.postMessage(['light', hall]), k.lit = 1
+      if (hall && !k.lit) { // the last one gets the memory itself, not a copy
+        k.lit = ++lit
+        k.postMessage(['light', hall], lit < count ? [] : [hall.pages.buffer])
+      }
       k.postMessage(['run', run])
       planned = last, run = null
     }
@@ -228,5 +231,5 @@ const main = async (wasm, scripts) => {
     film: filmAt(), heard: zero != null && audio.state == 'running' ? heardAt(now()) : null, ready: ready.length,
     shown, skipped, shownTime, first: first - clicked, silent, holds: [...holds], unlit, hall: !!hall, over,
   })
-  self.film = { module, start, statistics, state, hall: () => hall }
+  self.film = { module, start, statistics, state }
 }
