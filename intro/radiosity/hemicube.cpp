@@ -22,12 +22,13 @@ constexpr int kFloats = 7;
 
 // Backs are drawn slightly deeper than they are: along a silhouette, where a front shares their edge, the
 // front wins
-constexpr char kVertexShader[] = "layout(location=0)in vec3 p;"
-                                 "layout(location=1)in vec2 q;"
-                                 "layout(location=2)in uvec2 c;"
-                                 "out vec2 s;flat out uvec2 f;flat out float d;"
-                                 "uniform float n;"
-                                 "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy," ODRAZ_KEPT ",p.z);s=q;f=c;}";
+constexpr char kVertexShader[] =
+    "layout(location=0)in vec3 p;"
+    "layout(location=1)in vec2 q;"
+    "layout(location=2)in uvec2 c;"
+    "out vec2 s;flat out uvec2 f;flat out float d;"
+    "uniform float n;"
+    "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy," ODRAZ_KEPT ",p.z);s=q;f=c;}";
 // Without reversed depth (D) it writes 1/w itself
 constexpr char kFragmentShader[] =
     "in vec2 s;flat in uvec2 f;flat in float d;out uint o;"
