@@ -8,7 +8,6 @@
 #include <stdint.h>
 
 namespace pack {
-inline namespace web {
 
 enum Field {
     kWhere,  // used by every context: what the next byte is part of, and the how manieth byte of it
@@ -292,5 +291,4 @@ struct Surroundings {
     }
 };
 
-} // namespace web
 } // namespace pack

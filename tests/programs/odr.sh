@@ -4,8 +4,9 @@
 skip_unless ninja
 [ -e "$BUILD/build.ninja" ] || { echo "SKIPPED: not built by ninja"; exit 77; }
 
-# The live film defines the engine again, and Windows the host: chosen by file, never linked together
-ninja -C "$BUILD" -t inputs all | grep '\.o$' | grep -vE '/live\.dir/|/windows/|^generated/' >"$WORK/objects"
+# The live film defines the engine again, Windows and the page the host: chosen by file, never linked together. The
+# page's objects are WebAssembly
+ninja -C "$BUILD" -t inputs all | grep '\.o$' | grep -vE '/live\.dir/|/windows/|host/web/|^generated/' >"$WORK/objects"
 compiler=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$BUILD/CMakeCache.txt")
 # types OBJECT...: compares them. Programs have a main() each: -z muldefs
 types() {
