@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 namespace pack {
+inline namespace web {
 
 enum Field {
     kWhere,  // used by every context: what the next byte is part of, and the how manieth byte of it
@@ -291,4 +292,5 @@ struct Surroundings {
     }
 };
 
+} // namespace web
 } // namespace pack
