@@ -32,9 +32,9 @@ namespace {
 constexpr char kUsage[] =
     "usage: page PROGRAM.wasm DECODER.wasm MODEL PAGE.html WORKER.js,... MAIN.js,... OUT.html BUDGET "
     "[SECONDS]\n"
-    "The scripts of workers are given to main() of MAIN.js,..., as text, behind the program. Fails when the "
-    "page\n"
-    "has more than BUDGET bytes. With SECONDS, it first searches for better contexts, and renews MODEL.\n";
+    "The scripts of workers are given to main() of MAIN.js,..., as text, behind the program. Fails when\n"
+    "the page has more than BUDGET bytes. With SECONDS, it first searches for better contexts, and renews\n"
+    "MODEL.\n";
 
 // Without comments, which have lines of their own or follow two spaces, indentation and empty lines.
 std::string shortened(const std::string &script) {
