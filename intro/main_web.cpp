@@ -42,9 +42,8 @@ int64_t nanosecondsOf(double milliseconds) { return (int64_t)(milliseconds * 1e6
 // --- Pictures ---
 
 // Null, or a line that says what is missing.
-EXPORT(load) const char *loadFilm(int width, int height, int pairs, int hall) {
+EXPORT(load) const char *loadFilm(int width, int height, int hall) {
     IntroSettings settings = {width, height};
-    settings.pairs = pairs;
     size_t bytes = memoryNeeded(settings, 1, hall);
     Arena arena = {grow(bytes), bytes, 0};
     if (!arena.base) return "there is not enough memory";
@@ -60,13 +59,10 @@ EXPORT(load) const char *loadFilm(int width, int height, int pairs, int hall) {
     __builtin_memset(from, 0, (size_t)((unsigned char *)solved.gloss.matrices - from));
     return nullptr;
 }
-EXPORT(picture) uint8_t *pictureAt(int slot, double seconds, float level, int width, int height) {
+EXPORT(picture) uint8_t *pictureAt(double seconds, float level, int width, int height) {
     Governor g;
     g.coarseness = level;
-    return picture(*theIntro, slot, seconds, g.quality(), nullptr, {width, height}).rgba;
-}
-EXPORT(between) uint8_t *betweenOf(int earlier, int later, double share) {
-    return between(*theIntro, earlier, later, share).rgba;
+    return picture(*theIntro, 0, seconds, g.quality(), nullptr, {width, height}).rgba;
 }
 EXPORT(samples) int samplesOf() { return (int)samplesTaken(*theIntro); }
 
@@ -97,19 +93,28 @@ EXPORT(start) void start(double seconds, double now) { theClock.start(seconds, n
 EXPORT(correct) void correct(double seconds, double now) { theClock.correct(seconds, nanosecondsOf(now)); }
 EXPORT(at) double at(double now) { return theClock.at(nanosecondsOf(now)); }
 
-// What a worker is to make next: `traced` pictures, `step` seconds apart, from `time` on, and between each
-// and the one before it `between` in-betweens. `before` is the time of the picture before the first, which
-// the worker may have to trace again; negative if there is none.
+// The picture that a worker makes next.
 namespace {
-struct Run {
-    double time, step, before, between, traced, level, width, height;
-} theRun;
-double theNext; // the last picture planned; the first one to plan at the start
+struct Planned {
+    double time, level, width, height;
+} thePlanned;
+double theNext; // the last time planned; the first one to plan at the start
 bool theBegun;
 
-// Pictures in a run, where several workers make in-betweens. The picture before each run is traced twice, so
-// longer runs cost less; but they need more pictures ahead.
-constexpr int kRun = 3;
+// The fewest pixels across that are traced, in every scene. A browser takes twice the time of the film, and too
+// few pictures look worse than too few pixels.
+constexpr int kLeastWidth = 480;
+
+// No in-betweens are made: each takes two thirds of the time of a traced picture, and every worker would trace
+// a picture of its neighbour again. So there are 60 traced pictures a second, or 30: the governor's pairs,
+// whose in-betweens take no time.
+Pace paceHere(int scene) {
+    Pace p = paceOf(scene);
+    p.leastWidth = min(p.leastWidth, kLeastWidth);
+    p.penalty[Governor::kPairs] = p.penalty[Governor::kThirty];
+    for (int c = Governor::kPairs + 1; c < kCadences; ++c) p.penalty[c] = 1e9f;
+    return p;
+}
 } // namespace
 
 EXPORT(begin) void begin(double from, int width, int height) {
@@ -118,61 +123,36 @@ EXPORT(begin) void begin(double from, int width, int height) {
     theNext = from;
     theBegun = false;
 }
-// Plans the next run, if the film is at `now` seconds and pictures are traced by so many workers, with or
-// without in-betweens.
-EXPORT(plan) const Run *plan(double now, int workers, int pairs) {
+// Plans the next picture, if the film is at `now` seconds and that many workers trace pictures.
+EXPORT(plan) const Planned *plan(double now, int workers) {
     Governor &g = theGovernor;
     int scene = sceneAt(theNext + g.step());
-    g.enter(scene, paceOf(scene));
-    int count = pairs ? Governor::kInBetweens[g.cadence] : 0, traced = count && workers > 1 ? kRun : 1;
-    double step = g.step(), time = theNext;
+    g.enter(scene, paceHere(scene));
     if (theBegun) {
-        // A worker takes as many times longer as there are workers. Its first picture must be in time, and
-        // its last one
-        float trace = g.tracing * (float)workers, make = g.making * (float)workers, first = trace, last = 0;
-        if (count) {
-            first += make + (float)(g.ahead(1) * Governor::kSixtieth);
-            last = (float)traced * (trace + (float)count * make - (float)step) +
-                   (float)(step + g.ahead(count) * Governor::kSixtieth);
-        }
-        double soonest = now + max(first, last) - Governor::kTolerance;
-        for (time += step; time < soonest;) time += Governor::kSixtieth;
+        // A worker takes as many times longer as there are workers
+        double soonest = now + g.tracing * (float)workers - Governor::kTolerance;
+        for (theNext += g.step(); theNext < soonest;) theNext += Governor::kSixtieth;
     }
-    int gap = (int)((time - theNext) / Governor::kSixtieth + 0.5);
-    bool joined = theBegun && count && g.between(gap);
-    // It ends with the scene
-    while (traced > 1 && sceneAt(time + (traced - 1) * step) != scene) --traced;
-    TracedSize size = g.size();
-    theRun = {time,           step,      joined ? theNext : -1, (double)count,
-              (double)traced, g.level(), (double)size.width,    (double)size.height};
-    theNext = time + (traced - 1) * step;
     theBegun = true;
-    return &theRun;
+    TracedSize size = g.size();
+    thePlanned = {theNext, g.level(), (double)size.width, (double)size.height};
+    return &thePlanned;
 }
-// A run of so many pictures took these seconds to trace, for each picture, and to make in-betweens, for each
-// of them.
-EXPORT(spent) void spent(int traced, float trace, float make, int count, int workers) {
-    for (int i = 0; i < traced; ++i) theGovernor.spent(trace / (float)workers, make / (float)workers, count);
-}
+// One of that many workers took so many seconds for a picture.
+EXPORT(spent) void spent(double trace, int workers) { theGovernor.spent((float)trace / (float)workers, 0, 1); }
 
 // --- Statistics ---
 
-// A picture was shown: it took `trace` or `make` milliseconds, and `present` to show.
+// A picture was shown: it took `trace` milliseconds, and `present` to show.
 EXPORT(shown)
-void shown(double seconds, double trace, double make, double present, double samples, int width, int missed) {
+void shown(double seconds, double trace, double present, double samples, int width, int missed) {
     SceneStatistics &s = theStatistics.scenes[sceneAt(seconds)];
-    ++s.shown;
+    ++s.shown, ++s.traced;
     s.missed += missed;
     s.present.add(nanosecondsOf(present));
-    if (trace > 0) {
-        ++s.traced;
-        s.samples += samples;
-        s.width += width;
-        s.trace.add(nanosecondsOf(trace));
-    } else {
-        ++s.between;
-        s.make.add(nanosecondsOf(make));
-    }
+    s.samples += samples;
+    s.width += width;
+    s.trace.add(nanosecondsOf(trace));
 }
 EXPORT(statistics) const char *statisticsText(double untilFirst) {
     printStatistics(theStatistics, theClock, untilFirst);

@@ -39,82 +39,74 @@ const main = async (wasm, scripts) => {
   }
   const paint = rgba => draw.putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), w, h), 0, 0)
 
-  // --- Pictures: each worker makes the next run that nobody has ---
-  const from = +q.get('from') || 0, duration = x.duration(), ready = [], idle = []
-  let run, planned = from, length = 0, lit = 0, hall, solved = 0, unlit, playing
+  // --- Pictures: an idle worker makes the next one. The first ones are made before the click ---
+  const kAhead = 8 // pictures that stand ready, besides those being made
+  const from = +q.get('from') || 0, duration = x.duration(), ready = [], idle = [], spare = []
+  let next, planned = from, lit = 0, solved = 0, unlit, playing
   let shown = 0, skipped = 0, first = 0, shownTime = -1
   x.begin(from, w, h)
   const filmAt = () => !playing ? -1e9 : holds.size ? stopped : x.at(now())
   const give = () => {
-    while (playing != null && idle.length && !over) {
-      const film = filmAt()
-      if (planned >= duration || planned > Math.max(film, from) + length * count + 0.15) return
-      if (!run) {
-        const planned = [...new Float64Array(x.memory.buffer, x.plan(film, count, 1), 8)]
-        const [time, step, before, between, traced, level, width, height] = planned
-        run = { time, step, before, between, traced, level, width, height }
-        length = traced * step
-      }
-      const last = run.time + (run.traced - 1) * run.step
-      if (!hall && x.lit(last)) {
+    while (idle.length && !over && planned < duration && ready.length + count - idle.length < kAhead + count) {
+      const [time, level, width, height] = next ??= [...new Float64Array(x.memory.buffer, x.plan(filmAt(), count), 4)]
+      if (lit < count && x.lit(time)) {
         if (!unlit) return // not yet
-        planned = last, run = null // left out
-        continue
+      } else {
+        const rgba = spare.pop()
+        idle.pop().postMessage(['picture', { time, level, width, height }, rgba], rgba ? [rgba.buffer] : [])
       }
-      const k = idle.pop()
-      if (hall && !k.lit) { // the last one gets the memory itself, not a copy
-        k.lit = ++lit
-        k.postMessage(['light', hall], lit < count ? [] : [hall.pages.buffer])
-      }
-      k.postMessage(['run', run])
-      planned = last, run = null
+      planned = time, next = null
     }
   }
+  // The light of the hall, which goes from worker to worker, so that it stands in memory once
+  const light = hall => {
+    const to = tracers[lit++] ?? solver
+    to.postMessage(['light', hall], [hall.pages.buffer])
+    if (lit == count) release('hall'), give()
+  }
   const heard = (d, k) => {
+    if (d.hall) return light(d.hall)
+    if (d.still) return playing == null && paint(d.rgba)
     if (d.rgba) {
-      if (d.still) return playing == null && paint(d.rgba)
+      x.spent(d.trace / 1e3, count)
       ready.push(d)
       ready.sort((a, b) => a.time - b.time)
     }
-    const r = d.run
-    if (r) x.spent(r.traced, d.trace / r.traced / 1e3, d.made && d.make / d.made / 1e3, d.made && r.between, count)
-    if (d.idle) idle.push(k), give()
+    idle.push(k), give()
   }
   const tracers = Array.from({ length: count }, () => start(heard, 'trace', module, w, h))
-  tracers[0].postMessage(['still', 35, 1])
+  tracers[0].postMessage(['picture', { time: 35, level: 1, width: 0, height: 0, still: 1 }])
   const leaveOut = why => {
     unlit = `The light of the hall could not be solved (${why}): the scenes from 64 to 152 s are left out.`
     release('hall'), give()
   }
-  let solver = start(d => {
+  const solver = start(d => {
     if (d.progress) solved = d.progress
-    if (d.hall) hall = d.hall, solver.terminate(), release('hall'), give()
+    if (d.hall) solver.terminate(), light(d.hall)
   }, 'solve', module, w, h)
   const solverWrong = solver.onmessage
   solver.onmessage = e => e.data.wrong ? leaveOut(e.data.wrong) : solverWrong(e)
   solver.onerror = e => leaveOut(e.message)
 
   // --- Music: scheduled twenty seconds ahead, so that it goes on whatever else the machine does ---
-  const kChunk = 100, kAhead = 20 // blocks at a time; seconds
+  const kChunk = 100, kComposed = 20, kFirst = 2 // blocks at a time; seconds, and those before the click
+  const seconds = kChunk * kBlock / kRate
   let audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0
   const waiting = []
   const composer = start(d => {
-    if (!d.left) return
-    const b = audio.createBuffer(2, d.left.length, kRate)
-    b.copyToChannel(d.left, 0), b.copyToChannel(d.right, 1)
-    waiting.push(b)
-    schedule()
+    if (d.left) waiting.push(d), schedule()
   }, 'compose', module, Math.round(from * kRate / kBlock))
-  const seconds = kChunk * kBlock / kRate
   const compose = () => {
-    const most = kAhead + Math.max(0, filmAt() - from)
+    const most = playing == null ? kFirst : kComposed + Math.max(0, filmAt() - from)
     for (; !silent && asked * seconds < most; ++asked) composer.postMessage(['sound', kChunk])
   }
   const schedule = () => {
     while (zero != null && waiting.length) {
       const s = audio.createBufferSource(), when = zero + scheduled++ * seconds
       const late = Math.max(0, audio.currentTime + 0.02 - when)
-      s.buffer = waiting.shift()
+      const { left, right } = waiting.shift()
+      s.buffer = audio.createBuffer(2, left.length, kRate)
+      s.buffer.copyToChannel(left, 0), s.buffer.copyToChannel(right, 1)
       s.connect(gain)
       if (late < seconds) s.start(when + late, late)
     }
@@ -147,11 +139,10 @@ const main = async (wasm, scripts) => {
 
   // --- A refresh of the screen ---
   let lastSixtieth = -1, begun
-  const step = () => {
+  const step = (t = now()) => {
     if (over) return
-    const t = now()
     if (holds.has('start')) {
-      const needs = x.lit(from) && !hall && !unlit, share = Math.min(1, ready.length / 3)
+      const needs = x.lit(from) && lit < count && !unlit, share = Math.min(1, ready.length / 3)
       bar.style.width = 100 * (needs ? solved * 0.8 : (x.lit(from) ? 0.8 + share / 5 : share)) + '%'
       say(needs ? 'The light of the hall is being solved.' : '')
       if (audio.state != 'running' && t - clicked > 1500) silent = 1
@@ -161,18 +152,22 @@ const main = async (wasm, scripts) => {
       if (!silent && audio.currentTime > zero) t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
       const film = x.at(t)
       if (film >= duration) return end()
-      if (x.lit(film) && !hall) {
+      if (x.lit(Math.max(film, from)) && lit < count) {
         if (!unlit) hold('hall')
         else say(unlit), draw.fillRect(0, 0, w, h)
       } else if (unlit && word.textContent) say('')
       let p
-      while (ready.length && ready[0].time <= film) p && ++skipped, p = ready.shift()
+      while (ready[0]?.time <= film + 0.008) { // at the nearest refresh
+        if (p) ++skipped, spare.push(p.rgba)
+        p = ready.shift()
+      }
       if (p && p.time > shownTime) {
         paint(p.rgba)
+        spare.push(p.rgba)
         if (!shown++) first = now()
         const sixtieth = Math.floor((now() - begun) * 0.06)
         const missed = lastSixtieth < 0 ? 0 : Math.max(0, sixtieth - lastSixtieth - 1)
-        x.shown(p.time, p.trace ?? 0, p.make ?? 0, now() - t, p.samples ?? 0, p.width ?? 0, missed)
+        x.shown(p.time, p.trace, now() - t, p.samples, p.width, missed)
         lastSixtieth = sixtieth
         shownTime = p.time
       }
@@ -224,12 +219,12 @@ const main = async (wasm, scripts) => {
   document.onvisibilitychange = () => {
     if (playing != null && !over) document.hidden ? hold('hidden') : release('hidden')
   }
-  say('')
+  compose()
   button.textContent = '\u25b6 play'
   // For tests
   const state = () => ({
     film: filmAt(), heard: zero != null && audio.state == 'running' ? heardAt(now()) : null, ready: ready.length,
-    shown, skipped, shownTime, first: first - clicked, silent, holds: [...holds], unlit, hall: !!hall, over,
+    shown, skipped, shownTime, first: first - clicked, silent, holds: [...holds], unlit, hall: lit >= count, over,
   })
   self.film = { module, start, statistics, state }
 }

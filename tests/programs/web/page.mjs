@@ -24,17 +24,17 @@ try {
   await b.evaluate(`(async () => {
     const hall = await new Promise((done, fail) =>
       film.start(d => d.hall ? done(d.hall) : d.wrong && fail(d.wrong), 'solve', film.module, 320, 180))
-    let idle
-    const tracer = film.start(d => {
-      if (d.idle) idle?.()
-      if (d.rgba) self.pictured = d.rgba
-    }, 'trace', film.module, 320, 180)
-    await new Promise(done => idle = done)
-    tracer.postMessage(['light', hall])
+    let heard
+    const tracer = film.start(d => heard(d), 'trace', film.module, 320, 180)
+    const asked = (...all) => new Promise(done => {
+      heard = done
+      if (all.length) tracer.postMessage(all)
+    })
+    await asked()
+    await asked('light', hall)
     self.draw = async time => {
-      tracer.postMessage(['still', time, 0])
-      await new Promise(done => idle = done)
-      return btoa(Array.from(pictured.filter((_, i) => i % 4 != 3), c => String.fromCharCode(c)).join(''))
+      const { rgba } = await asked('picture', { time, level: 0, width: 0, height: 0 })
+      return btoa(Array.from(rgba.filter((_, i) => i % 4 != 3), c => String.fromCharCode(c)).join(''))
     }
   })()`)
   for (const t of seconds) {

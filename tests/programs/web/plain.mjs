@@ -6,9 +6,9 @@ const [program, script, out, ...seconds] = process.argv.slice(2)
 const plain = new Function(readFileSync(script, 'utf8') + '; return plain')()
 const module = new WebAssembly.Module(plain(readFileSync(program)))
 const x = new WebAssembly.Instance(module, { env: new Proxy({}, { get: () => () => 0 }) }).exports
-x.load(320, 180, 1, 0)
+x.load(320, 180, 0)
 for (const t of seconds) {
-  const rgba = new Uint8Array(x.memory.buffer, x.picture(0, +t, 0, 0, 0), 320 * 180 * 4)
+  const rgba = new Uint8Array(x.memory.buffer, x.picture(+t, 0, 0, 0), 320 * 180 * 4)
   const rgb = rgba.filter((_, i) => i % 4 != 3)
   writeFileSync(`${out}/${t}.ppm`, Buffer.concat([Buffer.from('P6\n320 180\n255\n'), rgb]))
 }
