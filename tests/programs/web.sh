@@ -1,4 +1,5 @@
-# The film's page in Chromium and Firefox: golden pictures, the music, and ten seconds of playing.
+# The film's page in Chromium and Firefox: golden pictures, the music, and ten seconds of playing. What its player shows
+# at a stated time for each picture, on a simulated clock.
 . "$(dirname "$0")/common.sh"
 skip_unless node chromium firefox-esr Xvfb
 [ -s "$BUILD/$FILM.html" ] || { echo "there is no $BUILD/$FILM.html: build film_web first"; exit 77; }
@@ -8,9 +9,10 @@ Xvfb -displayfd 3 -screen 0 1280x800x24 3>"$WORK/display" 2>/dev/null &
 PIDS+=($!)
 until [ -s "$WORK/display" ]; do sleep 0.1; done
 export DISPLAY=:$(cat "$WORK/display")
+program=$BUILD/intro/host/web/$FILM.wasm scripts=$SOURCE/intro/host/web
+check "simulated player" node "$SOURCE/tests/programs/web/player.mjs" "$program" "$scripts/plain.js" "$scripts/page.js"
 mkdir "$WORK/plain"
-check "plain SIMD" node "$SOURCE/tests/programs/web/plain.mjs" "$BUILD/intro/host/web/$FILM.wasm" \
-    "$SOURCE/intro/host/web/plain.js" "$WORK/plain" $FILM_TRACED
+check "plain SIMD" node "$SOURCE/tests/programs/web/plain.mjs" "$program" "$scripts/plain.js" "$WORK/plain" $FILM_TRACED
 for t in $FILM_TRACED; do
     golden=$(printf '%s/tests/golden/film-%03d.png' "$SOURCE" "$t")
     check "plain SIMD: the picture at $t s" "$BUILD/compare" "$golden" "$WORK/plain/$t.ppm" --psnr 65
