@@ -88,8 +88,8 @@ const main = async (wasm, scripts) => {
   solver.onmessage = e => e.data.wrong ? leaveOut(e.data.wrong) : solverWrong(e)
   solver.onerror = e => leaveOut(e.message)
 
-  // --- Music: scheduled twenty seconds ahead, so that it goes on whatever else the machine does ---
-  const kChunk = 100, kComposed = 20, kFirst = 2 // blocks at a time; seconds, and those before the click
+  // --- Music: scheduled ten seconds ahead, so that it goes on whatever else the machine does ---
+  const kChunk = 100, kComposed = 10, kFirst = 2 // blocks at a time; seconds, and those before the click
   const seconds = kChunk * kBlock / kRate
   let audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0
   const waiting = []
