@@ -127,6 +127,7 @@ const main = async (wasm, scripts) => {
   }
   const release = why => {
     if (!holds.delete(why) || holds.size) return
+    navigator.wakeLock?.request('screen').catch(() => {}) // phones would sleep
     const t = now()
     if (!playing) {
       playing = 1
@@ -194,7 +195,8 @@ const main = async (wasm, scripts) => {
 
   // --- The viewer ---
   let clicked
-  const fullScreen = () => full && document.documentElement.requestFullscreen?.().catch(() => {})
+  const fullScreen = () => full && document.documentElement.requestFullscreen?.()
+    .then(() => screen.orientation.lock('landscape')).catch(() => {}) // phones turn it
   const play = () => {
     if (over) return
     if (playing != null) return audio.resume()

@@ -39,7 +39,8 @@ const plain = wasm => {
       if (op == 253 && code == 261)
         body.push(33), put(body, local), body.push(253, 230, 1, 32), put(body, local), body.push(253, 228, 1)
       else
-        copy(body, op == 253 && code == 267 ? [253, 82] : op == 253 && code == 257 ? [253, 248, 1] : wasm.slice(from, i))
+        copy(body, op == 253 && code == 267 ? [253, 82] : op == 253 && code == 257 ? [253, 248, 1]
+          : wasm.slice(from, i))
     }
     put(to, body.length), copy(to, body)
   }
