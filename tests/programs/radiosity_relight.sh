@@ -97,11 +97,11 @@ check "... with dividing" slow
 cp kept.mtl columns.mtl
 
 # By default every element has as many rays as its light needs; that of scaled lamps needs the same
-solve columns.obj -o base.rad --keep-rows
-like_fresh "rays as light needs them" columns.obj "" "--power 4"
+solve columns.obj -o base.rad --keep-rows --element 1
+like_fresh "rays as light needs them" columns.obj "--element 1" "--power 4"
 # ... and for other light, other numbers of rays: then both differ by their noise
 for changes in "--power 1,20,5" "--reflectance white=0.5" "--reflectance 0.9 --power 3,2,5"; do
-    like_fresh "rays as light needs them, $changes" columns.obj "" "$changes" 0.01
+    like_fresh "rays as light needs them, $changes" columns.obj "--element 1" "$changes" 0.01
     check "... without dividing" quick
 done
 check "rows of hemicubes" solve columns.obj -o base.rad --keep-rows --hemicube 16
@@ -157,11 +157,11 @@ check "... and writes what is there" "$radiosity" export x.rad --csv x.csv
 check "... all of it" table x.csv 'a += $8' 'lines > 1000 && a > 0'
 check "... and no state" test ! -e x.rad.state
 # Ctrl-C while rows are found: none are kept, until they are whole
-behind "$radiosity" solve columns.obj -o y.rad --keep-rows --hemicube 64 --progress
+behind "$radiosity" solve columns.obj -o y.rad --keep-rows --hemicube 40 --progress
 check "rows that are stopped end well" stopped_at '^progress: form factors' err
 check "... and are not kept" test ! -e y.rad.rows
 check "... go on" prints residual "$radiosity" solve --resume y.rad.state 2>err
 check "... and are kept then" prints '^kept rows of' "$radiosity" solve columns.obj --relight y.rad -o x.rad --power 2 --reflectance 0.9
-"$radiosity" solve columns.obj -o fresh.rad --hemicube 64 --power 2 --reflectance 0.9 >out
+"$radiosity" solve columns.obj -o fresh.rad --hemicube 40 --power 2 --reflectance 0.9 >out
 check "... like a fresh one" same fresh.rad x.rad
 finish

@@ -1,5 +1,7 @@
 # radiosity solve --resume: a solution that was stopped goes on, and ends with the bytes of one that was not.
+# With "all" as the second argument it is stopped in more steps and by more signals.
 . "$(dirname "$0")/radiosity_program.sh"
+all=${2-}
 
 for kind in terrain columns; do "$radiosity" generate $kind -o $kind.obj >/dev/null; done
 sed -i 's/^Kd .*/Kd 0.95 0.95 0.95/' columns.mtl # solving it takes some 170 sweeps
@@ -40,18 +42,18 @@ goes_on() { # SIGNAL STATES WORDS...
 }
 check "a solution that is not stopped" "$radiosity" solve terrain.obj -o whole.rad
 check "... leaves no state" test ! -e whole.rad.state
-for how in "INT 4" "KILL 9"; do
+for how in "INT 4" ${all:+"KILL 9"}; do
     goes_on $how terrain.obj
 done
 every=0.01
 rays=(columns.obj --element 0.5 --residual 1e-7)
 check "of few elements" "$radiosity" solve -o whole.rad "${rays[@]}"
-for how in "INT 1" "KILL 2" "INT solving" "KILL solving"; do
+for how in "INT 1" "KILL solving" ${all:+"KILL 2" "INT solving"}; do
     goes_on $how "${rays[@]}"
 done
 gather=(columns.obj --element 1 --final 256)
 check "with a final gather" "$radiosity" solve -o whole.rad "${gather[@]}"
-for how in "INT final" "KILL final"; do
+for how in "KILL final" ${all:+"INT final"}; do
     goes_on $how "${gather[@]}"
 done
 
@@ -60,7 +62,7 @@ every=0.05
 patches=(columns.obj --hemicube 64 --patch 1 --residual 1e-7)
 check "between patches" "$radiosity" solve -o whole.rad "${patches[@]}"
 check "... no state is left" test ! -e whole.rad.state
-for how in "INT 1" "KILL 5" "INT solving" "KILL solving"; do
+for how in "KILL 5" "INT solving" ${all:+"INT 1" "KILL solving"}; do
     goes_on $how "${patches[@]}"
 done
 twice() { # stopped, and once more, at once
