@@ -1,4 +1,5 @@
-# The packer with programs as compilers make them: packed, they must behave as before.
+# The packer with programs as compilers make them: packed, they must behave as before. With "all" as the second
+# argument it packs another large one.
 . "$(dirname "$0")/common.sh"
 skip_unless gcc
 pack=$BUILD/pack
@@ -58,7 +59,7 @@ export SAID=words
 check "compiles a program" gcc -O1 c.c -o c
 check "... which runs packed" same c
 fast=(--fast) # for the others, which takes a third of the time
-for options in -no-pie "-static -Wl,-s" "-static-pie -Wl,-s" "-no-pie -Wl,-s" "-Wl,-z,now -Wl,-z,pack-relative-relocs" "-Wl,-z,noseparate-code" "-Wl,-z,max-page-size=0x10000"; do
+for options in -no-pie "-static -Wl,-s" ${2:+"-static-pie -Wl,-s"} "-no-pie -Wl,-s" "-Wl,-z,now -Wl,-z,pack-relative-relocs" "-Wl,-z,noseparate-code" "-Wl,-z,max-page-size=0x10000"; do
     gcc -O1 c.c $options -o variant 2>/dev/null || { echo "not checked: gcc cannot link with $options"; continue; }
     check "... linked with $options, too" same variant
 done

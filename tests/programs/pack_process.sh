@@ -75,10 +75,10 @@ check "without randomised addresses" both 'exec setarch -R ./run'
 check "with closed descriptors" both 'exec ./run <&- 2>&-'
 
 # A long decoding, in which signals come
-head -c 400000 /dev/urandom >noise
+head -c 100000 /dev/urandom >noise
 printf '%s\n' '.section .rodata' '.incbin "noise"' '.section .note.GNU-stack,"",@progbits' >noise.s
 gcc -O1 c.c noise.s -Llib -lfound -Wl,-rpath,'$ORIGIN/lib' -o long && "$pack" long -o a/long >/dev/null
-check "a program of 400 KB of noise" test -x a/long
+check "a program of 100 KB of noise" test -x a/long
 in_a() { cd a && exec "$@"; }
 behind in_a ./long x
 stopped() { grep -q '^State:.*T' "/proc/$pid/status"; }
