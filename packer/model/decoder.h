@@ -40,7 +40,7 @@ struct Decoder {
 
 // Writes `image` from the coder's bits. Operands that name addresses relative to the next instruction are
 // coded as offsets from the start of the image, high byte first, so that one target looks the same wherever
-// it is named. `memory`: modelMemory() bytes of zeros, aligned to 16.
+// it is named. `memory`: modelMemory() bytes of zeros, aligned to 64.
 template <class Coder>
 void run(Coder &coder, const Layout &layout, const ModelParameters &parameters, void *memory,
          uint8_t *image) {

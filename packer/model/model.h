@@ -90,9 +90,9 @@ constexpr uint32_t kCorrectionRowBits = 14, kCorrectionBits = 5;
 constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits - 1);
 constexpr uint32_t kFirstTrust = 14; // bits that a new correction counts as seen
 
-// The slots of one nibble are adjacent, sixteen of them in two cache lines; the bits coded of the nibble so
-// far select one of them. The nibble's hash selects four such sixteens, one after another: a slot may be in
-// any of the four.
+// The hash of a nibble selects 64 adjacent slots: four for each of its fifteen steps, and four that are not
+// used. The bits coded of the nibble so far select the step; a context's slot may be any of its four. (In
+// the stub, the slots of one way are adjacent.)
 struct Nibble {
     uint32_t start, step; // a leading one and the byte's bits before the nibble; which of its slots: 1 .. 15
     uint32_t number() const { return start ^ 16; } // 0 .. 15 for the second one, 17 for the first
@@ -118,7 +118,7 @@ struct Context {
     Counter shared[kSharedCounters]; // by all slots
 };
 
-struct Model {
+struct alignas(64) Model {
     // The odds and three zeros; then those of each context: its three counters' and the slot's p - 1/2. In
     // the rows of weights, the last of the first four is not a weight: it counts how often the row was used
     Float4 inputs[1 + kMostContexts], results[kSets / 4];
@@ -188,15 +188,19 @@ inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_
 
 inline uint32_t phaseOf(const uint32_t *fields) { return fields[kWhere] & ((1 << kPhaseBits) - 1); }
 
+inline Slot *nibbleSlots(Slot *slots, uint32_t slotBits, uint32_t hash) {
+    return slots + (hash >> (32 - slotBits) & ~(kWays * kNibbleSlots - 1));
+}
+
 // Finds a context's counters. `hash` is that of the nibble.
 inline void find(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint32_t phase, Nibble nibble) {
     uint16_t check = (uint16_t)hash;
-    uint32_t place = hash >> (32 - slotBits) & ~((kWays - 1) * kNibbleSlots);
-    Slot *s = slots + (place ^ nibble.step), *worst = s;
-    uint32_t ways = kWays;
-    for (; ways && s->check != check; --ways, s += kNibbleSlots)
+    Slot *ways = nibbleSlots(slots, slotBits, hash);
+    ways += (hash >> (32 - slotBits) ^ nibble.step) % kNibbleSlots * kWays;
+    Slot *s = ways, *worst = s;
+    for (; s < ways + kWays && s->check != check; ++s)
         if (seenBy(s->counter) < seenBy(worst->counter)) worst = s;
-    if (!ways) *(s = worst) = Slot{0, 0, 0, check}; // forgets the one that has seen least
+    if (s == ways + kWays) *(s = worst) = Slot{0, 0, 0, check}; // forgets the one that has seen least
     c.slot = s;
     if (nibble.start == 1 && nibble.step == 1) c.byteSlot = s;
     Counter *shared = c.shared + phase * kPhaseCounters;
@@ -231,11 +235,17 @@ inline void begin(Model &m, const ModelParameters &parameters, const uint32_t *f
 inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits,
                         Surroundings::Odds odds) {
     Nibble nibble = nibbleOf(bits);
-    for (uint32_t i = 0; i < parameters.contexts; ++i) {
-        if (nibble.step == 1)
+    if (nibble.step == 1)
+        for (uint32_t i = 0; i < parameters.contexts; ++i) {
             m.hashes[i] = mixIn(m.hashes[i], nibble.start); // those of the nibble, from here on
+            // Most of the time is spent waiting for memory, so all of a nibble's is loaded at once. This is
+            // how to prefetch in WebAssembly
+            const Slot *s = nibbleSlots(slots, parameters.slotBits, m.hashes[i]);
+            for (uint32_t k = 0; k < kWays * kNibbleSlots; k += 64 / sizeof(Slot))
+                asm volatile("" ::"r"(s[k].counter));
+        }
+    for (uint32_t i = 0; i < parameters.contexts; ++i)
         find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, nibble);
-    }
     float *results = (float *)m.results;
     m.inputs[0] = Float4{logOf(odds), 0, 0, 0};
     for (uint32_t i = 0; i < parameters.contexts; ++i) {

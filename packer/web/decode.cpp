@@ -14,7 +14,7 @@ extern "C" void *memcpy(void *__restrict to, const void *__restrict from, size_t
 namespace {
 
 // Behind the program's own data: the payload, which Layout and ModelParameters begin, and what is decoded
-unsigned char *payload() { return (unsigned char *)(((uintptr_t)&__heap_base + 15) & ~15ul); }
+unsigned char *payload() { return (unsigned char *)(((uintptr_t)&__heap_base + 63) & ~63ul); }
 constexpr uint32_t kMostPayload = 1 << 17, kMostDecoded = 1 << 20;
 
 } // namespace
