@@ -191,9 +191,8 @@ struct Estimator::Work {
                 Nibble nibble = nibbleOf(bits);
                 if (nibble.step == 1) hash = mixIn(hash, nibble.start);
                 find(c, slots.data(), slotBits, hash, phase, nibble);
-                to[kContextCounters] = (int16_t)(linear(*c.counter[0]) * (1 / kUnit));
-                for (uint32_t k = 0; k < kContextCounters; ++k)
-                    to[k] = (int16_t)(stretch(*c.counter[k]) * (1 / kUnit));
+                Float4 inputs = inputsOf(c.counter) * (1 / kUnit);
+                for (uint32_t k = 0; k < kLanes; ++k) to[k] = (int16_t)inputs[k];
                 learn(c, bit);
                 bits = bits * 2 + bit;
             }

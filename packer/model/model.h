@@ -75,6 +75,7 @@ struct Slot {
 constexpr uint32_t kHistoryFull = 128; // the leading one of a history of seven bits
 
 typedef float Float4 __attribute__((vector_size(16)));
+typedef int32_t Int4 __attribute__((vector_size(16)));
 // Logarithms are in units of a float's last bit: 2^23 for a factor of 2.
 constexpr float kLogUnit = 0.69314718f / (1 << 23);
 constexpr float kFirstWeight = 1.0f / 25, kFinalLearning = 1.0f / 1250 * kLogUnit;
@@ -139,17 +140,20 @@ union FloatBits {
 };
 
 // ln(x), piecewise linear: a float's bits are its logarithm, nearly.
-inline int32_t logBits(int32_t x) { return FloatBits{(float)x}.bits; }
+inline Int4 logBits(Int4 x) { return (Int4) __builtin_convertvector(x, Float4); }
 
-// ln(p / (1 - p)) of a counter, and back, by the same kind of curve.
-inline float stretch(Counter c) {
-    int32_t p = (int32_t)c >> kSeenBits;
-    return (float)(logBits(kCertain + 2 + p) - logBits(kCertain + 2 - p));
+// A context's inputs: ln(p / (1 - p)) of its counters, and p - 1/2 of the first one.
+inline Float4 inputsOf(Counter *const *c) {
+    Int4 p = Int4{(int32_t)*c[0], (int32_t)*c[1], (int32_t)*c[2], 0} >> kSeenBits;
+    Int4 inputs = logBits(kCertain + 2 + p) - logBits(kCertain + 2 - p);
+    inputs[3] = p[0] * (1 << kLinearShift);
+    return __builtin_convertvector(inputs, Float4);
 }
-inline float linear(Counter c) { return (float)(((int32_t)c >> kSeenBits) * (1 << kLinearShift)); }
 inline float logOf(Surroundings::Odds odds) {
-    return (float)((logBits((int32_t)odds.ones) - logBits((int32_t)odds.zeros)) * (1 << kOddsShift));
+    Int4 logs = logBits(Int4{(int32_t)odds.ones, (int32_t)odds.zeros});
+    return (float)((logs[0] - logs[1]) * (1 << kOddsShift));
 }
+// p of ln(p / (1 - p)), by the same kind of curve.
 inline float squash(float x) {
     FloatBits odds;
     odds.bits = (int32_t)x + FloatBits{1}.bits;
@@ -248,10 +252,7 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
         find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, nibble);
     float *results = (float *)m.results;
     m.inputs[0] = Float4{logOf(odds), 0, 0, 0};
-    for (uint32_t i = 0; i < parameters.contexts; ++i) {
-        Counter **c = m.contexts[i].counter;
-        m.inputs[1 + i] = Float4{stretch(*c[0]), stretch(*c[1]), stretch(*c[2]), linear(*c[0])};
-    }
+    for (uint32_t i = 0; i < parameters.contexts; ++i) m.inputs[1 + i] = inputsOf(m.contexts[i].counter);
 
     // Mix. The results are stored in reverse order of the sets
     for (uint32_t i = 0; i < kSets; ++i) {
