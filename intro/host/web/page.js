@@ -16,7 +16,7 @@ const main = async (wasm, scripts) => {
     return WebAssembly.validate(new Uint8Array(parts))
   }
   const kZero = [65, 0, 253, 15] // i32.const 0, i8x16.splat
-  if (!can(kZero)) return fail('This browser has no WebAssembly SIMD.')
+  if (!self.WebAssembly || !can(kZero)) return fail('This browser has no WebAssembly SIMD.')
   if (!self.AudioContext) return fail('This browser has no Web Audio.')
   const relaxed = can([...kZero, ...kZero, ...kZero, 253, 133, 2])
   const module = await WebAssembly.compile(relaxed ? wasm : plain(wasm))

@@ -39,7 +39,7 @@ const play = async (cost, from) => {
     createBufferSource() { return { connect() {}, start() {} } }
   }
   const self = {
-    Worker, AudioContext, Uint8ClampedArray: Picture, ImageData: Picture, Blob: class {},
+    WebAssembly, Worker, AudioContext, Uint8ClampedArray: Picture, ImageData: Picture, Blob: class {},
     URL: { createObjectURL() {} }, location: { search: `?full=0&from=${from}` }, performance: { now: () => clock },
     document: { querySelector: s => elements[s] ??= element(), body: {} }, navigator: { hardwareConcurrency: kWorkers },
     innerWidth: 1280, innerHeight: 720, devicePixelRatio: 1,
