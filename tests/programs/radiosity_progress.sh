@@ -3,9 +3,9 @@
 skip_unless script
 
 "$radiosity" generate columns -o m.obj >/dev/null
-check "without --progress" bash -c "'$radiosity' solve m.obj -o m.rad --hemicube 64 >out 2>quiet"
+check "without --progress" bash -c "'$radiosity' solve m.obj -o m.rad --hemicube 32 >out 2>quiet"
 check "... nothing is printed" test ! -s quiet
-check "with --progress" bash -c "'$radiosity' solve m.obj -o again.rad --hemicube 64 --progress >out 2>lines"
+check "with --progress" bash -c "'$radiosity' solve m.obj -o again.rad --hemicube 32 --progress >out 2>lines"
 check "... the same comes out" cmp m.rad again.rad
 check "... every line has one form" bash -c "! grep -vE '^progress: (dividing|form factors|direct light|solving) [0-9]+ %(, residual [-+0-9.e]+)?(, [0-9]+ s left)?\$' lines"
 for step in dividing "form factors" "direct light" solving; do
