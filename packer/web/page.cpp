@@ -161,7 +161,8 @@ void writeModel(const std::string &path, const ModelParameters &parameters) {
 // run with the program. The decoder works on a thread of its own, so that the page answers.
 constexpr char kLoader[] =
     R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],w
-if(!self.DecompressionStream)throw document.body.textContent='This browser is too old for the film.'
+if(!self.DecompressionStream||!self.Worker||!self.WebAssembly)
+throw document.body.textContent='This browser lacks WebAssembly, workers or DecompressionStream: it cannot play the film.'
 if(document.characterSet[0]=='w'){
 [...new TextDecoder('latin1').decode(Uint8Array.from({length:256},(_,i)=>i))].map((c,i)=>m[c]=i)
 s=[...t].map(c=>m[c])

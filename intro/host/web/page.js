@@ -2,7 +2,7 @@
 const main = async (wasm, scripts) => {
   const of = selector => document.querySelector(selector), body = document.body
   const canvas = of('canvas'), bar = of('i'), button = of('b'), word = of('p'), printed = of('pre')
-  const q = new URLSearchParams(location.search), now = () => performance.now(), opened = now()
+  const q = new URLSearchParams(location.search), now = () => performance.now()
   const kRate = 48000, kBlock = 240
   let over
   const say = text => word.textContent = text
@@ -16,7 +16,7 @@ const main = async (wasm, scripts) => {
     return WebAssembly.validate(new Uint8Array(parts))
   }
   const kZero = [65, 0, 253, 15] // i32.const 0, i8x16.splat
-  if (!self.WebAssembly || !can(kZero)) return fail('This browser has no WebAssembly SIMD.')
+  if (!can(kZero)) return fail('This browser has no WebAssembly SIMD.')
   if (!self.AudioContext) return fail('This browser has no Web Audio.')
   const relaxed = can([...kZero, ...kZero, ...kZero, 253, 133, 2])
   const module = await WebAssembly.compile(relaxed ? wasm : plain(wasm))
