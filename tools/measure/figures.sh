@@ -39,9 +39,9 @@ the first picture after $(cell start 'until the first picture' '`odraz`' | round
 $(cell start 'MB resident at most' '`odraz`') MB.
 - **Playing** at 1280x720 by software OpenGL: \
 $(cells film 'shown a second' | rounded 0 | range) pictures a second, by scene.
-- **In a browser:** $(cell web bytes '`odraz.html`' | thousands) bytes of 65,536; the first picture \
-$(cell web 's from the click to the first picture' chromium | rounded 1) s after the click; at 1280x720 \
-$(cells web 'chromium: shown a second' | rounded 0 | range) pictures a second, traced \
+- **In a browser:** $(cell web bytes '`odraz.html`' | thousands) bytes; first picture \
+$(cell web 's from the click to the first picture' chromium | rounded 1) s after the click; \
+$(cells web 'chromium: shown a second' | rounded 0 | range) a second, of \
 $(cells web 'chromium: pixels traced across' | rounded 0 | range) pixels across.
 - **Seen**, against \`film\`: $(of_all '1280x720: 16') dB (sRGB) at 1280x720 on two cores, \
 $(of_all '1920x1080: 128') at 1920x1080 on sixteen (simulated).
