@@ -8,29 +8,6 @@
 
 namespace odraz::radiosity {
 
-void keepRows(const std::vector<FoundRow> &rows, Arena &arena, FormFactors &factors) {
-    size_t links = 0;
-    for (const FoundRow &row : rows) links += row.links.size();
-    factors.capacity = factors.used = links;
-    factors.links = takeOrRefuse<Link>(arena, links);
-    factors.rows = takeOrRefuse<Row>(arena, rows.size());
-    Link *next = factors.links;
-    for (size_t i = 0; i < rows.size(); ++i) {
-        factors.rows[i] = {next, (int)rows[i].links.size(), rows[i].known};
-        next = std::copy(rows[i].links.begin(), rows[i].links.end(), next);
-    }
-}
-
-uint32_t patchAt(const Model &m, int chart, Vec3 at) {
-    const Chart &c = m.charts[chart];
-    auto block = [](float x, float size, int count) {
-        return std::clamp((int)(x / size * (float)count), 0, count - 1);
-    };
-    int x = block(dot(at - c.corner, c.u), c.width, c.patchesAcross),
-        y = block(dot(at - c.corner, c.v), c.height, c.patchesDown);
-    return (uint32_t)(c.firstPatch + y * c.patchesAcross + x);
-}
-
 namespace {
 
 // Estimates the number of links in all rows from those of at least 64 patches spread over the model, with a

@@ -160,8 +160,8 @@ Solved Study::measure(const std::string &kind, const std::string &options, const
     Solved solved = solve(s);
     std::string count = s.analytic ? std::to_string(solved.solution.elements()) + " elements"
                                    : std::to_string(solved.report.patches) + " patches";
-    measured.push_back({count + ", " + kind, s.findRows ? "" : command(options), watch.processor(),
-                        watch.wall(), errorsOf(solved.solution)});
+    measured.push_back(
+        {count + ", " + kind, command(options), watch.processor(), watch.wall(), errorsOf(solved.solution)});
     return solved;
 }
 

@@ -22,7 +22,7 @@ struct StudySettings {
 
 // A whole solution that was measured.
 struct MeasuredSolution {
-    std::string name, command; // the `radiosity solve` that gives it; empty: none does
+    std::string name, command; // the `radiosity solve` that gives it
     double seconds;            // of the processor
     double wall;
     MeshErrors errors;
@@ -136,19 +136,12 @@ private:
     double startProcessor, startWall;
 };
 
-// Rows of patches by rays instead of hemicubes, for models whose hemicubes take too long. Every patch sends
-// out `rays` rays of equal weight by the cosine law, from its middle, or a quarter of them from near each
-// corner.
-RowFinder rowsByRays(int rays, bool atCorners = false);
-
 // The chapters, in their order. Each writes to the page.
 // Three sizes by three rasters; `ofThesis`: those of its Table 4.1.
 void studyTable(Study &study, bool ofThesis);
-void studyRasters(Study &study);  // pixels, anti-aliasing, corners
-void studyMethods(Study &study);  // gathering, shooting, Gauss-Seidel; passes
-void studyDisplay(Study &study);  // flat and interpolated; mappings
-void studyElements(Study &study); // uniform and adaptive
-void studyRays(Study &study);     // the settings of solving by rays
-void writeSummary(Study &study);  // recommendations
+void studyRasters(Study &study); // pixels, anti-aliasing, corners
+void studyMethods(Study &study); // gathering, shooting, Gauss-Seidel; passes
+void studyDisplay(Study &study); // flat and interpolated; mappings
+void writeSummary(Study &study); // recommendations
 
 } // namespace odraz::radiosity

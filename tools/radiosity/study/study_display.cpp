@@ -89,21 +89,18 @@ class Shown {
 public:
     explicit Shown(Study &study) : study(study), camera(study.camera()) { camera.logarithmic = true; }
 
-    // With hemicubes of `px` pixels in the middles of patches, and at their corners; 0: by rays.
+    // With hemicubes of `px` pixels in the middles of patches, and at their corners.
     Solution solve(int px) {
-        SolveSettings s = study.thesis(kPatches, std::max(px, 16));
-        if (!px) s.findRows = rowsByRays(kRays);
+        SolveSettings s = study.thesis(kPatches, px);
         Solved middle = study.solve(s);
-        s.findRows = px ? atCorners(px) : rowsByRays(4 * kRays, true);
+        s.findRows = atCorners(px);
         Solved corners = study.solve(s);
         Errors one = show("in the middle", "middle", middle),
                four = show("at four corners", "corners", corners);
-        std::string what =
-            px ? "hemicube of " + std::to_string(px) + " pixels"
-               : "point that sends " + std::to_string(kRays) + " rays (hemicubes would take too long)";
         study.page.text(
-            "Every patch has a " + what +
-            " in its middle, or one near each of its corners, a tenth of its side inside, of which the mean "
+            "Every patch has a hemicube of " + std::to_string(px) +
+            " pixels in its middle, or one near each of its corners, a tenth of its side inside, of which "
+            "the mean "
             "is taken. The light of patches is shown flat, or interpolated between their middles within "
             "one plane; there is no interpolation across edges.");
         advise(one);
@@ -123,7 +120,7 @@ public:
         study.page.pictures(pictures);
     }
 
-    static constexpr int kPatches = 1500, kRays = 128;
+    static constexpr int kPatches = 1500;
 
 private:
     Study &study;
@@ -179,10 +176,10 @@ private:
 void studyDisplay(Study &study) {
     study.page.heading("Flat and interpolated; middle and corners");
     Shown shown(study);
-    int px = 0;
-    for (int tried : {50, 32, 16})
-        if (!px && study.fits(6 * study.patchesFor(Shown::kPatches) * study.hemicubeSeconds(tried) +
-                              2 * study.divideSeconds()))
+    int px = 16;
+    for (int tried : {32, 50})
+        if (study.fits(6 * study.patchesFor(Shown::kPatches) * study.hemicubeSeconds(tried) +
+                       2 * study.divideSeconds()))
             px = tried;
     Solution solution = shown.solve(px);
     shown.finish();

@@ -8,8 +8,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kRays = 128; // from a patch, if rays find rows
-
 // The first step of a curve at which its error is at most this; null: none.
 const Step *firstWithin(const Curve &curve, double percent) {
     for (const Step &s : curve.steps)
@@ -142,37 +140,24 @@ void studyMethods(Study &study) {
     struct Size {
         int patches, px;
     };
-    // Hemicubes if the time allows it, otherwise rays
-    Size size = {};
-    for (Size tried : {Size{6000, 50}, {3000, 50}, {1500, 50}, {1500, 25}, {1500, 16}}) {
+    // The largest that the time allows; the smallest in any case
+    Size size = {1500, 16};
+    for (Size tried : {Size{1500, 25}, {1500, 50}, {3000, 50}, {6000, 50}}) {
         double rows = study.patchesFor(tried.patches) * study.hemicubeSeconds(tried.px);
-        if (size.px || !study.fits(1.3 * rows + study.divideSeconds() + 5)) continue;
-        size = tried;
+        if (study.fits(1.3 * rows + study.divideSeconds() + 5)) size = tried;
     }
-    bool rays = size.px == 0;
-    if (rays) {
-        size = {1500, 16};
-        study.leftOut.push_back("methods: rows by hemicubes; rays find them instead");
-    }
-    SolveSettings settings = study.thesis(size.patches, size.px);
-    if (rays) settings.findRows = rowsByRays(kRays);
-    Solved base = rays ? study.solve(settings) : study.gather(size.patches, size.px);
-    if (!rays) study.gathered = {size.px, base.solution, study.measured.back(), base.report.patches};
+    Solved base = study.gather(size.patches, size.px);
+    study.gathered = {size.px, base.solution, study.measured.back(), base.report.patches};
     Converging converging(study, base);
     if (converging.dark()) return page.text("No light is reflected: there is nothing to compare.");
     std::vector<Curve> curves = {converging.gathering(), converging.atOnce(), converging.shootingRows()};
     for (bool blocks : {false, true})
         curves.push_back(
             converging.shooting(size.px, std::max(study.left() * (blocks ? 0.8 : 0.4), 1.), blocks));
-    std::string px = std::to_string(size.px) + " pixels";
     page.text(
-        std::to_string(base.report.patches) + " patches" +
-        (rays ? ". Hemicubes of all of them would take too long: " + std::to_string(kRays) +
-                    " rays from each find its row, which changes the cost of rows but not their use. "
-                    "Shots have hemicubes of " +
-                    px
-              : " with hemicubes of " + px) +
-        ". Gathering and Gauss-Seidel need all rows before their first pass; shooting needs one hemicube a "
+        std::to_string(base.report.patches) + " patches with hemicubes of " + std::to_string(size.px) +
+        " pixels. Gathering and Gauss-Seidel need all rows before their first pass; shooting needs one "
+        "hemicube a "
         "shot, and another one if a patch shoots again. With the same rows all methods reach the same light. "
         "Shots by hemicubes differ slightly: by reciprocity they use the form factors from the other side, "
         "which differ if a hemicube is coarse. Patches shoot singly, or in blocks of which one patch draws "

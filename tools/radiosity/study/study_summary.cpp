@@ -59,7 +59,7 @@ void writeSummary(Study &study) {
         std::vector<std::string> row = {
             m.name, shown(m.seconds), shown(m.wall), shown(m.errors.rms), shown(m.errors.median), m.command};
         table.rows.push_back(row);
-        if (m.command.empty() || !(m.errors.rms < least)) continue;
+        if (!(m.errors.rms < least)) continue;
         least = m.errors.rms;
         front.rows.push_back(row);
         if (!cheapest && m.errors.rms <= study.settings.within) cheapest = &m;
@@ -79,9 +79,7 @@ void writeSummary(Study &study) {
         page.text("Settings of radiosity solve that no other one beats in both time and error:");
         front.file = "front";
         page.table(front);
-        page.text(
-            "All solutions that chapters compare by time. Those without a command can only be made by a "
-            "study:");
+        page.text("All solutions that chapters compare by time:");
         page.table(table, false);
     }
     if (!study.leftOut.empty()) {
