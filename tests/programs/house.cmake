@@ -120,7 +120,4 @@ odraz_scripts(odraz_windows_script windows
     film 130
     sound 40
     libraries 60
-    outputs 90
-    probe 30
     window 150)
-add_subdirectory(windows/probe)
