@@ -10,7 +10,6 @@ function(odraz_scripts function folder)
 endfunction()
 odraz_scripts(odraz_script .
     binary 10
-    ci 5
     doctor 5
     house 1
     install 15
@@ -24,7 +23,7 @@ odraz_scripts(odraz_script .
     pack_process 25
     packed 20
     packing 30
-    pages 8
+    pages 1
     panel 10
     pictures 30
     playing 32
@@ -63,7 +62,6 @@ odraz_script(hostile_killed 12 hostile/killed 6)
 odraz_script(hostile_surroundings 40 hostile/surroundings odraz-safe)
 odraz_script(hostile_words 6 hostile/words odraz-safe 40)
 odraz_script(machine 12 machine odraz-safe)
-odraz_script(pages_scene 20 pages/scene)
 
 # They play in real time, and other tests would take their processor time
 set_tests_properties(playing shown web PROPERTIES RUN_SERIAL TRUE)
@@ -101,7 +99,6 @@ odraz_long_script(new_film_whole 200 long/new_film)
 odraz_long_script(panel_all 25 panel all)
 odraz_long_script(pack_any_all 50 pack_any all)
 odraz_long_script(pack_link_all 60 pack_link all)
-odraz_long_script(pages_scene_built 600 pages/scene long)
 odraz_long_script(radiosity_errors_all 60 radiosity_errors all)
 odraz_long_script(radiosity_resume_all 60 radiosity_resume all)
 odraz_long_script(radiosity_study_all 150 radiosity_study all)

@@ -1,7 +1,7 @@
 # tools/new-film from beginning to end: a film with a long name is made, built, packed and tested, and nothing in it is
 # called odraz.
 . "$(dirname "$0")/../common.sh"
-skip_unless git strings zip unzip perl
+skip_unless git strings zip unzip
 name=wunderkmr film=$WORK/film # nine letters: with -safe as many as the packer's stub has room for
 check "a new film is made, packed and tested" prints "^build/$name: [0-9]+ bytes, [0-9]+ left of 65536" "$SOURCE/tools/new-film" "$film" $name
 check "... all of its tests pass" grep -q '^100% tests passed' "$WORK/printed"
@@ -37,13 +37,6 @@ check "ten pictures" test "$(ls "$frames" | wc -l)" = 10
 for second in 1 3 5 7; do check "second $second is lit" less 40 "$(mean 0$second)"; done
 check "it begins in the dark" less "$(mean 00)" 10
 check "the word changes the picture" eval 'less 0.5 "$("$BUILD/compare" "$frames/frame-000003.ppm" "$frames/frame-000006.ppm" | sed -n "s/.*difference \([0-9.]*\),.*/\1/p")"'
-
-# Its tutorial, word for word
-check "the tutorial's steps name files and places that are there" eval 'perl "$SOURCE/tests/programs/pages/apply.pl" "$film/intro/show/README.md" "$film" >/dev/null'
-check "... they compile, and the film with a lamp and a note is packed" cmake --build "$film/build" --target film >/dev/null
-"$film/build/$name-safe" --dump "$frames" --fps 8 --from 6 --to 6.7 "${small[@]}"
-check "... in which the lamp is seen to come on" less "$(mean 48)" "$(awk "BEGIN { print $(mean 53) - 5 }")"
-git -C "$film" checkout -q intro/show
 
 # The tests find faults
 check "another picture is found" eval 'sed -i "s/{2.6f, 0.9f, 0.27f}/{0.9f, 2.6f, 0.27f}/" "$film/intro/show/scenes/stage.cpp" && cmake --build "$film/build" --target film >/dev/null && ! "$film/tools/golden" compare >/dev/null'
