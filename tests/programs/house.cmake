@@ -50,7 +50,6 @@ odraz_scripts(odraz_script .
     rocket 25
     screens 20
     shown 10
-    soak_faults 12
     sound 25
     tradeoff_pack 30
     tradeoff_trace 15

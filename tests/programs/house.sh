@@ -38,13 +38,6 @@ tools/measure/oracle/sampler.cpp tools/measure/bench/subject.h
 tools/picture/flip.cpp tests/support/open_room.h
 PLANTED
 
-# One name, one definition; a planted second one is found
-check "every type is defined once, in a namespace" perl "$SOURCE/tests/programs/definitions.pl" "$SOURCE"
-mkdir -p "$WORK/tree" && cp -r "$SOURCE"/{intro,tools,packer} "$WORK/tree" && git -C "$WORK/tree" init -q
-twin() { perl "$SOURCE/tests/programs/definitions.pl" "$WORK/tree" | grep -qx 'odraz::Arena is defined in intro/base/arena.h tools/engine/twin.h'; }
-echo 'namespace odraz { struct Arena { int size; }; }' >"$WORK/tree/tools/engine/twin.h"
-check "... and a second Arena would be found" twin
-
 # The film is made of intro/ and packer/ alone
 if command -v ninja >/dev/null && [ -e "$BUILD/build.ninja" ]; then
     ninja -C "$BUILD" -t inputs odraz odraz-safe | sed "s|^$SOURCE/||" >"$WORK/inputs"

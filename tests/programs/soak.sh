@@ -2,16 +2,16 @@
 # short. Every scene is shown. Each run ends by itself, prints nothing on standard error, and takes no more memory,
 # descriptors or threads after its first third, nor than the whole film did. It plays to a PulseAudio server, if there
 # is one.
-#   soak.sh BUILD [MINUTES [FILM EVERY]]     plays FILM instead, mute, and looks at it every EVERY seconds
+#   soak.sh BUILD [MINUTES]
 . "$(dirname "$0")/display.sh"
 . "$(dirname "$0")/recorded.sh"
-minutes=${2:-3} every=${4:-1} mute=--mute
+minutes=${2:-3} mute=--mute
 LENGTH=162 # seconds of film
 LEAST=6    # seconds of the shortest run
 ROOM=8     # MB that a run may grow by after its first third, for scenes that it had not shown before
-cp "${3:-$BUILD/odraz}" "$WORK/film" # a copy, because the original may be rebuilt meanwhile
+cp "$BUILD/odraz" "$WORK/film" # a copy, because the original may be rebuilt meanwhile
 start_display 1280x720
-if [ $# -lt 3 ] && can_serve; then
+if can_serve; then
     devices 'pcm.!default { type pulse }'
     check "a server starts" serve
     mute=
@@ -27,7 +27,7 @@ looks() {
         # (a process that is about to end has neither memory nor descriptors)
         [ "$descriptors" = 0 ] || awk -v at=$at -v descriptors="$descriptors" \
             '/^VmRSS/ { mb = $2 / 1024 } /^Threads/ { print at, mb, descriptors, $2 }' "/proc/$pid/status" 2>/dev/null
-        sleep "$every"
+        sleep 1
     done
 }
 # taken: of the looks at a run that was started up, which lasts 1.5 times the time of its first picture and a second:

@@ -1,5 +1,5 @@
-// Compares FLIP with its definition: with dense filters in double precision (tests/support/flip_dense.py),
-// and with values computed by hand.
+// Compares FLIP with its definition: with what dense two-dimensional filters in double precision gave,
+// written by numpy after the paper's formulas, and with values computed by hand.
 #include "tools/picture/flip.h"
 #include "tools/picture/psnr.h"
 
@@ -13,7 +13,7 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 constexpr int kWidth = 72, kHeight = 48;
 
-// The pictures of flip_dense.py
+// The pictures that were compared so
 template <class F> Bytes picture(F &&of, int width = kWidth, int height = kHeight) {
     Bytes all;
     for (int y = 0; y < height; ++y)
