@@ -76,8 +76,6 @@ done
 check "... and without --up" cmp "tall.png" "tall--up z.png"
 check "... from the same place" cmp camera "camera--up z"
 check "... unlike where y is up" eval '! cmp -s camera "camera--up y"'
-"$radiosity" render tall.prt --pictures tall --size 240x160 >out && "$radiosity" render tall.prt --pictures upright --size 240x160 --up z >out
-check "... in pictures of the bands" cmp tall/bands.png upright/bands.png
 
 # The output of --check: errors, and a table of clusters and one subspace
 for bands in 1 2 3 4 5 6; do
@@ -106,13 +104,6 @@ check "... before its end" eval '! grep -q "^of the rows" out'
 check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is incomplete; stopped.prt is saved" ]'
 check "... which is true" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
-# The lecture's figures, and gloss
-check "pictures of the bands" "$radiosity" render room.prt --pictures pictures --sky east.hdr --size 400x240 >out
-# Balls of 96 pixels and 12 between them, 9 across
-check "... the functions" eval '[ "$(identify -format %wx%h pictures/basis.png)" = 1044x682 ]'
-ball() { convert pictures/basis.png -crop "1x1+$1+$2" -format '%[fx:p.r>p.b+0.2?1:p.b>p.r+0.2?-1:0]' info:; }
-check "... above 0 at the top of 1, 0 and below at its foot" eval '[ "$(ball 552 155)" = 1 ] && [ "$(ball 552 235)" = -1 ]'
-check "... and the room, five times two" eval '[ "$(identify -format %wx%h pictures/bands.png)" = 572x208 ]'
 check "gloss" prints '^gloss in [0-9]* squares' "$radiosity" transfer room.obj -o glossy.prt --element 0.04 --glossy red --gloss 0.5,60
 check "... shows" "$radiosity" render glossy.prt -o glossy.png "${size[@]}" --lamps lamp
 "$radiosity" transfer room.obj -o dull.prt --element 0.04 >out
@@ -134,7 +125,6 @@ check "a lamp without a strength" refuses 2 "a strength is from 0" "$radiosity" 
 check "more bands than there are" refuses 2 "the room has 5 bands" "$radiosity" render room.prt -o x.png --bands 6
 check "a sky that is not there" refuses 2 "cannot read none.hdr" "$radiosity" render room.prt -o x.png --sky none.hdr
 check "options for a room with a solution" refuses 2 "is for a room that" "$radiosity" render solved.rad -o x.png --turn 3
-check "pictures of a solution" refuses 2 "--pictures is for a room" "$radiosity" render solved.rad --pictures x
 head -c 5000 room.prt >cut.prt
 check "a file that was cut short" refuses 1 "cut.prt: is damaged" "$radiosity" render cut.prt -o x.png
 check "no place for it" refuses 2 "cannot write" "$radiosity" transfer room.obj -o none/x.prt

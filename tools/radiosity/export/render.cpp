@@ -134,12 +134,6 @@ std::vector<Rgb> HeapFrame::pixels() const {
     return all;
 }
 
-std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &s, Workers &workers) {
-    HeapFrame looked(s.width, s.height);
-    look(Seen(solution, s), workers, looked.frame);
-    return looked.pixels();
-}
-
 Rgb logarithmicTone(const Rgb &c, float low, float high) {
     float light = maxComponent(c);
     if (!(light > 0)) return {};

@@ -38,10 +38,6 @@ struct HeapFrame {
 // Places the camera above and to one side, so that the picture holds all facets.
 void placeCamera(const Solution &solution, RenderSettings &settings);
 
-// The radiance that reaches each pixel, before render()'s tone, in rows from top to bottom. Throws what
-// render() throws.
-std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &settings, Workers &workers);
-
 // A colour, 0 .. 1 and no longer linear, whose brightness is the position of its logarithm between `low` and
 // `high`.
 Rgb logarithmicTone(const Rgb &light, float low, float high);

@@ -61,7 +61,8 @@ void Relighter::relight(const Clusters &c, const Lighting &lighting, std::vector
     }
 }
 
-void lightLamps(const TransferRoom &room, const Lighting &l, Solution &model) {
+// Sets the emission of the model's charts, from the lamps' strengths.
+static void lightLamps(const TransferRoom &room, const Lighting &l, Solution &model) {
     model.emits = room.model.emits;
     for (size_t c = 0; c < model.emits.size(); ++c)
         if (int lamp = room.lampOf[c]; lamp >= 0)

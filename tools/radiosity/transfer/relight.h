@@ -47,7 +47,4 @@ private:
 // The room as a solution under this light, for `render` and `export`; `eye` as above.
 Solution litModel(const TransferRoom &room, const Lighting &lighting, const Vec3 *eye);
 
-// Sets the emission of the model's charts, from the lamps' strengths.
-void lightLamps(const TransferRoom &room, const Lighting &lighting, Solution &model);
-
 } // namespace odraz::radiosity
