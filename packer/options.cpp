@@ -66,18 +66,35 @@ void check(const common::CommandLine &line, Options &o) {
             line.refuse(given + " is for packing alone");
     if (o.map.empty() && !o.symbols.empty()) line.refuse("--symbols needs --map");
     if (o.map.empty() && !o.rooms.empty()) line.refuse("--rooms needs --map");
-    checkOptions(line, o);
+    if (!o.than.empty() && o.html.empty() && o.text.empty()) line.refuse("--than needs --html or --text");
+    checkPaths(o);
+    if (!o.modelFile.empty()) o.model = readParameters(o.modelFile);
 }
 
 } // namespace
 
-void addOptions(common::CommandLine &line, Options &o) {
+Options parseOptions(common::CommandLine &line) {
+    Options o;
+    line.about(
+        "Packs a program for x86-64 Linux into a smaller one that unpacks itself: any program, and in\n"
+        "fewer bytes one that was made for it (packer/README.md).\n"
+        "  pack IN -o OUT [OPTION...]   packs\n"
+        "  pack --test FILE             decodes a packed file and checks that it is whole\n"
+        "  pack -d FILE -o OUT          writes the program of a packed file, not packed");
+    line.argument("IN", o.in, "the program to pack", false);
+    line.option("-o", "OUT", o.out, "the file to write");
+    line.option("--test", "FILE", o.test, "a packed file to check");
+    line.option("-d", "FILE", o.unpack, "a packed file to unpack");
+    line.group("How to pack");
+    line.flag("--loader", o.loader, "pack as any program, even if IN was made for packing");
+    line.flag("--pe", o.pe, "write OUT for Windows; IN must be linked for it");
+    line.flag("--plain", o.plain, "do not pack: write OUT with the program as it lies in memory");
+    line.flag("--fast", o.fast, "use few contexts: 10 % larger, starts in less than half the time");
     line.option(
-        "--budget", "BYTES|none", [&o](const std::string &text) { o.budget = budgetOf(text); },
+        "--budget", "BYTES|none", [&](const std::string &text) { o.budget = budgetOf(text); },
         "write OUT only if it has at most BYTES; 65536 for a program made for packing, else none");
     line.option(
-        "--effort", "fast|normal|best|SECONDS",
-        [&o](const std::string &text) { o.seconds = secondsOf(text); },
+        "--effort", "fast|normal|best|SECONDS", [&](const std::string &text) { o.seconds = secondsOf(text); },
         "how long to search for contexts that suit the program: not at all, 30 s, 15 minutes, or SECONDS; "
         "fast if not given");
     line.option("--model", "FILE", o.modelFile,
@@ -99,32 +116,6 @@ void addOptions(common::CommandLine &line, Options &o) {
         "write to FILE, for a comment on a change, the size and the ten largest changes; with - print "
         "that and nothing else");
     line.option("--than", "OLD.json", o.than, "with --html or --text, compare with an earlier --report");
-}
-
-void checkOptions(const common::CommandLine &line, Options &o) {
-    if (!o.than.empty() && o.html.empty() && o.text.empty()) line.refuse("--than needs --html or --text");
-    checkPaths(o);
-    if (!o.modelFile.empty()) o.model = readParameters(o.modelFile);
-}
-
-Options parseOptions(common::CommandLine &line) {
-    Options o;
-    line.about(
-        "Packs a program for x86-64 Linux into a smaller one that unpacks itself: any program, and in\n"
-        "fewer bytes one that was made for it (packer/README.md).\n"
-        "  pack IN -o OUT [OPTION...]   packs\n"
-        "  pack --test FILE             decodes a packed file and checks that it is whole\n"
-        "  pack -d FILE -o OUT          writes the program of a packed file, not packed");
-    line.argument("IN", o.in, "the program to pack", false);
-    line.option("-o", "OUT", o.out, "the file to write");
-    line.option("--test", "FILE", o.test, "a packed file to check");
-    line.option("-d", "FILE", o.unpack, "a packed file to unpack");
-    line.group("How to pack");
-    line.flag("--loader", o.loader, "pack as any program, even if IN was made for packing");
-    line.flag("--pe", o.pe, "write OUT for Windows; IN must be linked for it");
-    line.flag("--plain", o.plain, "do not pack: write OUT with the program as it lies in memory");
-    line.flag("--fast", o.fast, "use few contexts: 10 % larger, starts in less than half the time");
-    addOptions(line, o);
     line.option("--map", "FILE", o.map, "print what each object file costs, by the linker's map in FILE");
     line.option("--symbols", "FILE", o.symbols,
                 "with --map, of a program linked with -flto: what `nm -A` prints of its object files");

@@ -1,4 +1,4 @@
-// The command line of pack, and what pack-link takes of it.
+// The command line of pack.
 #pragma once
 
 #include "packer/write/messages.h"
@@ -20,13 +20,8 @@ struct Options {
     std::string modelFile, saveModel, map, symbols, rooms, report, html, text, than;
 };
 
-// How a program is packed and reported on: the options that pack-link takes, too. After line.parse()
-// checkOptions() refuses those that do not go together, and outputs that would replace an input or another
-// output, and reads the model.
-void addOptions(common::CommandLine &line, Options &o);
-void checkOptions(const common::CommandLine &line, Options &o);
-
-// Throws common::Refused for options that do not go together.
+// Reads the model, too. Throws common::Refused for options that do not go together, and for outputs that
+// would replace an input or another output.
 Options parseOptions(common::CommandLine &line);
 
 } // namespace pack

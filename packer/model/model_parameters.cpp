@@ -77,16 +77,6 @@ const ModelParameters &fastParameters() {
     return parameters;
 }
 
-// Found by a search that began with fastParameters(), for an intro of 4 KB that uses SDL2 and OpenGL.
-const ModelParameters &tinyParameters() {
-    static const ModelParameters parameters = {
-        4,
-        21,
-        {{0x00020, 0x10100, 0x38000, 0x10010, 0x10010, 0x10000, 0x00000, 0x18000, 0x08020, 0x00040, 0x00020},
-         {0x40, 0x20, 0xf0, 0x16, 0xc0, 0x20, 0x22, 0x60, 0x91, 0xb8, 0x40}}};
-    return parameters;
-}
-
 std::string printParameters(const ModelParameters &parameters) {
     std::string text = "slots " + std::to_string(parameters.slotBits) + "\n";
     for (int type = 0; type < 2; ++type)

@@ -20,9 +20,6 @@ const ModelParameters &defaultParameters();
 // Four contexts instead of 16: they decode more than twice as fast, and cost 4 to 12 % more bytes.
 const ModelParameters &fastParameters();
 
-// Four contexts for programs of a few kilobytes: they take 36 bytes fewer than the default 16.
-const ModelParameters &tinyParameters();
-
 std::string printParameters(const ModelParameters &parameters);
 
 // Throws common::Refused with the number of the line that is wrong.

@@ -1,13 +1,28 @@
 #include "packer/report/disassembly.h"
 
-#include "packer/read/process.h"
+#include "tools/common/text.h"
 
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
+#include <stdexcept>
 
 namespace pack {
 
 namespace {
+
+// What a command prints. Throws std::runtime_error if no process can be started.
+std::string outputOf(const std::string &command) {
+    std::FILE *printed = popen(command.c_str(), "r");
+    if (!printed) throw std::runtime_error("cannot run " + command + ": " + std::strerror(errno));
+    std::string output;
+    char buffer[1 << 16];
+    while (size_t size = std::fread(buffer, 1, sizeof buffer, printed)) output.append(buffer, size);
+    pclose(printed);
+    return output;
+}
 
 // "mov    eax,DWORD PTR [rip+0x10]        # 404010 <name>" without the symbol and the spaces that align.
 std::string tidy(const std::string &line) {
@@ -21,7 +36,8 @@ std::string tidy(const std::string &line) {
 
 std::vector<Instruction> disassemble(const std::string &path) {
     std::vector<Instruction> all;
-    std::istringstream lines(run({"objdump", "-d", "-w", "-z", "-M", "intel", "--", path}).output);
+    std::istringstream lines(
+        outputOf("objdump -d -w -z -M intel -- " + common::shellWord(path) + " 2>/dev/null"));
     // "  404a10:\t48 89 e5             \tmov    rbp,rsp"
     for (std::string line; std::getline(lines, line);) {
         size_t bytes = line.find(":\t"), text = line.find('\t', bytes + 2);

@@ -19,7 +19,6 @@ odraz_scripts(odraz_script .
     new_film 2
     odr 8
     pack_any 50
-    pack_link 25
     pack_process 25
     packed 20
     packing 30
@@ -97,7 +96,6 @@ odraz_long_script(memcheck_hall 600 memcheck hall)
 odraz_long_script(new_film_whole 200 long/new_film)
 odraz_long_script(panel_all 25 panel all)
 odraz_long_script(pack_any_all 50 pack_any all)
-odraz_long_script(pack_link_all 60 pack_link all)
 odraz_long_script(radiosity_errors_all 60 radiosity_errors all)
 odraz_long_script(radiosity_resume_all 60 radiosity_resume all)
 odraz_long_script(radiosity_study_all 150 radiosity_study all)

@@ -1,19 +1,16 @@
 # cmake --install: the tools under a prefix, each of which runs there, and their READMEs.
 . "$(dirname "$0")/common.sh"
-skip_unless cmake cc
-needs_built pack pack-link compare radiosity
+skip_unless cmake
+needs_built pack compare radiosity
 prefix=$WORK/prefix
 check "the tools are installed" eval 'cmake --install "$BUILD" --prefix "$prefix" >/dev/null'
 cd "$prefix/bin" || exit 1
 here=(*)
 echo "${here[*]}"
-for program in pack pack-link compare radiosity; do check "$program is there" test -x $program; done
+for program in pack compare radiosity; do check "$program is there" test -x $program; done
 for program in "${here[@]}"; do check "$program has a --help" prints '^[Uu]sage: ' "./$program" --help; done
 check "pack packs from there" prints ': whole; ' bash -c './pack "$1" -o "$2" --fast >/dev/null && exec ./pack --test "$2"' - "$BUILD/compare" "$WORK/packed"
 check "... a program that runs" prints '^[Uu]sage: compare' "$WORK/packed" --help
-echo 'int puts(const char *); int main() { puts("linked"); return 0; }' >"$WORK/small.c"
-cc -c "$WORK/small.c" -o "$WORK/small.o"
-check "pack-link finds it there" prints '^linked$' bash -c './pack-link "$1/small.o" -o "$1/small" >/dev/null && exec "$1/small"' - "$WORK"
 check "radiosity solves from there" bash -c './radiosity generate cube -o "$1/cube.obj" >/dev/null && exec ./radiosity solve "$1/cube.obj" -o "$1/cube.rad" >/dev/null 2>&1' - "$WORK"
 doc=$prefix/share/doc/$FILM
 check "their READMEs are there" test -s "$doc/pack/README.md" -a -s "$doc/radiosity/README.md" -a -s "$doc/radiosity/METHOD.md" -a -s "$doc/CI.md" -a -s "$doc/LICENSE.txt"

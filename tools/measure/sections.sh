@@ -92,7 +92,7 @@ hash_sources() {
         export GIT_INDEX_FILE=$WORK/index GIT_OBJECT_DIRECTORY=$WORK/objects
         export GIT_ALTERNATE_OBJECT_DIRECTORIES=$(cd "$store" && pwd)
         git add --all
-        git ls-files -z '*.md' intro/maker intro/main_debug.cpp packer/link | git update-index -z --force-remove --stdin
+        git ls-files -z '*.md' intro/maker intro/main_debug.cpp | git update-index -z --force-remove --stdin
         tree=$(git write-tree)
         sed "s/^/$tree:/" "$WORK/sources" | git cat-file --batch-check='%(objectname)'
     ) >"$WORK/hashes"

@@ -1,4 +1,4 @@
-// Threads, exceptions and streams, for tests of pack and pack-link.
+// Threads, exceptions and streams, for the test of pack.
 #include <iostream>
 #include <map>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 # Sourced by tools/release: the archive of the tools that are of use to others, from build/portable.
 name=$FILM-tools-$version${unclean:+-unclean}-linux-x86_64
-linux=$work/tools/$name programs=(compare pack pack-link radiosity)
+linux=$work/tools/$name programs=(compare pack radiosity)
 mkdir -p "$linux/doc/pack" "$linux/doc/radiosity"
 for program in "${programs[@]}"; do
     [ -x "$BUILD/portable/$program" ] || fail "$BUILD/portable/$program is not built: leave out --built, or build the target portable"
