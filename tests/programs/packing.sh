@@ -37,26 +37,6 @@ check "... kept, with which the same bytes are made again" prints 'bytes left' "
 check "... the same" cmp "$WORK/found" "$WORK/again"
 check "a search ends by itself" prints 'bytes left' bash -c "exec '$pack' '$hello' -o '$WORK/brief' --effort 0.5 2>/dev/null"
 
-# tools/ledger's search, on the example: first from unsuitable contexts, then from those that it found
-ledger=$SOURCE/tools/ledger
-mkdir "$WORK/tiny"
-ln -s "$pack" "$WORK/tiny/pack"
-cp "$WORK/hello.elf" "$WORK/tiny/odraz.elf"
-cp "$WORK/unsuited" "$WORK/suits"
-check "the ledger prints what a search would save" prints '^1 s of search save [0-9]+ bytes of [0-9]+: contexts suit$' env BUILD="$WORK/tiny" "$ledger" search 1
-# A busy machine may find nothing in two seconds
-keeps() {
-    local seconds
-    for seconds in 2 10 60; do
-        BUILD=$WORK/tiny MODEL=$WORK/suits "$ledger" renew-model $seconds 2>/dev/null >"$WORK/renewed"
-        grep -qE "^$seconds s of search save [1-9][0-9]* bytes of [0-9]+: renewed " "$WORK/renewed" && return 0
-    done
-    cat "$WORK/renewed" >&2
-    return 1
-}
-check "... and keeps what it finds" keeps
-check "... in a file" prints 'bytes left' "$pack" "$hello" -o "$WORK/suited" --model "$WORK/suits"
-
 check "over budget is refused" refuses 1 "over budget by 1 bytes" "$pack" "$hello" -o "$WORK/c" --budget $((size - 1))
 check "... and nothing written" test ! -e "$WORK/c"
 cp "$WORK/b" "$WORK/d"

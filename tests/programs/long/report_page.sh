@@ -1,9 +1,9 @@
-# The page of tools/ledger html in a browser: it opens, adds up, answers mouse and keys, shows the instructions of
+# The page of tools/ledger pack --html in a browser: it opens, adds up, answers mouse and keys, shows the instructions of
 # objdump, and prints nothing on its console.
 . "$(dirname "$0")/../common.sh"
 skip_unless chromium objdump convert perl
 page=$WORK/film.html
-check "the film's page" env BUILD="$BUILD" "$SOURCE/tools/ledger" html "$page" >/dev/null
+check "the film's page" env BUILD="$BUILD" "$SOURCE/tools/ledger" pack --html "$page" --than "$SOURCE/intro/size_ledger.json" >/dev/null
 check "... adds up" prints '^[0-9]+ bytes of [0-9]+, [0-9]+ stretches, [1-9][0-9]{4} instructions$' perl "$SOURCE/tests/programs/report/page.pl" "$page" sums
 check "... has at most 640 KB" test "$(stat -c %s "$page")" -le 655360
 perl -pe 'BEGIN { local $/; open F, "<", shift; $poke = <F> } s{</body>}{<script>$poke</script></body>}' "$SOURCE/tests/programs/report/poke.js" "$page" >"$WORK/poked.html"
@@ -36,6 +36,6 @@ check "a damaged page" eval 'browse --dump-dom "file://$WORK/damaged.html" >"$WO
 check "... shows that" grep -q 'This page cannot be shown' "$WORK/dom"
 
 # The comment on a change, of the film with itself
-check "a comment on the film" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+0 .* left of 65,536$' env BUILD="$BUILD" "$SOURCE/tools/ledger" text --than "$BUILD/odraz.json"
+check "a comment on the film" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+0 .* left of 65,536$' env BUILD="$BUILD" "$SOURCE/tools/ledger" pack --text - --than "$BUILD/odraz.json"
 check "... which is as it was" grep -q '^No symbol changed by four bytes or more\.$' "$WORK/printed"
 finish
