@@ -317,7 +317,6 @@ int main(int argc, char **argv) {
         last = now;
         if (follower.follow(screen, theMusic.block)) {
             edits.renew();
-            panel.forget();
             panel.learn();
         }
         panel.steer(m.time, m.paused, m.sought);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "maker/live_film.h"
-#include "maker/panel/mapped_arena.h"
+#include "maker/mapped_arena.h"
 #include "maker/pool.h"
 
 #include <atomic>

@@ -22,7 +22,7 @@ intro/play/player.cpp intro/maker/panel/panel.h
 intro/main.cpp intro/maker/screen.h
 intro/main_debug.cpp tools/measure/detect/screening.h
 intro/new.cpp intro/base/text.h
-intro/maker/panel/compare.cpp tools/engine/machine.h
+intro/maker/panel/canvas.cpp tools/engine/machine.h
 intro/show/hall.cpp <GL/gl.h>
 intro/trace/picture/frame.cpp <vector>
 packer/main.cpp tools/picture/picture.h

@@ -27,21 +27,10 @@ void Panel::act(Action action) {
     case Action::Help:
         help = !help;
         return;
-    case Action::Ghost:
-        return toggle(ghost);
     case Action::Heat:
         return toggle(heated);
-    case Action::Materials:
-        return toggle(materials);
     case Action::Costs:
         return toggle(costly);
-    case Action::Split:
-        return toggle(split);
-    case Action::Difference:
-        toggle(differs);
-        scale = 0;
-        stop |= differs;
-        return;
     case Action::LoopShot: {
         const ShotInfo &shot = content.shotAt(time);
         stretch = stretch.on() ? Loop{} : loopBetween(shot.from, shot.to, content.end);
@@ -56,14 +45,6 @@ void Panel::act(Action action) {
     case Action::EventBack:
     case Action::EventOn:
         return step(stepTo(time, content.eventTimes(), action == Action::EventOn ? 1 : -1));
-    case Action::OtherDraft:
-    case Action::OtherPlay:
-    case Action::OtherFilm:
-    case Action::OtherReference:
-        other = (QualityName)((int)action - (int)Action::OtherDraft);
-        scale = 0;
-        split = shown = true;
-        return;
     case Action::Count:
         return;
     }
@@ -74,20 +55,15 @@ void Panel::act(Action action) {
 void Panel::press(double x, double y, Button button) {
     mouseX = x, mouseY = y;
     if (!shown) return;
-    if (strip.area.holds(x, y)) {
-        loopFrom = strip.timeAt(x);
-        grabbed = button == Button::Right ? Grab::LoopEnd : Grab::Scrub;
-        if (grabbed == Grab::Scrub) seek(loopFrom);
-        if (grabbed == Grab::LoopEnd) stretch = {};
-    } else if (button == Button::Left && ghost && inset().holds(x, y)) {
-        grabbed = Grab::Orbit;
-    } else if (button == Button::Left && split && std::abs(x - divider * width) < textSize(height)) {
-        grabbed = Grab::Divider;
-    }
+    if (!strip.area.holds(x, y)) return;
+    loopFrom = strip.timeAt(x);
+    grabbed = button == Button::Right ? Grab::LoopEnd : Grab::Scrub;
+    if (grabbed == Grab::Scrub) seek(loopFrom);
+    if (grabbed == Grab::LoopEnd) stretch = {};
 }
 
 void Panel::move(double x, double y) {
-    double dx = x - mouseX, dy = y - mouseY;
+    double dx = x - mouseX;
     mouseX = x, mouseY = y;
     switch (grabbed) {
     case Grab::None:
@@ -98,23 +74,13 @@ void Panel::move(double x, double y) {
     case Grab::LoopEnd:
         if (dx != 0) stretch = loopBetween(loopFrom, strip.timeAt(x), content.end);
         break;
-    case Grab::Orbit:
-        place.orbit((float)dx * -0.5f, (float)dy * 0.5f);
-        break;
-    case Grab::Divider:
-        divider = std::clamp(x / width, 0., 1.);
-        break;
     }
 }
 
 void Panel::release() { grabbed = Grab::None; }
 
 void Panel::wheel(double x, double y, double turns) {
-    if (!shown) return;
-    if (strip.area.holds(x, y))
-        strip.zoom(x, std::pow(0.8, turns));
-    else if (ghost && inset().holds(x, y))
-        place.zoom((float)std::pow(1.15, turns));
+    if (shown && strip.area.holds(x, y)) strip.zoom(x, std::pow(0.8, turns));
 }
 
 // --- To the host ---

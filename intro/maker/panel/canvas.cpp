@@ -113,14 +113,6 @@ void Canvas::text(const std::string &text, float x, float y, float size, Colour 
                 mix(left + i, top + j, colour, cover);
 }
 
-void Canvas::put(int left, int top, const uint8_t *rgba, int wide, int tall) {
-    for (int y = std::max(-top, 0); y < std::min(tall, height() - top); ++y) {
-        int from = std::max(-left, 0), to = std::min(wide, width() - left);
-        if (from < to)
-            std::copy_n(rgba + ((ptrdiff_t)y * wide + from) * 4, (to - from) * 4, at(left + from, top + y));
-    }
-}
-
 float textSize(int height) { return std::clamp((float)height / 72, 6.f, 24.f); }
 
 float widthOf(const std::string &text, float size) {

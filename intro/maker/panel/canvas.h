@@ -1,4 +1,4 @@
-// Draws on a developed picture: rectangles, lines, dots, other pictures, and text in the film's own font.
+// Draws on a developed picture: rectangles, lines, dots, and text in the film's own font.
 #pragma once
 
 #include "maker/panel/inspector.h"
@@ -30,7 +30,6 @@ public:
     explicit Canvas(const Picture &picture) : picture(picture) {}
     int width() const { return picture.width; }
     int height() const { return picture.height; }
-    Rect whole() const { return {0, 0, width(), height()}; }
 
     // Opacity, 0 .. 1: 0 leaves the picture as it is.
     void fill(Rect where, Colour colour, float opacity = 1);
@@ -40,8 +39,6 @@ public:
     // figures and . , : - + / alone.
     void text(const std::string &text, float x, float y, float size, Colour colour,
               Align align = Align::Left);
-    // A picture of four bytes a pixel, not scaled, with its top left corner at (x, y).
-    void put(int x, int y, const uint8_t *rgba, int width, int height);
 
     // One pixel; it must be in the picture.
     uint8_t *at(int x, int y) const { return picture.rgba + ((ptrdiff_t)y * picture.width + x) * 4; }

@@ -1,5 +1,5 @@
-// What odraz-debug needs of the film beyond intro.h: its shots, cameras' keys, events and materials, and the
-// costs of a picture. All of it goes through one table of functions, because the film is a shared object.
+// What odraz-debug needs of the film beyond intro.h: its shots, cameras' keys and events, and the costs of a
+// picture. All of it goes through one table of functions, because the film is a shared object.
 #pragma once
 
 #include "intro.h"
@@ -14,8 +14,6 @@ struct ShotInfo {
     double from, to, story;
     int scene;
     const CameraPath *path; // in the film, which may replace its keys
-
-    CameraKey at(double seconds) const { return pose(*path, (float)((seconds - story) * kRowsPerSecond)); }
 };
 struct EventInfo {
     double at; // seconds of the film
@@ -23,14 +21,6 @@ struct EventInfo {
     bool heard;
     char name[40]; // "kLightIsBorn", with the zero at its end
 };
-
-// A material of the scene that the last picture shows.
-struct MaterialInfo {
-    uint64_t hash; // of all its members: equal if it looks the same
-    int shapes;    // with this material
-    bool mirror, glass, glows, textured;
-};
-inline constexpr int kMostMaterials = 32;
 
 // The parts of making a picture.
 enum class Cost { Posing, Tracing, Glare, Development, Enlarging, Count };
@@ -43,9 +33,6 @@ struct Probe {
     // of two pixels counts for the right or the lower one, one outside for the pixel at the edge
     uint32_t *samples = nullptr;
     int width = 0, height = 0;
-    // Pictures are brightened until their lights are visible, even if the film has faded out or the camera is
-    // on a dark side.
-    bool brightens = false;
 };
 
 // From now on pictures are measured by this probe; null: by none. Must not be called while a picture is made.
@@ -56,18 +43,7 @@ struct Inspector {
     // All shots in the order of time, and all events, at most `most`; their number.
     int (*shots)(ShotInfo *to, int most);
     int (*events)(EventInfo *to, int most);
-    // The materials of the last picture's scene, in their order; their number, at most kMostMaterials.
-    int (*materials)(const Intro &intro, MaterialInfo *to);
-    // Traces a ball of each of these materials, in squares of `side` pixels, `across` in a row, and as many
-    // rows as they need: sRGB, four bytes a pixel. Takes swatchMemory() of the arena; false if that is too
-    // little. samplesTaken() is then of this picture.
-    bool (*swatches)(Intro &intro, Arena &arena, int across, int side, uint8_t *rgba);
-    size_t (*swatchMemory)(int across, int side);
     void (*watch)(Probe *probe); // watchPictures()
-    // A copy of the film's music, apart from what is played: as loadSound() and soundBlock() of intro.h.
-    size_t (*soundMemory)();
-    Sound *(*loadSound)(Arena &arena);
-    void (*soundBlock)(Sound &sound, float *stereo);
     // The film's font. That of a shared object has the letters of compilers' messages, too.
     decltype(&odraz::drawText) drawText;
 };

@@ -7,9 +7,8 @@ namespace odraz::maker {
 
 // clang-format off
 enum class Action {
-    Panel, Help, Ghost, Heat, Materials, Costs, Split, Difference, LoopShot,
+    Panel, Help, Heat, Costs, LoopShot,
     PictureBack, PictureOn, BarBack, BarOn, EventBack, EventOn,
-    OtherDraft, OtherPlay, OtherFilm, OtherReference,
     Count
 };
 // clang-format on
@@ -48,20 +47,9 @@ inline constexpr KeyRow kKeys[] = {
     {Action::Count, 0, false, "X", "write the tracks for gnu rocket"},
     {Action::Count, 0, false, "", "to look closer"},
     {Action::Panel, code(KeyName::Tab), false, "tab", "the panel"},
-    {Action::Ghost, 'G', false, "G", "the camera from outside"},
-    {Action::Count, 0, false, "mouse, wheel", "on that view: around, nearer"},
     {Action::Costs, 'T', false, "T", "what the picture costs: on, off"},
     {Action::Heat, 'P', false, "P", "where its samples are"},
-    {Action::Materials, 'M', false, "M", "materials of the scene"},
-    {Action::Count, 0, false, "", "quality"},
-    {Action::Count, 0, false, "1 2 3", "draft, play, film"},
-    {Action::Split, 'V', false, "V", "two of them, drag their border"},
-    {Action::OtherDraft, '1', true, "shift 1 2 3 4", "the other one: draft to reference"},
-    {Action::OtherPlay, '2', true, "", ""},
-    {Action::OtherFilm, '3', true, "", ""},
-    {Action::OtherReference, '4', true, "", ""},
-    {Action::Difference, 'F', false, "F", "the difference that is seen: flip"},
-    {Action::Count, 0, false, "", "help"},
+    {Action::Count, 0, false, "1 2 3", "quality: draft, play, film"},
     {Action::Help, 'H', false, "H", "these lines"},
     {Action::Count, 0, false, "esc", "leave"},
 };

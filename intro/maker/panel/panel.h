@@ -1,17 +1,13 @@
-// The makers' panel over the picture: a time line, the camera from outside, the costs of the picture, the
-// scene's materials, two qualities side by side. While hidden it costs nothing.
+// The makers' panel over the picture: a time line, the costs of the picture, and a map of its samples. While
+// hidden it costs nothing.
 //
 // The host calls steer() before a picture, and picture() instead of that of intro.h; keys and the mouse come
 // from input.h, or from a test.
 #pragma once
 
-#include "maker/panel/compare.h"
 #include "maker/panel/costs.h"
-#include "maker/panel/ghost.h"
 #include "maker/panel/keys.h"
-#include "maker/panel/level.h"
 #include "maker/panel/strip.h"
-#include "maker/panel/swatches.h"
 
 namespace odraz::maker {
 
@@ -41,8 +37,7 @@ public:
     void steer(double &time, bool &paused, bool &sought);
     Picture picture(Intro &intro, const PictureRequest &request);
 
-    // To be called before the film's code is replaced, and after it.
-    void forget() { envelope.stop(); }
+    // To be called after the film's code was replaced.
     void learn();
 
     int pictureWidth() const { return width; }
@@ -50,21 +45,13 @@ public:
     bool visible() const { return shown; }
     const Strip &timeLine() const { return strip; }
     const Loop &loop() const { return stretch; }
-    int othersTraced() const { return others; } // the number of times that the other quality was traced
     const Costs &lastCosts() const { return costs; }
     const std::vector<uint32_t> &samples() const { return heat; }
-    Rect inset() const; // with the view from outside
 
 private:
-    enum class Grab { None, Scrub, LoopEnd, Orbit, Divider };
+    enum class Grab { None, Scrub, LoopEnd };
     Picture makePicture(Intro &intro, const PictureRequest &request);
-    void makeGhost(Intro &intro, const PictureRequest &request);
-    bool makeOther(Intro &intro, const PictureRequest &request);
-    void watchForChanges(const Picture &picture, const PictureRequest &request);
-    void makeDifference(const Picture &picture, const PictureRequest &request);
-    void draw(const Picture &picture, const PictureRequest &request);
-    void drawComparison(Canvas &canvas, const PictureRequest &request);
-    void drawInset(Canvas &canvas, const PictureRequest &request);
+    void draw(Canvas &canvas, double time);
     void seek(double to);
 
     const Inspector *film; // of the film's code that is in use
@@ -73,38 +60,21 @@ private:
     int64_t (*clock)();
     Content content;
     Strip strip;
-    Envelope envelope;
-    Meter meter;
-    Swatches swatches;
-    GhostPlace place;
     Costs costs;
     Loop stretch;
     Probe probe;
 
     // What is shown
-    bool shown = false, help = false, ghost = false, heated = false, materials = false, costly = true,
-         split = false, differs = false;
-    QualityName other = QualityName::Film;
-    double divider = 0.5; // of the width
-    Kept ghostPicture, otherPicture, lastPicture;
-    int others = 0;
-    Difference difference;
-    float scale = 0; // of its map, until another comparison is asked for
+    bool shown = false, help = false, heated = false, costly = true;
     std::vector<uint32_t> heat;
-
-    // What identifies a kept picture: its time, quality, the other quality, and the flown camera's numbers
-    using Key = std::vector<double>;
-    Key keyOf(const PictureRequest &request) const;
-    Key otherKey, differenceKey, lastKey, lastPictureKey;
 
     // What the mouse does, and where it was
     Grab grabbed = Grab::None;
     double mouseX = -1, mouseY = -1, loopFrom = 0;
 
     // Since the last steer()
-    double now = 0, wanted = -1, heardTo = 0;
-    bool stop = false, waits = false; // waits: for the other picture to be traced
-    int64_t last = 0;
+    double now = 0, wanted = -1;
+    bool stop = false;
 };
 
 } // namespace odraz::maker

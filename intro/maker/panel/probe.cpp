@@ -58,32 +58,11 @@ ODRAZ_WRAPPED(void, spreadGlare, "_ZN5odraz11spreadGlareERNS_5GlareERKNS_5FrameE
     spreadGlareItself(glare, frame, workers);
 }
 
-// The exposure at which a twentieth of the picture is brighter than `kSeen`.
-static float metered(const Frame &frame) {
-    constexpr float kSeen = 0.35f; // linear light, 1 is white
-    constexpr int kStep = 7, kBins = 256;
-    int bins[kBins] = {}, count = 0;
-    for (int y = 0; y < frame.height; y += kStep)
-        for (int x = 0; x < frame.width; x += kStep) {
-            ptrdiff_t at = (ptrdiff_t)y * frame.stride + x;
-            float light = max(max(frame.plane[0][at], frame.plane[1][at]), frame.plane[2][at]);
-            // Eight bins for each doubling, from 2^-20 on: the exponent and the mantissa's first bits
-            int bin = (__builtin_bit_cast(int32_t, max(light, 0x1p-20f)) >> 20) - ((127 - 20) << 3);
-            ++bins[min(max(bin, 0), kBins - 1)];
-            ++count;
-        }
-    int bin = kBins - 1;
-    for (int above = bins[bin]; bin > 0 && above * 20 < count; above += bins[--bin]) {
-    }
-    return bin ? kSeen / __builtin_bit_cast(float, (bin + ((127 - 20) << 3)) << 20) : 0;
-}
-
 ODRAZ_WRAPPED(void, develop,
               "_ZN5odraz7developERKNS_9ToneCurveERNS_5FrameERNS_7WorkersEfjPKNS_5GlareERKNS_10CameraLookE",
               const ToneCurve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
               const Glare *glare, const CameraLook &look) {
     Timed timed(Cost::Development);
-    if (theProbe && theProbe->brightens) exposure = max(exposure, metered(frame));
     developItself(curve, frame, workers, exposure, seed, glare, look);
 }
 

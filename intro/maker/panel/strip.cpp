@@ -27,11 +27,11 @@ void Strip::follow(double time) {
     to = from + length;
 }
 
-// From top to bottom, in heights of its text: names, events, keys, envelope
-static constexpr float kNames = 2.1f, kEvents = 1.1f, kKeys = 0.9f, kSound = 3.4f;
+// From top to bottom, in heights of its text
+static constexpr float kNames = 2.1f, kEvents = 1.1f, kKeys = 0.9f;
 
 Strip stripOf(int width, int height, double end) {
-    int tall = (int)std::lround(textSize(height) * (kNames + kEvents + kKeys + kSound));
+    int tall = (int)std::lround(textSize(height) * (kNames + kEvents + kKeys));
     if (width < 240 || height < tall * 2) return {{0, height, width, 0}, end, 0, end};
     return {{0, height - tall, width, tall}, end, 0, end};
 }
@@ -53,8 +53,7 @@ struct Drawing {
     const Strip &strip;
     const Content &content;
     float size = textSize(canvas.height());
-    int names = strip.area.y, events = names + (int)(kNames * size), keys = events + (int)(kEvents * size),
-        sound = keys + (int)(kKeys * size);
+    int names = strip.area.y, events = names + (int)(kNames * size), keys = events + (int)(kEvents * size);
 
     float x(double time) const { return (float)strip.xOf(time); }
     Rect between(double from, double to, int top, int bottom) const {
@@ -102,17 +101,6 @@ struct Drawing {
             }
         }
     }
-    void drawSound(const Envelope &envelope) const {
-        int bottom = strip.area.bottom() - 2, tall = bottom - sound;
-        for (int column = strip.area.x; column < strip.area.right(); ++column) {
-            double from = strip.timeAt(column), to = strip.timeAt(column + 1);
-            if (from >= envelope.known()) break;
-            Level level = envelope.most(from, to);
-            float loud = std::min(std::max(level.left, level.right), 1.f);
-            int high = (int)std::lround(loud * (float)tall);
-            canvas.fill({column, bottom - high, 1, high}, kCold, 0.55f);
-        }
-    }
     void drawLoop(const Loop &loop) const {
         if (!loop.on()) return;
         canvas.fill(between(loop.from, loop.to, names, strip.area.bottom()), kWarm, 0.22f);
@@ -138,13 +126,12 @@ struct Drawing {
 
 } // namespace
 
-void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const Envelope &envelope,
-               const Loop &loop, double time, double pointer) {
+void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const Loop &loop, double time,
+               double pointer) {
     if (!strip.area.height) return;
     Drawing d = {canvas, strip, content};
     canvas.fill(strip.area, kGround, 0.82f);
     d.drawScenes();
-    d.drawSound(envelope);
     d.drawBars();
     d.drawEvents();
     d.drawKeys();

@@ -1,10 +1,9 @@
-// The time line: a strip along the lower edge with scenes and cuts, bars, events, keys of cameras, the
-// sound's envelope, the loop, and the current time. Times are seconds of the film.
+// The time line: a strip along the lower edge with scenes and cuts, bars, events, keys of cameras, the loop,
+// and the current time. Times are seconds of the film.
 #pragma once
 
 #include "maker/panel/canvas.h"
 #include "maker/panel/content.h"
-#include "maker/panel/level.h"
 #include "maker/panel/steps.h"
 
 #include <vector>
@@ -38,7 +37,7 @@ Strip stripOf(int width, int height, double end);
 const EventInfo *eventNear(const Strip &strip, const Content &content, double x);
 
 // `pointer`: the pixel column that the mouse is over, or below 0.
-void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const Envelope &envelope,
-               const Loop &loop, double time, double pointer);
+void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const Loop &loop, double time,
+               double pointer);
 
 } // namespace odraz::maker

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <gtest/gtest.h>
 #include <numeric>
-#include <thread>
 
 using namespace odraz;
 using namespace odraz::maker;
@@ -15,7 +14,7 @@ namespace {
 int64_t nanosecondsNow() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
 const Quality &kDraft = kQualities[(int)QualityName::Draft], &kBest = kQualities[(int)QualityName::Film];
-std::vector<uint8_t> bytesOf(const Picture &p) { return Kept::of(p).rgba; }
+std::vector<uint8_t> bytesOf(const Picture &p) { return {p.rgba, p.rgba + p.width * p.height * 4}; }
 
 // The film without its hall, and a panel over its pictures
 struct Shown : LoadedFilm {
@@ -23,8 +22,8 @@ struct Shown : LoadedFilm {
     Shown(int width, int height)
         : LoadedFilm(1, width, height, false), panel(width, height, 25, nanosecondsNow) {}
     Picture plain(double time, const Quality &q = kDraft) { return odraz::picture(*intro, 0, time, q); }
-    Picture picture(double time, const Quality &q = kDraft, const CameraKey *camera = nullptr) {
-        return panel.picture(*intro, {time, q, camera});
+    Picture picture(double time, const Quality &q = kDraft) {
+        return panel.picture(*intro, {time, q, nullptr});
     }
     size_t samples() const {
         const std::vector<uint32_t> &all = panel.samples();
@@ -147,7 +146,6 @@ TEST(Panel, HiddenItShowsThePictureAlone) {
     auto isAlone = [&] { return bytesOf(film.picture(22)) == alone; };
     EXPECT_TRUE(isAlone());
     film.panel.act(Action::Panel);
-    film.panel.act(Action::Ghost);
     EXPECT_FALSE(isAlone());
     film.panel.act(Action::Panel);
     EXPECT_TRUE(isAlone());
@@ -162,8 +160,7 @@ TEST(Panel, ServesPicturesOfAllSizes) {
         Panel &panel = film.panel;
         double time = 161.9;
         bool paused = false, sought = false;
-        for (Action a : {Action::Ghost, Action::Materials, Action::Heat, Action::Help, Action::OtherDraft,
-                         Action::Difference, Action::Difference, Action::LoopShot, Action::Split}) {
+        for (Action a : {Action::Panel, Action::Heat, Action::Help, Action::LoopShot}) {
             panel.act(a);
             panel.move(width - 1, height - 1);
             panel.wheel(width - 1, height - 1, 3);
@@ -171,15 +168,6 @@ TEST(Panel, ServesPicturesOfAllSizes) {
             film.picture(22);
         }
     }
-}
-
-TEST(Panel, FarFlownCamerasAreShown) {
-    Shown film(320, 180);
-    film.panel.act(Action::Ghost);
-    for (CameraKey far : {CameraKey{0, {1e6f, 5, 0}, {0, 0, 0}, 0, 40},
-                          {0, {0, 3, 0}, {0, 0, 0}, 0, 40},
-                          {0, {1, 1, 1}, {1, 1, 1}, 0, 40}})
-        film.picture(22, kDraft, &far);
 }
 
 // --- Keys and the mouse ---
@@ -285,11 +273,6 @@ TEST(Panel, LeavesTheMouseToTheHostElsewhere) {
     Host h;
     h.panel.press(640, 300, Panel::Button::Left);
     EXPECT_FALSE(h.panel.grabs());
-    h.panel.act(Action::Ghost);
-    Rect inset = h.panel.inset();
-    h.panel.press(inset.x + 5, inset.y + 5, Panel::Button::Left);
-    EXPECT_TRUE(h.panel.grabs());
-    h.panel.release();
     h.panel.act(Action::Panel); // hidden
     h.panel.press(h.x(50), h.y(), Panel::Button::Left);
     EXPECT_FALSE(h.panel.grabs());
@@ -315,101 +298,7 @@ TEST(Content, IsInOrderAndInTheFilm) {
     EXPECT_TRUE(found);
     for (const ShotInfo &s : c.shots)
         for (double t : {s.from, (s.from + s.to) / 2}) {
-            CameraKey a = cameraAt(t), b = s.at(t);
+            CameraKey a = cameraAt(t), b = pose(*s.path, (float)((t - s.story) * kRowsPerSecond));
             EXPECT_NEAR(length(a.eye - b.eye), 0, 1e-4) << t;
         }
-}
-
-TEST(Swatches, ShowEveryMaterialAndAreTracedOnlyWhenOneChanges) {
-    LoadedFilm film(1, 320, 180, false);
-    Picture p = picture(*film.intro, 0, 22, kDraft);
-    Swatches s;
-    s.look(inspector(), *film.intro, 24);
-    EXPECT_GE(s.count(), 5);
-    s.look(inspector(), *film.intro, 24);
-    EXPECT_EQ(s.traced(), 1);
-    std::vector<uint8_t> before = bytesOf(p);
-    Canvas canvas(p);
-    Rect r = s.draw(canvas, 10, 10);
-    EXPECT_NE(bytesOf(p), before);
-    EXPECT_TRUE(canvas.whole().holds(r.right(), r.bottom()));
-    picture(*film.intro, 0, 45, kDraft); // another scene
-    s.look(inspector(), *film.intro, 24);
-    EXPECT_EQ(s.traced(), 2);
-}
-
-TEST(Envelope, IsThatOfTheMusic) {
-    constexpr double kSeconds = 4;
-    Envelope envelope;
-    envelope.start(inspector(), kSeconds);
-    while (envelope.known() < kSeconds) std::this_thread::yield();
-    HeapArena memory(soundMemory());
-    Sound *sound = loadSound(memory.arena);
-    float most[2] = {}, stereo[2 * kSoundBlock];
-    for (int block = 0; block < kSeconds * kSoundRate / kSoundBlock; ++block) {
-        soundBlock(*sound, stereo);
-        float here[2] = {};
-        for (int i = 0; i < 2 * kSoundBlock; ++i) here[i % 2] = std::max(here[i % 2], std::abs(stereo[i]));
-        Level level = envelope.most(block * 0.005 + 1e-4, block * 0.005 + 0.004);
-        ASSERT_EQ(level.left, here[0]) << block;
-        ASSERT_EQ(level.right, here[1]) << block;
-        for (int side : {0, 1}) most[side] = std::max(most[side], here[side]);
-    }
-    EXPECT_GT(most[0], 0.01f);
-    EXPECT_EQ(envelope.most(0, kSeconds).left, most[0]);
-    EXPECT_EQ(envelope.most(-5, 1000).right, most[1]);
-    envelope.stop();
-    EXPECT_EQ(envelope.most(0, kSeconds).left, 0);
-}
-
-// --- Two qualities ---
-
-TEST(Compare, SplitShowsTheOtherPictureOnTheRight) {
-    Shown film(320, 180);
-    std::vector<uint8_t> draft = bytesOf(film.plain(22)), best = bytesOf(film.plain(22, kBest));
-    film.panel.act(Action::OtherFilm);
-    Picture p = film.picture(22);
-    // Between the costs and the meter, but not where the divider is
-    for (int y = 60; y < 80; ++y)
-        for (int x = 150; x < 280; ++x) {
-            if (std::abs(x - 160) < 6) continue;
-            const uint8_t *of = (x < 160 ? draft : best).data() + (y * 320 + x) * 4;
-            ASSERT_TRUE(std::equal(of, of + 3, p.rgba + (y * 320 + x) * 4)) << x << " " << y;
-        }
-}
-
-TEST(Compare, DifferenceIsNoneBetweenEqualPicturesAndSomeBetweenQualities) {
-    Shown film(160, 90);
-    Kept draft = Kept::of(film.plain(22));
-    Picture again = film.plain(22);
-    Difference none = differenceOf(draft, again);
-    EXPECT_NEAR(none.mean, 0, 1e-6);
-    EXPECT_EQ(none.most, 0.05f);
-    Difference some = differenceOf(draft, film.plain(22, kBest));
-    EXPECT_GT(some.mean, 0.001);
-    EXPECT_LT(some.mean, 0.3);
-    EXPECT_TRUE(differenceOf({}, again).flip.empty()) << "of another size";
-}
-
-// The reference takes long: it is not traced while the film plays
-TEST(Compare, TheReferenceWaitsForAPause) {
-    Shown film(160, 90);
-    film.panel.act(Action::OtherReference);
-    for (double time : {20., 20.04, 20.08}) film.picture(time);
-    std::vector<uint8_t> waiting = bytesOf(film.picture(30)), there = bytesOf(film.picture(30));
-    EXPECT_NE(waiting, there);
-}
-
-TEST(Compare, TheOtherPictureIsTracedAgainWhenTheFilmWasEdited) {
-    Shown film(320, 180);
-    film.panel.act(Action::OtherPlay);
-    Quality edited = kDraft; // stands for a film that looks different
-    edited.grid = 1;
-    auto traced = [&](double time, const Quality &q, int times) {
-        for (int i = 0; i < times; ++i) film.picture(time, q);
-        return film.panel.othersTraced();
-    };
-    EXPECT_EQ(traced(22, kDraft, 3), 1);
-    EXPECT_EQ(traced(22, edited, 3), 2);
-    EXPECT_EQ(traced(23, edited, 1), 3);
 }
