@@ -53,6 +53,7 @@ odraz_scripts(odraz_script .
     tradeoff_pack 30
     tradeoff_trace 15
     tradeoff_transfer 4
+    watch 10
     web 90
     window 60)
 odraz_script(hostile_damaged 15 hostile/damaged 8)
@@ -99,6 +100,7 @@ odraz_long_script(radiosity_errors_all 60 radiosity_errors all)
 odraz_long_script(radiosity_resume_all 60 radiosity_resume all)
 odraz_long_script(radiosity_study_all 150 radiosity_study all)
 odraz_long_script(soak 180 soak)
+odraz_long_script(watch_full 40 watch full)
 odraz_long_script(tradeoff_trace_all 45 tradeoff_trace all)
 
 # tools/test --windows: by Wine, one at a time

@@ -1,4 +1,32 @@
-# Sourced by the scripts: installs Debian packages that are missing.
+# Sourced by the scripts: installs Debian packages that are missing, and builds.
+
+# during WHAT LOG COMMAND...: runs the command. Meanwhile it prints WHAT is done, the last count of Ninja or Make in LOG
+# (none if empty), and the seconds: on a terminal in one line that changes, elsewhere in a line every five seconds
+during() {
+    local what=$1 log=$2 status=0 printer
+    shift 2
+    # This is in the background, and not the command: Ctrl-C ends only what is in the foreground
+    print_progress </dev/null >/dev/null &
+    printer=$!
+    "$@" || status=$?
+    kill $printer
+    wait $printer 2>/dev/null || true
+    [ ! -t 2 ] || printf '\r\e[K' >&2
+    return $status
+}
+print_progress() {
+    local began=$SECONDS printed=$SECONDS count=
+    while kill -0 $$ 2>/dev/null; do
+        sleep 1
+        [ -z "$log" ] || count=$(tail -c 4000 "$log" 2>/dev/null | grep -aoE '^\[[^]]*\]' | tail -n 1 || true)
+        if [ -t 2 ]; then
+            printf '\r%s: %s%d s\e[K' "$what" "${count:+$count, }" $((SECONDS - began)) >&2
+        elif [ $((SECONDS - printed)) -ge 5 ]; then
+            printed=$SECONDS
+            echo "$what: ${count:+$count, }$((SECONDS - began)) s" >&2
+        fi
+    done
+}
 
 # need WHY PACKAGE...
 need() {
@@ -13,12 +41,14 @@ need() {
     if [ "$(id -u)" -ne 0 ]; then
         command -v sudo >/dev/null || { echo "${0##*/}: packages are missing and there is no sudo: as root, run apt-get install ${missing[*]}" >&2; exit 1; }
         root=(sudo)
+        sudo true # which may ask for a password
     fi
+    during installing "" install "${missing[@]}" || { echo "${0##*/}: apt-get could not install ${missing[*]}" >&2; exit 1; }
+}
+install() { # uses root, of need()
+    local by_apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@")
     # The package lists may be old or missing: fetch them if the first try fails
-    local install=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}")
-    "${install[@]}" >/dev/null 2>&1 ||
-        { "${root[@]}" apt-get update -qq && "${install[@]}" >/dev/null; } ||
-        { echo "${0##*/}: apt-get could not install ${missing[*]}" >&2; exit 1; }
+    "${by_apt[@]}" >/dev/null 2>&1 || { "${root[@]}" apt-get update -qq && "${by_apt[@]}" >/dev/null; }
 }
 
 need_for_building() {
@@ -32,8 +62,11 @@ build() {
     # A folder that was configured with one generator stays with it
     generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$to/CMakeCache.txt" 2>/dev/null || true)
     mkdir -p "$to"
-    cmake -S "$ODRAZ" -B "$to" -G "${generator:-Ninja}" "${options[@]}" >"$to/build.log" 2>&1 &&
-        cmake --build "$to" -j "$(nproc)" --target "${targets[@]}" >>"$to/build.log" 2>&1 ||
+    during building "$to/build.log" by_cmake ||
         { tail -n 40 "$to/build.log" >&2; echo "${0##*/}: the build failed; its whole output is in $to/build.log" >&2; exit 1; }
     grep -A 3 'warning: ' "$to/build.log" >&2 || true
+}
+by_cmake() { # uses what build() sets
+    cmake -S "$ODRAZ" -B "$to" -G "${generator:-Ninja}" "${options[@]}" >"$to/build.log" 2>&1 &&
+        cmake --build "$to" -j "$(nproc)" --target "${targets[@]}" >>"$to/build.log" 2>&1
 }

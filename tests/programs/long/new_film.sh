@@ -1,7 +1,7 @@
 # tools/new-film from beginning to end: a film with a long name is made, built, packed and tested, and nothing in it is
 # called odraz.
 . "$(dirname "$0")/../common.sh"
-skip_unless git strings zip unzip
+skip_unless git strings zip unzip ffprobe
 name=wunderkmr film=$WORK/film # nine letters: with -safe as many as the packer's stub has room for
 check "a new film is made, packed and tested" prints "^build/$name: [0-9]+ bytes, [0-9]+ left of 65536" "$SOURCE/tools/new-film" "$film" $name
 check "... all of its tests pass" grep -q '^100% tests passed' "$WORK/printed"
@@ -37,6 +37,9 @@ check "ten pictures" test "$(ls "$frames" | wc -l)" = 10
 for second in 1 3 5 7; do check "second $second is lit" less 40 "$(mean 0$second)"; done
 check "it begins in the dark" less "$(mean 00)" 10
 check "the word changes the picture" eval 'less 0.5 "$("$BUILD/compare" "$frames/frame-000003.ppm" "$frames/frame-000006.ppm" | sed -n "s/.*difference \([0-9.]*\),.*/\1/p")"'
+
+check "without a display, tools/watch makes a video" env -u DISPLAY "$film/tools/watch"
+check "... of one second" prints '^1\.0' ffprobe -v error -show_entries format=duration -of csv=p=0 "$film/build/film.mp4"
 
 # The tests find faults
 check "another picture is found" eval 'sed -i "s/{2.6f, 0.9f, 0.27f}/{0.9f, 2.6f, 0.27f}/" "$film/intro/show/scenes/stage.cpp" && cmake --build "$film/build" --target film >/dev/null && ! "$film/tools/golden" compare >/dev/null'
