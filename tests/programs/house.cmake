@@ -52,7 +52,6 @@ odraz_scripts(odraz_script .
     sound 25
     tradeoff_pack 30
     tradeoff_trace 15
-    tradeoff_transfer 4
     watch 10
     web 90
     window 60)

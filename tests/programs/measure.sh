@@ -39,9 +39,6 @@ check "an unknown section" refuses 2 "there is no section 'colour': there are si
 check "a folder that is not there" refuses 2 "cannot write" "$all" --to "$WORK/none/results.md"
 check "quick figures stay out of the repository" refuses 2 "--quick goes with --to" "$all" --quick
 
-machine=$SOURCE/tools/measure/bench/machine
-check "a machine is not measured by programs that are missing" refuses 2 "odraz-safe is missing: cmake" env BUILD="$WORK/none" "$machine"
-
 # --- CSV by the titles of its columns ---
 . "$SOURCE/tools/measure/tables.sh"
 export -f column columns csv

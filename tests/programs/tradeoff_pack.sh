@@ -12,5 +12,5 @@ check "... of at least five" test "$(grep -c 'class="mark"' "$WORK/svg")" -ge 5
 check "a missing film" refuses 2 "cannot read" "$tradeoff" pack "$WORK/none"
 check "a film that is none" refuses 2 "not an ELF file" "$tradeoff" pack "$SOURCE/README.md"
 check "a missing model" refuses 2 "cannot read" "$tradeoff" pack --model "$WORK/none" "$BUILD/odraz-safe"
-check "no name" refuses 2 "a command is missing, trace, transfer or pack" "$tradeoff"
+check "no name" refuses 2 "a command is missing, trace or pack" "$tradeoff"
 finish

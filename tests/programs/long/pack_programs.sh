@@ -2,7 +2,7 @@
 # that of packer/README.md.
 . "$(dirname "$0")/../common.sh"
 skip_unless gcc g++ xz
-pack=$BUILD/pack programs=$SOURCE/tools/measure/bench/programs
+pack=$BUILD/pack programs=$SOURCE/tests/programs/long/programs
 cd "$WORK" || exit 1
 : >table
 

@@ -11,8 +11,6 @@
 
 namespace odraz::measure {
 
-using namespace radiosity;
-
 namespace {
 
 // Notes when each step of a solution ends, from its progress reports.
@@ -97,28 +95,6 @@ void everyPicture(SolvedHall &solved, Workers &workers) {
     show("door of light, night", {kNight, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
 }
 
-void compressedRows(const SolvedHall &solved, Workers &workers) {
-    const Hall &hall = *solved.hall;
-    TexelPlanes planes(hall.model.texelCount);
-    std::printf("\n| rows of texels | error, %% | MB | start-up, s | relight, ms |\n|---|---|---|---|---|\n");
-    for (bool suns : {false, true}) {
-        TransferRows rows = rowsOf(solved, suns);
-        std::vector<float> light((size_t)rows.columns, 1.f);
-        const char *with = suns ? ", with suns" : "";
-        std::printf("| %d x %d%s, uncompressed | 0 | %.1f | 0 | |\n", rows.rows, rows.columns, with,
-                    (double)rows.data.size() * 4e-6);
-        for (PcaSettings s :
-             {PcaSettings{.clusters = 64, .dimensions = 8}, PcaSettings{.clusters = 64, .dimensions = 16},
-              PcaSettings{.clusters = 64, .dimensions = 24},
-              PcaSettings{.clusters = 128, .dimensions = 24}}) {
-            Compressed c = compressed(rows, blocksOf(hall.model, s.clusters), s, workers);
-            double ms = common::medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
-            std::printf("| %d clusters x %d%s | %.2f | %.1f | %.3f | %.3f |\n", s.clusters, s.dimensions,
-                        with, c.errorPercent, (double)c.bytes() * 1e-6, c.seconds, ms);
-        }
-    }
-}
-
 void overTheDay(int hours, const Gl &gl, Workers &workers) {
     std::printf("\n| hour | | rms of what comes by the lightmap, %% | rms of all light, %% |\n"
                 "|---|---|---|---|\n");
@@ -140,7 +116,6 @@ int run(common::CommandLine &line) {
     Workers workers = allProcessors();
     std::unique_ptr<SolvedHall> solved = startUp(quick ? 1 : 5, gl, workers);
     everyPicture(*solved, workers);
-    if (!quick) compressedRows(*solved, workers);
     solved.reset();
     overTheDay(quick ? 1 : kNight, gl, workers);
     return 0;

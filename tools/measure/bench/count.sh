@@ -4,19 +4,18 @@
 # posed PROGRAM FILE SCENE [WxH]: poses a scene with a build's trace_once and keeps it in FILE
 posed() { "$1" pose "$2" "$3" ${4:+--size "$4"} >&2; }
 
-# counted PROGRAM FILE WHAT [SETTING [CALLGRIND-OUT]]: prints the instructions of the part WHAT of a picture: posing;
-# finish, the part of posing that builds the tree; trace, with a SETTING; glare; development
+# counted PROGRAM FILE WHAT [SETTING]: prints the instructions of the part WHAT of a picture: posing; trace, with a
+# SETTING; glare; development
 counted() {
     local log of words
     case $3 in
     posing) of='odraz::measure::poseSubject*' words=(again "$2") ;;
-    finish) of='odraz::Scene::finish*' words=(again "$2") ;;
     trace) of='odraz::traceFrame*' words=(trace "$2" "$4") ;;
     development) of='odraz::develop(*const&)' words=(develop "$2") ;;
     glare) of='odraz::spreadGlare*' words=(develop "$2") ;;
     esac
     log=$(mktemp)
-    valgrind --tool=callgrind --callgrind-out-file="${5-/dev/null}" --collect-atstart=no --toggle-collect="$of" \
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --collect-atstart=no --toggle-collect="$of" \
         "$1" "${words[@]}" >"$log" 2>&1 || { cat "$log" >&2; rm "$log"; return 1; }
     awk '$2 == "Collected" { print $4 }' "$log"
     rm "$log"

@@ -1,15 +1,11 @@
 #include "tools/measure/bench/subject.h"
 
-#include "host/threads.h"
 #include "tools/common/clock.h"
 #include "tools/common/command_line.h"
-#include "tools/engine/machine.h"
-#include "tools/measure/bench/growth_scenes.h"
 #include "tools/measure/bench/peer_scenes.h"
 #include "trace/picture/development.h"
 
 #include <cstdlib>
-#include <stdexcept>
 
 namespace odraz::measure {
 
@@ -54,15 +50,6 @@ SubjectName findSubject(const std::string &name) {
         if (n.name == name) return n;
         known += " " + n.name;
     }
-    size_t colon = name.find(':');
-    if (colon != std::string::npos) {
-        int count = std::atoi(name.c_str() + colon + 1);
-        std::string what = name.substr(0, colon);
-        if (what == "balls" && count >= 1 && count <= 65000)
-            return {name, false, [=](Scene &s) { poseBalls(s, count); }, {{0, &kPeerCameraA}}};
-        if (what == "lights" && count >= 1 && count <= kMaxLights)
-            return {name, false, [=](Scene &s) { poseLights(s, count); }, {{0, &kPeerCameraA}}};
-    }
     throw common::Refused("there is no scene '" + name + "'; there are:" + known);
 }
 
@@ -85,15 +72,8 @@ View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &se
     return viewOf(*by.camera, settings);
 }
 
-static Workers workersOf(int threads) {
-    Workers workers = serialWorkers();
-    if (const char *missing = threads > 1 ? startWorkers(workers, threads, &kNever) : nullptr)
-        throw std::runtime_error(missing);
-    return workers;
-}
-
-Subject::Subject(const SubjectName &what, int width, int height, int threads)
-    : settings{width, height}, workers(workersOf(threads)), name(what), film(settings, workers, what.hall) {
+Subject::Subject(const SubjectName &what, int width, int height)
+    : settings{width, height}, workers(serialWorkers()), name(what), film(settings, workers, what.hall) {
     pose(0);
 }
 

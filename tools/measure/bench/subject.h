@@ -27,8 +27,7 @@ struct SubjectName {
 // All subjects, in the order in which they are measured.
 const std::vector<SubjectName> &subjectNames();
 
-// The subject of this name, or one that grows: "balls:N" is N balls on a floor, "lights:N" is A with N
-// lights. Throws Refused.
+// Throws Refused if there is none of this name.
 SubjectName findSubject(const std::string &name);
 
 // A subject and the number of its camera, from 0 on: "A" or "A/2". Throws Refused.
@@ -40,7 +39,7 @@ View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &se
 // A posed scene with all that tracing it needs. Throws std::runtime_error with a line that gives the reason.
 class Subject {
 public:
-    Subject(const SubjectName &name, int width, int height, int threads = 1);
+    Subject(const SubjectName &name, int width, int height);
 
     // These return their processor time, in milliseconds of one thread. The constructor poses camera 0.
     double pose(size_t camera);

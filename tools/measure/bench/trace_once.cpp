@@ -5,9 +5,7 @@
 // Between them a file holds the memory, mapped at the same address; only the program that wrote it can use
 // it.
 #include "play/governor.h"
-#include "tools/common/clock.h"
 #include "tools/common/command_line.h"
-#include "tools/common/statistics.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/bench/peer_scenes.h"
 #include "tools/measure/bench/setting.h"
@@ -26,8 +24,7 @@ namespace odraz::measure {
 namespace {
 
 constexpr double kSixtieth = 1 / 60.0; // seconds
-constexpr char kSceneHelp[] =
-    "A, or A/2 for another of its cameras, as in tradeoff trace; or balls:N, lights:N",
+constexpr char kSceneHelp[] = "A, or A/2 for another of its cameras, as in tradeoff trace",
                kSettingHelp[] = "a quality, or one with knobs turned: draft,threshold=0.02,cutoff=1/64",
                kKeptHelp[] = "what `pose` or `film` kept";
 
@@ -120,30 +117,6 @@ int film(common::CommandLine &line) {
     return 0;
 }
 
-// A process can start one set of threads only: each number of threads needs a separate run.
-int time(common::CommandLine &line) {
-    std::string scene, setting, threads;
-    line.about("Traces a scene of 1280x720 repeatedly. Prints the medians: ms of the clock and of all "
-               "processors.");
-    line.argument("SCENE", scene, kSceneHelp);
-    line.argument("SETTING", setting, kSettingHelp);
-    line.argument("THREADS", threads, "how many threads trace");
-    line.parse();
-    Quality quality = settingOf(setting);
-    auto [name, camera] = findPicture(scene);
-    Subject subject(name, 1280, 720, (int)common::numberOf("THREADS", threads, {1, kMaxWorkers}));
-    subject.pose(camera);
-    std::vector<double> clock, processors;
-    for (int round = 0; round < 16; ++round) {
-        double began = common::wallSeconds(), before = common::processorSeconds();
-        subject.trace(quality);
-        processors.push_back((common::processorSeconds() - before) * 1e3);
-        clock.push_back((common::wallSeconds() - began) * 1e3);
-    }
-    std::printf("%.1f %.1f\n", common::median(clock), common::median(processors));
-    return 0;
-}
-
 // What a file keeps, on one thread.
 struct Reopened {
     Kept &kept;
@@ -227,7 +200,6 @@ int run(common::CommandLine &line) {
                      {"develop", "develop its picture", develop},
                      {"picture", "make the kept film's picture of the moment", makePicture},
                      {"between", "make it between the two that are kept", makeBetween},
-                     {"time", "time the tracing of a scene", time},
                      {"pov", "print a scene for POV-Ray", pov}});
 }
 

@@ -25,23 +25,6 @@ std::vector<uint8_t> rgbOf(const Picture &p) {
 Screening::Screening(IntroSettings settings, double from, double to)
     : workers(allProcessors()), film(settings, workers, needsHall(from, to)) {}
 
-std::vector<float> Screening::shown(double seconds, const Quality &quality) {
-    picture(seconds, quality);
-    const Intro *intro = film.intro;
-    const Frame &f = intro->frame;
-    float fade = momentAt(kFilm, seconds * kRowsPerSecond).fade,
-          exposure = intro->film.scene->exposure * fade * fade;
-    std::vector<float> levels;
-    levels.reserve((size_t)f.width * (size_t)f.height * 3);
-    for (int y = 0; y < f.height; ++y)
-        for (int c = 0; c < 3; ++c)
-            for (int x = 0; x < f.width; x += 8) {
-                Float8 v = encodeSrgb(filmic(load(f.plane[c] + (size_t)y * (size_t)f.stride + x) * exposure));
-                for (int k = 0; k < std::min(8, f.width - x); ++k) levels.push_back(v[k] * 255);
-            }
-    return levels;
-}
-
 Quality qualityOf(float level) {
     Governor governor;
     governor.coarseness = level;

@@ -30,9 +30,6 @@ public:
     Picture picture(double seconds, const Quality &quality) {
         return odraz::picture(*film.intro, 0, seconds, quality);
     }
-    // The picture as it is shown, in levels of 255, neither dithered nor rounded. In each row all red values
-    // come first, then green, then blue.
-    std::vector<float> shown(double seconds, const Quality &quality);
 
 private:
     Workers workers;

@@ -1,96 +1,9 @@
 #include "tools/measure/oracle/transfer.h"
 
-#include "tools/common/clock.h"
 #include <algorithm>
 #include <cmath>
 
 namespace odraz::measure {
-
-using namespace radiosity;
-
-TransferRows rowsOf(const SolvedHall &solved, bool suns) {
-    const Radiosity &r = solved.hall->radiosity;
-    const Model &m = solved.hall->model;
-    std::vector<int> bases;
-    for (int k = 0; k < r.bases.count(); ++k)
-        if (suns || k < kFirstSun || k >= kFirstLantern) bases.push_back(k);
-    TransferRows t = {m.texelCount, (int)((3 * bases.size() + 7) & ~7u), {}};
-    t.data.resize((size_t)t.rows * (size_t)t.columns);
-    auto kindOf = [](int basis) { return basis < kFirstSun ? 0 : basis < kFirstLantern ? 1 : 2; };
-    double square[3] = {};
-    for (int pass = 0; pass < 2; ++pass)
-        for (size_t k = 0; k < bases.size(); ++k)
-            for (size_t c = 0; c < 3; ++c) {
-                int basis = bases[k];
-                for (int i = 0; i < t.rows; ++i) {
-                    float v = r.bounced[basis][c][i] + (basis >= kFirstStrip ? r.direct[basis][i] : 0);
-                    if (pass == 0)
-                        square[kindOf(basis)] += (double)(v * v);
-                    else
-                        t.data[(size_t)i * (size_t)t.columns + 3 * k + c] =
-                            v / (float)std::sqrt(square[kindOf(basis)]);
-                }
-            }
-    return t;
-}
-
-Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings,
-                      Workers &workers) {
-    Compressed c;
-    size_t bytes = compressBytes(rows.rows, rows.columns, settings) + (size_t)rows.rows * sizeof(int);
-    c.memory = std::make_unique<HeapArena>(bytes);
-    c.pca = {};
-    c.pca.rows = rows.rows, c.pca.columns = rows.columns, c.pca.data = rows.data.data();
-    c.pca.cluster = c.memory->arena.take<int>((size_t)rows.rows);
-    std::copy(seeds.begin(), seeds.end(), c.pca.cluster);
-    double began = common::processorSeconds();
-    if (!compress(c.pca, settings, c.memory->arena, workers)) throw std::runtime_error("memory is short");
-    c.seconds = common::processorSeconds() - began;
-    double error = 0, all = 0;
-    for (int r = 0; r < rows.rows; ++r) {
-        const float *axes = c.pca.axesOf(c.pca.cluster[r]),
-                    *weights = c.pca.weights + (size_t)r * (size_t)c.pca.dimensions;
-        for (int i = 0; i < rows.columns; ++i) {
-            double v = (double)axes[i],
-                   exact = (double)rows.data[(size_t)r * (size_t)rows.columns + (size_t)i];
-            for (int d = 0; d < c.pca.dimensions; ++d)
-                v += (double)weights[d] * (double)axes[(size_t)(1 + d) * (size_t)rows.columns + (size_t)i];
-            error += (v - exact) * (v - exact), all += exact * exact;
-        }
-    }
-    c.errorPercent = 100 * std::sqrt(error / all);
-    return c;
-}
-
-void relightRows(const ClusteredPca &p, const float *light, float *const plane[3]) {
-    for (int c = 0; c < p.clusters; ++c) {
-        // The representatives' colours. Columns run red, green, blue, so every three vectors hold eight of
-        // each
-        float shown[1 + kMaxDimensions][3];
-        const float *axis = p.axesOf(c);
-        for (int d = 0; d <= p.dimensions; ++d, axis += p.columns) {
-            Float8 sum[3] = {};
-            for (int i = 0; i < p.columns; i += 24)
-                for (int k = 0; k < 3 && i + 8 * k < p.columns; ++k)
-                    sum[k] = fmadd(load(axis + i + 8 * k), load(light + i + 8 * k), sum[k]);
-            float rgb[3] = {};
-            for (int lane = 0; lane < 24; ++lane) rgb[lane % 3] += sum[lane / 8][lane % 8];
-            for (int k = 0; k < 3; ++k) shown[d][k] = rgb[k];
-        }
-        for (int first = p.first[c]; first < p.first[c + 1]; first += 8) {
-            int count = std::min(p.first[c + 1] - first, 8);
-            Int8 row = {};
-            for (int k = 0; k < 8; ++k) row[k] = p.members[first + std::min(k, count - 1)];
-            Float8 rgb[3] = {broadcast(shown[0][0]), broadcast(shown[0][1]), broadcast(shown[0][2])};
-            for (int d = 0; d < p.dimensions; ++d) {
-                Float8 weight = gather(p.weights + d, row * p.dimensions);
-                for (int k = 0; k < 3; ++k) rgb[k] = fmadd(weight, shown[1 + d][k], rgb[k]);
-            }
-            for (int k = 0; k < 3; ++k)
-                for (int i = 0; i < count; ++i) plane[k][row[i]] = rgb[k][i];
-        }
-    }
-}
 
 namespace {
 

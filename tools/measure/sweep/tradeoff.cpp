@@ -32,7 +32,6 @@ void Table::save(const Sweep &sweep) const {
 static int run(common::CommandLine &line) {
     line.about("Tries several settings and prints a CSV: what each costs and what it yields.");
     return line.run({{"trace", "the tracer: processor time against FLIP and PSNR", tradeoffTrace},
-                     {"transfer", "the hall's transfer, compressed: time against error", tradeoffTransfer},
                      {"pack", "the packer: size against the speed of decoding", tradeoffPack}});
 }
 

@@ -40,8 +40,6 @@ private:
 
 // Settings of the tracer: time against FLIP and PSNR.
 int tradeoffTrace(common::CommandLine &line);
-// The hall's transfer, compressed in several ways: time against error.
-int tradeoffTransfer(common::CommandLine &line);
 // A film packed with less and more search, contexts and memory: size against the speed of decoding.
 int tradeoffPack(common::CommandLine &line);
 

@@ -107,21 +107,17 @@ Clusters findClusters(const std::vector<float> &rows, int columns, const std::ve
 }
 
 std::vector<int> blocksOf(const Solution &model, int count) {
-    return blocksOf(model.texels, model.charts.data(), count);
-}
-
-std::vector<int> blocksOf(std::span<const Texel> texels, const Chart *charts, int count, float normal) {
     std::vector<std::array<float, 6>> at;
     std::array<float, 3> lo = {kInfinity, kInfinity, kInfinity}, hi = {-kInfinity, -kInfinity, -kInfinity};
-    for (const Texel &t : texels) {
-        const Chart &c = charts[t.chart];
+    for (const Texel &t : model.texels) {
+        const Chart &c = model.charts[(size_t)t.chart];
         Vec3 p = c.at((float)t.x * c.width / (float)(c.across * kSteps),
                       (float)t.y * c.height / (float)(c.down * kSteps));
         at.push_back({p.x, p.y, p.z, c.n.x, c.n.y, c.n.z});
         for (size_t k = 0; k < 3; ++k)
             lo[k] = std::min(lo[k], at.back()[k]), hi[k] = std::max(hi[k], at.back()[k]);
     }
-    if (normal == 0) normal = 0.35f * std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]});
+    float normal = 0.35f * std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]});
     for (auto &a : at)
         for (size_t k = 3; k < 6; ++k) a[k] *= normal;
     std::vector<int> order(at.size()), block(at.size());

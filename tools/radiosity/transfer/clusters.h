@@ -9,7 +9,6 @@
 #include "radiosity/model.h"
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace odraz::radiosity {
@@ -38,9 +37,8 @@ inline constexpr int kMostClusters = 4096, kMostRank = 32;
 Clusters findClusters(const std::vector<float> &rows, int columns, const std::vector<float> &scale,
                       std::vector<int> seeds, int count, int rank, Workers &workers);
 
-// Seeds for findClusters(): divides texels into blocks of equal size, by places and normals. `normal`: the
-// length in world units to which normals are scaled for this; 0: 0.35 of the model's size.
-std::vector<int> blocksOf(std::span<const Texel> texels, const Chart *charts, int count, float normal = 0);
+// Seeds for findClusters(): divides texels into blocks of equal size, by places and normals, which are scaled
+// to 0.35 of the model's size for this.
 std::vector<int> blocksOf(const Solution &model, int count);
 
 // The rms error of the rows with the first `rank` axes, as a share of the rows' rms; columns are weighted by
