@@ -1,9 +1,5 @@
 #include "tools/measure/oracle/model_rays.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 namespace odraz {
 
 using namespace radiosity;
@@ -36,26 +32,21 @@ std::vector<Obstacles::Triangle> trianglesOf(const Model &m, std::vector<int> &c
 
 } // namespace
 
-ModelRays::ModelRays(const Model &model) : model(model), obstacles(trianglesOf(model, chartOf)) {}
+ModelRays::ModelRays(const Model &model) : obstacles(trianglesOf(model, chartOf)) {}
 
-Vec3d before(const Chart &chart, Vec3 p) { return toDouble(p) + toDouble(chart.n) * (double)chart.off(); }
-
-int ModelRays::castFan(const Chart &from, Vec3 p, int side, uint32_t seed,
-                       const std::function<void(int chart, Vec3 at, Vec3 d)> &met) const {
+void ModelRays::castFan(const Chart &from, Vec3 p, int side, uint32_t seed,
+                        const std::function<void(int chart, Vec3 at, Vec3 d)> &met) const {
     Sampler sampler(seed);
-    Vec3d origin = before(from, p), n = toDouble(from.n);
-    int backs = 0;
+    Vec3d n = toDouble(from.n), origin = toDouble(p) + n * (double)from.off(); // safely in front of the chart
     for (int k = 0; k < side * side; ++k) {
         Vec3d d = byCosine(n, inCell(sampler, k, side));
         Obstacles::Hit hit = obstacles.nearest(origin, d);
-        if (hit.back)
-            ++backs;
-        else if (hit.met())
+        if (hit.back) continue;
+        if (hit.met())
             met(chartOf[(size_t)hit.number], toFloat(origin + d * hit.t), toFloat(d));
         else
             met(-1, {}, toFloat(d));
     }
-    return backs;
 }
 
 } // namespace odraz

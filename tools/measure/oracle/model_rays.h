@@ -3,7 +3,6 @@
 #pragma once
 
 #include "radiosity/model.h"
-#include "tools/radiosity/patches/row_finder.h"
 #include "tools/radiosity/reference/obstacles.h"
 #include "tools/radiosity/reference/sampler.h"
 
@@ -16,16 +15,11 @@ struct ModelRays {
     explicit ModelRays(const Model &model);
 
     // Casts side x side rays from a place of a chart by the cosine law, one in each cell of a grid. Calls met
-    // for each ray that hits a front or nothing (chart -1); returns how many hit a back. Another seed gives
-    // other rays.
-    int castFan(const Chart &from, Vec3 p, int side, uint32_t seed,
-                const std::function<void(int chart, Vec3 at, Vec3 d)> &met) const;
-    const Model &model;
+    // for each ray that hits a front or nothing (chart -1). Another seed gives other rays.
+    void castFan(const Chart &from, Vec3 p, int side, uint32_t seed,
+                 const std::function<void(int chart, Vec3 at, Vec3 d)> &met) const;
     std::vector<int> chartOf;       // of each triangle
     radiosity::Obstacles obstacles; // the triangles
 };
-
-// Where rays from a place of a chart start: safely in front of it.
-Vec3d before(const Chart &chart, Vec3 p);
 
 } // namespace odraz

@@ -142,8 +142,7 @@ struct Obstacles::Builder {
     }
 };
 
-Obstacles::Obstacles(const std::vector<Triangle> &triangles, std::vector<Ball> balls)
-    : balls(std::move(balls)), triangleCount((int)triangles.size()) {
+Obstacles::Obstacles(const std::vector<Triangle> &triangles) {
     if (!triangles.empty()) Builder{triangles, *this}.build();
 }
 
@@ -195,7 +194,7 @@ struct Obstacles::Met {
     Mask4 back;
 };
 
-Obstacles::Met Obstacles::meet(const Leaf &leaf, Vec3d o, Vec3d d, double least) {
+Obstacles::Met Obstacles::meet(const Leaf &leaf, Vec3d o, Vec3d d) {
     constexpr double kEdge = 1e-12; // lets no ray pass between neighbours
     struct Vectors {
         Double4 x, y, z;
@@ -214,14 +213,14 @@ Obstacles::Met Obstacles::meet(const Leaf &leaf, Vec3d o, Vec3d d, double least)
     Double4 determinant = e1.times(p), u = s.times(p) / determinant, v = ray.times(q) / determinant,
             t = e2.times(q) / determinant;
     // An unused triangle has determinant 0, so all comparisons fail
-    Mask4 inside = (u >= -kEdge) & (v >= -kEdge) & (u + v <= 1 + kEdge) & (t > least);
+    Mask4 inside = (u >= -kEdge) & (v >= -kEdge) & (u + v <= 1 + kEdge) & (t > 0);
     return {inside ? t : kZero + INFINITY, determinant < 0};
 }
 
-Obstacles::Hit Obstacles::nearest(Vec3d o, Vec3d d, double least) const {
+Obstacles::Hit Obstacles::nearest(Vec3d o, Vec3d d) const {
     Hit hit;
     walk(o, d, hit.t, [&](const Leaf &leaf) {
-        Met met = meet(leaf, o, d, least);
+        Met met = meet(leaf, o, d);
         for (int k = 0; k < 4; ++k) {
             double t = met.t[k];
             bool back = met.back[k] != 0;
@@ -230,26 +229,17 @@ Obstacles::Hit Obstacles::nearest(Vec3d o, Vec3d d, double least) const {
         }
         return false;
     });
-    for (size_t i = 0; i < balls.size(); ++i) {
-        Vec3d to = balls[i].centre - o;
-        double along = dot(to, d);
-        Vec3d aside = to - d * along;
-        double square = balls[i].radius * balls[i].radius - dot(aside, aside);
-        if (square < 0) continue;
-        double root = std::sqrt(square), t = along - root > least ? along - root : along + root;
-        if (t > least && t < hit.t) hit = {t, triangleCount + (int)i, false};
-    }
     return hit;
 }
 
 bool Obstacles::blocked(Vec3d o, Vec3d d, double end) const {
     bool is = false;
     walk(o, d, end, [&](const Leaf &leaf) {
-        Met met = meet(leaf, o, d, 0);
+        Met met = meet(leaf, o, d);
         for (int k = 0; k < 4; ++k) is |= met.t[k] < end;
         return is;
     });
-    return is || (!balls.empty() && nearest(o, d).t < end);
+    return is;
 }
 
 } // namespace odraz::radiosity

@@ -1,9 +1,8 @@
-// Triangles and balls for the oracles' rays, in double precision.
+// Triangles for the oracles' rays, in double precision.
 //
 // It shares no code with the tracer's tree (intro/trace) and that of rays/, because an oracle must not have
 // the faults that it looks for. Triangles are in a tree of boxes with four children, divided by the surface
-// area heuristic in bins (Wald, 2007), and are tested by Moeller and Trumbore's method (1997). Each ray tests
-// all balls, since there are few.
+// area heuristic in bins (Wald, 2007), and are tested by Moeller and Trumbore's method (1997).
 #pragma once
 
 #include "tools/engine/vec3d.h"
@@ -16,22 +15,17 @@ namespace odraz::radiosity {
 class Obstacles {
 public:
     using Triangle = std::array<Vec3d, 3>;
-    struct Ball {
-        Vec3d centre;
-        double radius;
-    };
     struct Hit {
         double t = INFINITY; // in lengths of the direction; infinity: no hit
-        int number = -1;     // triangles in their order, then balls; -1: no hit
+        int number = -1;     // of the triangle, in their order; -1: no hit
         bool back = false;   // the triangle runs clockwise, as seen from the origin
 
         bool met() const { return number >= 0; }
     };
-    explicit Obstacles(const std::vector<Triangle> &triangles = {}, std::vector<Ball> balls = {});
+    explicit Obstacles(const std::vector<Triangle> &triangles);
 
-    // The first hit that is further away than `least`. If the front and the back of a sheet lie in one plane,
-    // it is the front.
-    Hit nearest(Vec3d origin, Vec3d direction, double least = 0) const;
+    // The first hit. If the front and the back of a sheet lie in one plane, it is the front.
+    Hit nearest(Vec3d origin, Vec3d direction) const;
     // Whether anything lies before `end`; fronts and backs both count.
     bool blocked(Vec3d origin, Vec3d direction, double end) const;
 
@@ -50,10 +44,8 @@ private:
     struct Met;
     std::vector<Node> nodes;
     std::vector<Leaf> leaves;
-    std::vector<Ball> balls;
-    int triangleCount;
 
-    static Met meet(const Leaf &leaf, Vec3d origin, Vec3d direction, double least);
+    static Met meet(const Leaf &leaf, Vec3d origin, Vec3d direction);
     template <class Visit> void walk(Vec3d origin, Vec3d direction, const double &end, Visit visit) const;
 };
 

@@ -193,24 +193,3 @@ TEST(RayTree, LooksThroughBacks) {
     EXPECT_EQ(sheet.nearestFront({0, 0, 2}, {0, 0, -1}).triangle, 1);
     EXPECT_EQ(turned.nearestFront({0, 0, 2}, {0, 0, -1}).triangle, 0);
 }
-
-TEST(Obstacles, BallsAreMetFromOutsideAndInside) {
-    Obstacles tree({{Vec3d{-9, -9, 5}, Vec3d{9, -9, 5}, Vec3d{0, 9, 5}}}, {{{0, 0, 0}, 1}, {{0, 0, 3}, 0.5}});
-    Vec3d ahead = {0, 0, 1};
-    EXPECT_EQ(tree.nearest({0, 0, -4}, ahead).number, 1); // behind the one triangle's number
-    EXPECT_DOUBLE_EQ(tree.nearest({0, 0, -4}, ahead).t, 3);
-    EXPECT_DOUBLE_EQ(tree.nearest({0, 0, -1}, ahead, 1e-7).t, 2); // from its own surface: the other side
-    EXPECT_EQ(tree.nearest({0, 0, 1}, ahead, 1e-7).number, 2);
-    EXPECT_EQ(tree.nearest({0, 0, 3.6}, ahead).number, 0);
-    EXPECT_FALSE(tree.nearest({0, 2, -4}, {0, 1, 0}).met());
-    EXPECT_TRUE(tree.blocked({0, 0, -4}, ahead, 3.1));
-    EXPECT_FALSE(tree.blocked({0, 0, -4}, ahead, 2.9));
-}
-
-// What is not further away than `least` does not count.
-TEST(Obstacles, AreMetOneBehindTheOther) {
-    std::vector<Obstacles::Triangle> all;
-    for (double z = 1; z <= 20; ++z) all.push_back({Vec3d{-1, -1, z}, Vec3d{0, 2, z}, Vec3d{2, -1, z}});
-    Obstacles tree(all);
-    for (int i = 1; i < 20; ++i) EXPECT_EQ(tree.nearest({}, {0, 0, 1}, i * 1.000001).number, i);
-}
