@@ -50,14 +50,4 @@ check "a plot that cannot be written" \
     refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
 check "peer_povray refuses scenes it does not know" \
     refuses 2 "usage: tools/measure/bench/peer_povray" "$SOURCE/tools/measure/bench/peer_povray" C
-if [ -x "$BUILD/bench_trace" ]; then
-    check "bench_trace counts rays" \
-        prints items_per_second bash -c "exec '$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null"
-    check "... of four kinds" test "$(grep -c items_per_second "$WORK/printed")" = 4
-    "$BUILD/bench_trace" --benchmark_filter='^picture/A/(posing|draft|development|all of play)/' --benchmark_min_time=0.01 >"$WORK/parts" 2>/dev/null
-    check "... and all parts of a picture" \
-        test "$(grep -cE '^picture/A/(posing|draft|development|all of play)/.* ms ' "$WORK/parts")" = 4
-else
-    echo "skipped: bench_trace is not built"
-fi
 finish

@@ -3,7 +3,6 @@
 #include "tools/common/clock.h"
 #include "tools/common/command_line.h"
 #include "tools/measure/bench/peer_scenes.h"
-#include "trace/picture/development.h"
 
 #include <cstdlib>
 
@@ -44,7 +43,7 @@ const std::vector<SubjectName> &subjectNames() {
     return names;
 }
 
-SubjectName findSubject(const std::string &name) {
+static SubjectName findSubject(const std::string &name) {
     std::string known;
     for (const SubjectName &n : subjectNames()) {
         if (n.name == name) return n;
@@ -73,27 +72,13 @@ View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &se
 }
 
 Subject::Subject(const SubjectName &what, int width, int height)
-    : settings{width, height}, workers(serialWorkers()), name(what), film(settings, workers, what.hall) {
-    pose(0);
-}
+    : settings{width, height}, workers(serialWorkers()), name(what), film(settings, workers, what.hall) {}
 
-double Subject::pose(size_t camera) {
-    double began = common::threadSeconds();
-    theView = poseSubject(name, camera, settings, film.intro->film);
-    return (common::threadSeconds() - began) * 1e3;
-}
+void Subject::pose(size_t camera) { view = poseSubject(name, camera, settings, film.intro->film); }
 
 double Subject::trace(const Quality &quality) {
     double began = common::threadSeconds();
-    traceFrame(film.intro->tracer, workers, scene(), theView, quality, film.intro->frame);
-    return (common::threadSeconds() - began) * 1e3;
-}
-
-double Subject::develop() {
-    double began = common::threadSeconds();
-    spreadGlare(film.intro->glare, film.intro->frame, workers);
-    odraz::develop(film.intro->curve, film.intro->frame, workers, scene().exposure, 0, &film.intro->glare,
-                   kFilmLook);
+    traceFrame(film.intro->tracer, workers, *film.intro->film.scene, view, quality, film.intro->frame);
     return (common::threadSeconds() - began) * 1e3;
 }
 

@@ -27,25 +27,21 @@ struct SubjectName {
 // All subjects, in the order in which they are measured.
 const std::vector<SubjectName> &subjectNames();
 
-// Throws Refused if there is none of this name.
-SubjectName findSubject(const std::string &name);
-
 // A subject and the number of its camera, from 0 on: "A" or "A/2". Throws Refused.
 std::pair<SubjectName, size_t> findPicture(const std::string &name);
 
 // Poses the subject in the film's scene; returns its view.
 View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &settings, const Film &film);
 
-// A posed scene with all that tracing it needs. Throws std::runtime_error with a line that gives the reason.
+// A scene, posed for a camera, with all that tracing it needs. Throws std::runtime_error with a line that
+// gives the reason.
 class Subject {
 public:
     Subject(const SubjectName &name, int width, int height);
 
-    // These return their processor time, in milliseconds of one thread. The constructor poses camera 0.
-    double pose(size_t camera);
+    void pose(size_t camera);
+    // Returns its processor time, in milliseconds of one thread.
     double trace(const Quality &quality);
-    double develop(); // to the colours on the screen
-
     double samplesPerPixel() const;
     // The picture as eight-bit sRGB, clamped at 1, without the film curve: 3 bytes a pixel.
     std::vector<uint8_t> picture() const;
@@ -54,15 +50,13 @@ public:
 
     int width() const { return settings.width; }
     int height() const { return settings.height; }
-    Scene &scene() { return *film.intro->film.scene; }
-    const View &view() const { return theView; }
 
 private:
     IntroSettings settings;
     Workers workers;
     SubjectName name;
     LoadedFilm film;
-    View theView = {};
+    View view = {};
 };
 
 } // namespace odraz::measure

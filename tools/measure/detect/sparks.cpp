@@ -59,11 +59,7 @@ void lookAtFilm(const Options &o) {
         if (o.list) list(std::to_string(seconds).c_str(), sparks);
         if (!o.keep.empty() && !sparks.empty()) {
             Picture p = screening.picture(seconds, quality);
-            pictures::Image image = {p.width, p.height, {}};
-            for (size_t i = 0; i < (size_t)p.width * (size_t)p.height; ++i)
-                image.rgb.insert(image.rgb.end(), p.rgba + 4 * i, p.rgba + 4 * i + 3);
-            std::string path = o.keep + "/" + std::to_string(n) + ".png";
-            pictures::writePng(path, image);
+            pictures::writePng(o.keep + "/" + std::to_string(n) + ".png", {p.width, p.height, rgbOf(p)});
         }
     }
     if (o.list) return;
