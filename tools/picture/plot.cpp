@@ -1,7 +1,6 @@
 #include "tools/picture/plot.h"
 
 #include "tools/common/text.h"
-#include "tools/picture/labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +10,8 @@ namespace pictures {
 
 namespace {
 
-constexpr double kLeft = 80, kTop = 40, kBottom = 60, kLeastKey = 170; // the key is right of the plot
-constexpr double kFont = 10, kDigit = kFont * 0.58; // of names: their size, and the width of a letter
+constexpr double kLeft = 80, kTop = 40, kBottom = 60, kLeastKey = 170; // the legend is right of the plot
+constexpr double kSeriesLine = 20, kPointLine = 13;                    // of the legend
 constexpr double kMark = 4, kShippedMark = 6;
 constexpr const char *kColours[] = {"#b5562a", "#2f6f8f", "#5a7d2b", "#7a4b8c", "#8a7a20",
                                     "#555555", "#c2871c", "#1c8c7a", "#a03a5c", "#3a50a0"};
@@ -70,16 +69,22 @@ struct Axis {
 double keyWidth(const Plot &plot) {
     size_t longest = 0;
     for (const std::string &name : plot.series) longest = std::max(longest, name.size());
-    return std::max(kLeastKey, 40 + 6.6 * (double)longest);
+    for (const PlotPoint &p : plot.points) longest = std::max(longest, p.name.size());
+    return std::max(kLeastKey, 50 + 6.6 * (double)longest);
+}
+// High enough for the legend
+double heightOf(const Plot &plot) {
+    double lines = kSeriesLine * (double)plot.series.size();
+    for (const PlotPoint &p : plot.points) lines += p.name.empty() ? 0 : kPointLine;
+    return std::max(460., kTop + lines + kBottom);
 }
 
-// A drawing of a given size; empty if names have no room in it.
 class Drawing {
 public:
-    Drawing(const Plot &of, double wide, double high)
-        : plot(of), width(wide), height(high), key(keyWidth(of)),
-          x(of.logarithmicX, least(0), most(0), kLeft, wide - key),
-          y(of.logarithmicY, least(1), most(1), high - kBottom, kTop) {}
+    explicit Drawing(const Plot &of)
+        : plot(of), height(heightOf(of)), key(keyWidth(of)),
+          x(of.logarithmicX, least(0), most(0), kLeft, width - key),
+          y(of.logarithmicY, least(1), most(1), height - kBottom, kTop) {}
     std::string svg();
 
 private:
@@ -92,11 +97,11 @@ private:
     void axes();
     std::vector<PlotPoint> front(int series) const;
     std::vector<PlotPoint> ofSeries(int series) const;
-    std::vector<Line> fronts();
-    bool names(const std::vector<Line> &avoid);
+    void fronts();
+    void legend();
 
     const Plot &plot;
-    double width, height, key; // the key's width
+    double width = 930, height, key; // the legend's width
     Axis x, y;
     std::string out;
 };
@@ -141,11 +146,6 @@ void Drawing::axes() {
         out += format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e9e9e9\"/>\n", kLeft, y.place(v), width - key);
         text(kLeft - 8, y.place(v) + 4, "end", format("%g", v));
     }
-    for (size_t i = 0; i < plot.series.size(); ++i) {
-        double at = kTop + 12 + 18 * (double)i;
-        mark(width - key + 20, at - 4, (int)i, kMark, "key");
-        text(width - key + 32, at, "start", plot.series[i]);
-    }
 }
 
 // The points that no other point of the series beats; series -1 means all points
@@ -170,54 +170,40 @@ std::vector<PlotPoint> Drawing::ofSeries(int series) const {
     return all;
 }
 
-// Draws the fronts, or joins all points; returns the lines
-std::vector<Line> Drawing::fronts() {
-    std::vector<Line> lines;
+// Draws the fronts, or joins all points
+void Drawing::fronts() {
     bool each = plot.frontOfEach || plot.joined;
     for (int series = each ? 0 : -1; series < (each ? (int)plot.series.size() : 0); ++series) {
         std::string path;
-        const PlotPoint *last = nullptr;
-        std::vector<PlotPoint> points = plot.joined ? ofSeries(series) : front(series);
-        for (const PlotPoint &p : points) {
-            path += format("%s%.1f %.1f", last ? "L" : "M", x.place(p.x), y.place(p.y));
-            if (last) lines.push_back({x.place(last->x), y.place(last->y), x.place(p.x), y.place(p.y)});
-            last = &p;
-        }
+        for (const PlotPoint &p : plot.joined ? ofSeries(series) : front(series))
+            path += format("%s%.1f %.1f", path.empty() ? "M" : "L", x.place(p.x), y.place(p.y));
         out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" +
                (series < 0 ? "#999" : kColours[series % kColourCount]) +
                (plot.joined ? "\" stroke-width=\"1.5\"/>\n" : "\" stroke-dasharray=\"4 3\"/>\n");
     }
-    return lines;
 }
 
-// Places and draws the names; false if they have no room
-bool Drawing::names(const std::vector<Line> &avoid) {
-    std::vector<NamedPoint> points;
-    std::vector<PlotPoint> named;
-    for (const PlotPoint &p : plot.points)
-        if (!p.name.empty()) named.push_back(p);
-    for (const PlotPoint &p : named)
-        points.push_back({x.place(p.x), y.place(p.y), p.shipped ? kShippedMark : kMark,
-                          kDigit * (double)p.name.size(), p.shipped});
-    std::vector<Label> labels =
-        placeLabels(points, avoid, {kLeft, kTop, width - key, height - kBottom}, kFont + 1);
-    if (labels.size() != points.size()) return false;
-    for (const Label &l : labels)
-        if (l.led)
-            out += format(
-                "<path class=\"leader\" d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"#888\" stroke-width=\".6\"/>\n",
-                l.leader.x0, l.leader.y0, l.leader.x1, l.leader.y1);
-    for (const PlotPoint &p : plot.points)
-        mark(x.place(p.x), y.place(p.y), p.series, p.shipped ? kShippedMark : kMark, "mark");
-    for (size_t i = 0; i < labels.size(); ++i) {
-        const Box &b = labels[i].box;
-        // The width is the estimate in any font; a white rim covers lines below
-        text(b.x0, b.y1 - 2.5, "start", named[i].name,
-             format(" class=\"name\" font-size=\"%g\" textLength=\"%.1f\" lengthAdjust=\"spacingAndGlyphs\" "
-                    "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"2\"%s",
-                    kFont, b.x1 - b.x0, named[i].shipped ? " font-weight=\"bold\"" : ""));
+// Draws the points, with the numbers of those that have names, and the legend with each series and its names
+void Drawing::legend() {
+    double left = width - key + 20, at = kTop + 12;
+    int number = 0;
+    for (int series = 0; series < (int)plot.series.size(); ++series) {
+        mark(left, at - 4, series, kMark, "key");
+        text(left + 12, at, "start", plot.series[(size_t)series]);
+        for (const PlotPoint &p : ofSeries(series)) {
+            double px = x.place(p.x), py = y.place(p.y), size = p.shipped ? kShippedMark : kMark;
+            mark(px, py, series, size, "mark");
+            if (p.name.empty()) continue;
+            // A white rim covers lines below
+            const char *look = p.shipped ? " font-size=\"10\" font-weight=\"bold\"" : " font-size=\"10\"";
+            std::string which = std::to_string(++number);
+            text(px + size + 2, py - 2, "start", which,
+                 std::string(look) + " paint-order=\"stroke\" stroke=\"white\" stroke-width=\"2\"");
+            text(left + 26, at += kPointLine, "end", which, look);
+            text(left + 32, at, "start", p.name, std::string(look) + " class=\"name\"");
+        }
+        at += kSeriesLine;
     }
-    return true;
 }
 
 std::string Drawing::svg() {
@@ -226,14 +212,13 @@ std::string Drawing::svg() {
         "font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
         width, height);
     axes();
-    return names(fronts()) ? out + "</svg>\n" : "";
+    fronts();
+    legend();
+    return out + "</svg>\n";
 }
 
 } // namespace
 
-std::string svg(const Plot &plot) {
-    for (double width = 930, height = 460;; width *= 1.15, height *= 1.15)
-        if (std::string drawn = Drawing(plot, width, height).svg(); !drawn.empty()) return drawn;
-}
+std::string svg(const Plot &plot) { return Drawing(plot).svg(); }
 
 } // namespace pictures

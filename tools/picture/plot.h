@@ -1,4 +1,4 @@
-// Plots as SVG: points with their names. Each series has its own mark and colour.
+// Plots as SVG: points and a legend. Each series has its own mark and colour.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace pictures {
 struct PlotPoint {
     double x, y;
     std::string name; // may be empty
-    bool shipped;     // its mark is larger, its name bold
+    bool shipped;     // its mark is larger, its name bold in the legend
     int series;       // the number of its series
 };
 
@@ -24,8 +24,8 @@ struct Plot {
 };
 
 // The plot with its front: the points that no other point beats on both axes, joined. There must be a point.
-// On a logarithmic axis all values must be positive. No text overlaps another text or a mark; a crowded
-// drawing is made larger.
+// On a logarithmic axis all values must be positive. A point with a name has a number beside its mark, by
+// which the legend names it.
 std::string svg(const Plot &plot);
 
 } // namespace pictures
