@@ -14,7 +14,7 @@ odraz_scripts(odraz_script .
     house 1
     install 15
     ledger 1
-    measure 30
+    measure 2
     memcheck 30
     new_film 2
     odr 8
@@ -42,9 +42,7 @@ odraz_scripts(odraz_script .
     radiosity_view 60
     radiosity_view_transfer 40
     release 60
-    render 40
-    render_hosts 40
-    render_resumed 40
+    render 15
     report 4
     rocket 25
     screens 20

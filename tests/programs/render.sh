@@ -1,71 +1,178 @@
-# tools/render: the bytes are the same however the film is divided. And what it refuses.
-. "$(dirname "$0")/rendering.sh"
+# tools/render: the bytes are the same however the film is divided, wherever its shards are made, and when they were
+# interrupted, lost or damaged and are made again.
+. "$(dirname "$0")/common.sh"
+skip_unless ffmpeg ffprobe
 needs_built compare
+film=$BUILD/odraz-safe
+render=$SOURCE/tools/render
+span=(--from 15.8 --to 16.28 --fps 25) # across a cut, 12 frames, none of the hall
+small=("${span[@]}" --size 160x90 --quality draft)
+parted=("${small[@]}" --shard 5) # in three
+to=$WORK/to
+mkdir "$to"
+rendered() { "$render" --film "$film" "$@" >"$WORK/out" 2>"$WORK/err" || { cat "$WORK/err" >&2; return 1; }; }
+fails() { ! rendered "$@" 2>/dev/null; } # WORK/err has the reason
+reported() { grep -qx "tools/render: $1" "$WORK/err"; }
+parts_gone() { [ -z "$(find "$WORK" -name '*.parts')" ]; }
+same_video() { cmp "$to/one.mp4" "$1" && cmp "$to/one.mp4.manifest" "$1.manifest"; }
 
 # --- Frames ---
-check "frames in one shard" rendered "${small[@]}" --shard 30 "$to/one"
+check "frames in one shard" rendered "${small[@]}" "$to/one"
 "$film" --dump "$WORK/dump" "${small[@]}"
 check "... are the film's own" diff -r "$WORK/dump" "$to/one"
-check "... thirty of them" test "$(ls "$to/one" | wc -l)" = 30
-check "the manifest has their sums" bash -c "cd '$to/one' && sha256sum --check --strict --status '$to/one.manifest'"
-check "... all of them" test "$(grep -c '^[0-9a-f]' "$to/one.manifest")" = 30
+check "... twelve of them" test "$(ls "$to/one" | wc -l)" = 12
+check "the manifest has their sums" eval '(cd "$to/one" && sha256sum --check --strict --status ../one.manifest)'
 check "... and the film's commit" grep -qFx "# $("$film" --version)" "$to/one.manifest"
-check "frames in five shards, three at once, into a name with blanks" rendered "${small[@]}" --shard 7 --jobs 3 "$to/a name"
-check "... are the same" same_frames "$to/a name"
-check "frames off the grid, at 30000/1001 a second" rendered --from 39.61 --to 40.012345 --fps 30000/1001 --size 65x37 --quality play --shard 1 "$to/off"
-"$film" --dump "$WORK/off" --from 39.61 --to 40.012345 --fps 30000/1001 --size 65x37 --quality play
-check "... are the film's own" diff -r "$WORK/off" "$to/off"
-check "frames as they are played" rendered --from 39.8 --to 40.2 --fps 60 --quality live --size 65x37 --shard 5 --jobs 2 "$to/live"
-"$film" --dump "$WORK/live" --from 39.8 --to 40.2 --fps 60 --quality live --size 65x37
-check "... are the film's own" diff -r "$WORK/live" "$to/live"
+check "frames in three shards, two at once, into a name with blanks" rendered "${parted[@]}" --jobs 2 "$to/a name"
+check "... are the same" eval 'diff -r "$to/one" "$to/a name" && cmp "$to/one.manifest" "$to/a name.manifest"'
+for odd in "--fps 30000/1001 --from 15.93 --to 16.032345 --quality draft" "--fps 60 --from 15.96 --to 16.012 --quality live"; do
+    check "frames off the grid, each in a shard: $odd" rendered $odd --size 65x37 --shard 1 "$to/odd"
+    "$film" --dump "$WORK/odd" $odd --size 65x37
+    check "... are the film's own" diff -r "$WORK/odd" "$to/odd"
+    rm -r "$WORK/odd" "$to/odd"
+done
 check "the film's end" rendered --from 161.93 --size 65x37 --quality draft --shard 1 "$to/end"
 check "... is its last frame" test "$(ls "$to/end")" = frame-004049.ppm
-check "the hall, in two shards at once" rendered --from 120 --to 120.08 --size 160x90 --shard 1 --jobs 2 "$to/hall"
-"$film" --dump "$WORK/hall" --from 120 --to 120.08 --size 160x90 --quality play
-check "... is the film's own" diff -r "$WORK/hall" "$to/hall"
 
 # --- Video ---
-check "a video in one shard" rendered "${small[@]}" --shard 30 "$to/one.mp4"
+check "a video in one shard" rendered "${small[@]}" "$to/one.mp4"
 check "... has the frames' sums" cmp "$to/one.manifest" "$to/one.mp4.manifest"
-check "a video in five shards, three at once" rendered "${small[@]}" --shard 7 --jobs 3 "$to/a film.mp4"
-check "... is the same to the byte" same_video "$to/a film.mp4"
-shown() { ffprobe -loglevel error -count_frames -show_entries stream="$1" -of default=nokey=1:noprint_wrappers=1 "$to/one.mp4"; }
-check "it holds H.264 and AAC" test "$(shown codec_name | xargs)" = "h264 aac"
-check "... thirty frames" test "$(shown nb_read_frames | head -n 1)" = 30
-check "... and is 1.2 s long" test "$(shown duration | xargs)" = "1.200000 1.200000"
-check "... marked as Rec. 709" test "$(shown pix_fmt,color_range,color_space,color_transfer,color_primaries | head -n 5 | xargs)" = "yuv420p tv bt709 bt709 bt709"
-like() { # like MATRIX: how near the first frame is, with its colours by that matrix
-    ffmpeg -loglevel error -y -i "$to/one.mp4" -frames:v 1 -vf scale=in_color_matrix=$1,format=rgb24 "$WORK/first.ppm" &&
-        "$BUILD/compare" "$WORK/first.ppm" "$to/one/frame-000980.ppm" | sed 's/psnr \([0-9.]*\).*/\1/'
+check "a video in three shards, two at once, that is kept" rendered "${parted[@]}" --jobs 2 --keep "$to/kept.mp4"
+check "... is the same to the byte" same_video "$to/kept.mp4"
+shown() { ffprobe -loglevel error -count_frames -show_entries stream="$1" -of default=nokey=1:noprint_wrappers=1 "$to/one.mp4" | xargs; }
+check "it holds H.264 and AAC" test "$(shown codec_name)" = "h264 aac"
+check "... twelve frames" test "$(shown nb_read_frames | cut -d' ' -f1)" = 12
+check "... and is .48 s long" test "$(shown duration)" = "0.480000 0.480000"
+check "... marked as Rec. 709" test "$(shown pix_fmt,color_range,color_space,color_transfer,color_primaries | cut -d' ' -f-5)" = "yuv420p tv bt709 bt709 bt709"
+like() { # like MATRIX: how near the last frame is, with its colours by that matrix
+    ffmpeg -loglevel error -y -i "$to/one.mp4" -vf "select=eq(n\,11),scale=in_color_matrix=$1,format=rgb24" -frames:v 1 "$WORK/last.ppm" &&
+        "$BUILD/compare" "$WORK/last.ppm" "$to/one/frame-000406.ppm" | sed 's/psnr \([0-9.]*\).*/\1/'
 }
 check "... which it is" less "$(awk "BEGIN { print $(like bt601) + 1 }")" "$(like bt709)"
 check "it can be played before it is whole" eval '[ "$(grep -abo -m 1 moov "$to/one.mp4" | head -n 1 | cut -d: -f1)" -lt "$(grep -abo -m 1 mdat "$to/one.mp4" | head -n 1 | cut -d: -f1)" ]'
-check "a video without loss" rendered "${small[@]}" --shard 7 "$to/one.mkv"
+check "a video without loss" rendered "${parted[@]}" "$to/one.mkv"
 check "... has every bit of the frames" cmp <(ffmpeg -loglevel error -i "$to/one.mkv" -c:v ppm -f image2pipe -) <(cat "$to"/one/*.ppm)
-check "... and of the music" cmp <(ffmpeg -loglevel error -i "$to/one.mkv" -f s16le -) <("$film" --wav - --from 39.2 --to 40.4 | tail -c +45)
-check "nothing else is left" parts_gone
+check "... and of the music" cmp <(ffmpeg -loglevel error -i "$to/one.mkv" -f s16le -) <("$film" --wav - "${span[@]:0:4}" | tail -c +45)
+
+# --- Shards that were lost or damaged ---
+# kept: the folder of finished shards, as it was kept
+parts=$to/r.mp4.parts
+kept() { rm -rf "$parts" && cp -r "$to/kept.mp4.parts" "$parts"; }
+resumes() { # resumes LEFT
+    rendered "${parted[@]}" --resume --keep "$to/r.mp4" && reported "$((3 - $1)) of 3 shards are there, $1 to do" && same_video "$to/r.mp4"
+}
+kept
+rm "$parts/000405-000407.sums"
+truncate -s -5 "$parts/000395-000400.nut"
+flip "$parts/000400-000405.nut" 5000
+check "one unfinished, one cut short, one damaged: all are made again, to the same video" resumes 3
+check "... and those that were there are reported" test "$(grep -c 'again: what was kept is missing or damaged' "$WORK/err")" = 2
+kept
+cp "$parts/000395-000400.nut" "$parts/000400-000405.nut"
+sed -i "\$ s/^[0-9a-f]*/$(sha256sum <"$parts/000395-000400.nut" | cut -d' ' -f1)/" "$parts/000400-000405.sums"
+check "a shard that holds other frames, and seems right" fails "${parted[@]}" --resume "$to/r.mp4"
+check "... is reported" reported 'frame 400 is not what the film drew; --resume makes its shard again'
+check "... and it does" resumes 1
+check "a run that was made is not overwritten" refuses 1 "r.mp4.parts is there from an earlier run: --resume goes on with it, or remove it" \
+    "$render" --film "$film" "${parted[@]}" "$to/r.mp4"
+check "... nor mixed with one of another quality" refuses 1 "was made otherwise, 'quality draft', now 'quality play'" \
+    "$render" --film "$film" "${parted[@]}" --quality play --resume "$to/r.mp4"
+rm -r "$to"/*.parts
+
+# A film that breaks off in the middle of a shard, with status 1 or 0
+cat >"$WORK/film" <<END
+#!/usr/bin/env bash
+case "\$*" in
+--version) echo "odraz 0.1.0 planted" ;;
+*--dump*--from\ 15.9?????\ *) "$film" "\$@" 2>/dev/null | head -c 100000; echo "odraz: something is wrong" >&2; [ ! -e "$WORK/bad" ] ;;
+*) exec "$film" "\$@" ;;
+esac
+END
+chmod +x "$WORK/film"
+for out in broken.mp4 broken; do
+    check "a film that breaks off, into '$out'" fails --film "$WORK/film" "${parted[@]}" "$to/$out"
+    check "... is reported, by its frames and its reason" reported 'frames 400 to 404 failed: odraz: something is wrong'
+    check "... and nothing is published" test ! -e "$to/$out" -a ! -e "$to/$out.manifest"
+    rm -r "$to/$out.parts"
+    touch "$WORK/bad"
+done
+
+# No room: a file may have 100 kB more than the film
+limit=$((($(stat -c %s "$film") + 100000) / 1024))
+check "no room for a shard" eval '(ulimit -f $limit; fails "${span[@]}" --size 320x180 --quality draft "$to/full.mp4")'
+check "... is reported" grep -q '^tools/render: frames 395 to 406 failed: ' "$WORK/err"
+check "... and with room it goes on" rendered "${span[@]}" --size 320x180 --quality draft --resume "$to/full.mp4"
+
+# Ctrl-C, as a terminal sends it: to all of them
+interrupted() { # interrupted OUT OPTION...
+    local began
+    set -m
+    "$render" --film "$film" --from 14 --to 34 --size 160x90 --quality draft --shard 10 "${@:2}" "$1" >"$WORK/out" 2>"$WORK/err" &
+    began=$!
+    set +m
+    PIDS+=($began)
+    await eval "ls '$1.parts'/*.sums >/dev/null 2>&1 || gone $began"
+    kill -INT -- "-$began"
+    ended $began
+    [ $? = 130 ] && reported 'stopped; --resume goes on from here'
+}
+all_gone() { ! grep -lqF "$to" /proc/[0-9]*/cmdline 2>/dev/null && ! ls -l /proc/[0-9]*/cwd 2>/dev/null | grep -qF "$to"; }
+check "Ctrl-C ends it" interrupted "$to/int.mp4" --jobs 2
+check "... and all that it began" await all_gone
+check "... and what was done is still there" eval 'ls "$to/int.mp4.parts"/*.sums >/dev/null'
+rm -r "$to/int.mp4.parts"
+
+# --- On hosts, by GNU parallel ---
+if command -v parallel >/dev/null; then
+    # A stand-in for ssh: the host `broken` fails when it should draw, `patient` draws only after that, and `deaf` cannot
+    # be reached
+    cat >"$WORK/ssh" <<END
+#!/usr/bin/env bash
+case "\$*" in
+"broken exec"*film\ --dump*) : >"$WORK/broke"; echo "broken: the cable is out" >&2; exit 255 ;;
+"patient exec"*film\ --dump*) until [ -e "$WORK/broke" ]; do sleep 0.1; done ;;
+deaf*) exit 255 ;;
+esac
+exec sh -c "\$2"
+END
+    chmod +x "$WORK/ssh"
+    hosts() { printf '%s\n' "$@" >"$WORK/hosts"; }
+    on_hosts=("${parted[@]}" --ssh "$WORK/ssh" --hosts "$WORK/hosts")
+    hosts '# this machine, twice' '2/:' '' ':   # and once more'
+    # Without SHELL and HOME, as a service has them
+    check "GNU parallel makes the video" eval '(unset HOME; export SHELL=/bin/false; rendered "${on_hosts[@]}" "$to/hosts film.mp4")'
+    check "... the same" same_video "$to/hosts film.mp4"
+    hosts broken patient
+    mkdir "$WORK/there"
+    check "a host fails, and another takes its shards" eval 'TMPDIR=$WORK/there rendered "${on_hosts[@]}" "$to/retried.mp4"'
+    check "... to the same video" same_video "$to/retried.mp4"
+    check "... and stderr reports it" reported 'frames [0-9]* to [0-9]* failed on broken: broken: the cable is out'
+    check "no film is left there" test -z "$(ls "$WORK/there")"
+    hosts broken
+    check "no host is left" fails "${on_hosts[@]}" "$to/none.mp4"
+    check "... is reported" grep -q 'shards are not done; --resume goes on' "$WORK/err"
+    rm -r "$to/none.mp4.parts"
+    hosts deaf
+    check "a host that cannot be reached" refuses 1 "deaf does not take the film" "$render" --film "$film" "${on_hosts[@]}" "$to/none.mp4"
+    rm -r "$to/none.mp4.parts"
+    hosts 1/: far
+    check "Ctrl-C ends GNU parallel" interrupted "$to/int.mp4" --ssh "$WORK/ssh" --hosts "$WORK/hosts"
+    check "... and all that it began" await all_gone
+    rm -r "$to/int.mp4.parts"
+else
+    echo "not checked: hosts, for GNU parallel is not installed"
+fi
 
 # --- What it cannot do ---
-refused() { refuses 2 "$@"; }
-plain=("$render" --film "$film")
-check "no OUT" refused "name OUT" "${plain[@]}"
-check "two" refused "one OUT, not 'a' and 'b' too" "${plain[@]}" a b
-check "an option without its value" refused "--size needs a value" "${plain[@]}" "$to/x.mp4" --size
-check "a quality that the film has not" refused "--quality needs draft" "${plain[@]}" --quality best "$to/x.mp4"
-check "an end beyond the film's" refused "beyond the film's end" "${plain[@]}" --to 200 "$to/x.mp4"
-check "a span without a frame" refused "no frame lies from 39.21" "${plain[@]}" --from 39.21 --to 39.22 "$to/x.mp4"
-check "an odd size" refused "even width and height" "${plain[@]}" "${small[@]}" --size 65x36 "$to/x.mp4"
-check "no jobs" refused "--jobs needs a number from 1" "${plain[@]}" --jobs 0 "$to/x.mp4"
-check "a folder that is not there" refused "cannot write to the folder of" "${plain[@]}" "$to/none/x.mp4"
-check "a folder that holds something" refused "not an empty folder" "${plain[@]}" "$to/one"
-check "a film that is not there" refused "cannot run" "$render" --film "$to/none" "$to/x.mp4"
-command -v sbatch >/dev/null || check "no Slurm" refused "there is no sbatch" "${plain[@]}" --slurm "$to/x.mp4"
+check "an option that the film refuses" refuses 2 "--quality needs draft" "$render" --film "$film" --quality best "$to/x.mp4"
+check "an odd size" refuses 2 "even width and height" "$render" --film "$film" "${small[@]}" --size 65x36 "$to/x.mp4"
+check "a folder that holds something" refuses 2 "not an empty folder" "$render" --film "$film" "$to/one"
 # Without ffmpeg it would install it: here it cannot
 mkdir "$WORK/bin"
 for program in bash dirname cat sed grep id basename; do ln -s "$(command -v $program)" "$WORK/bin"; done
 printf '#!/bin/sh\nexit 1\n' | tee "$WORK/bin/dpkg-query" "$WORK/bin/sudo" >"$WORK/bin/env"
 chmod +x "$WORK/bin/"*
-check "no ffmpeg, and none to be had" eval '! PATH=$WORK/bin "$render" --film "$film" "$to/x.mp4" >/dev/null 2>"$WORK/err"'
+check "no ffmpeg, and none to be had" eval 'PATH=$WORK/bin fails "$to/x.mp4"'
 check "... is reported" grep -qx 'render: apt-get could not install ffmpeg' "$WORK/err"
 check "what it refuses leaves nothing" parts_gone
 finish
