@@ -48,8 +48,7 @@ odraz_scripts(odraz_script .
     screens 20
     shown 10
     sound 25
-    tradeoff_pack 30
-    tradeoff_trace 15
+    tradeoff 4
     watch 10
     web 90
     window 60)
@@ -98,7 +97,7 @@ odraz_long_script(radiosity_resume_all 60 radiosity_resume all)
 odraz_long_script(radiosity_study_all 150 radiosity_study all)
 odraz_long_script(soak 180 soak)
 odraz_long_script(watch_full 40 watch full)
-odraz_long_script(tradeoff_trace_all 45 tradeoff_trace all)
+odraz_long_script(tradeoff_all 45 tradeoff all)
 
 # tools/test --windows: by Wine, one at a time
 function(odraz_windows_script name seconds script)

@@ -1,17 +1,18 @@
-# `tradeoff trace`, which measures the tracer's speed and accuracy: its quick run, of two scenes or of all.
-#   tradeoff_trace.sh BUILD [all]
+# `tradeoff`, which measures the speed and accuracy of the tracer, and the packer's speed and size: its quick runs, of
+# one scene or of all.
+#   tradeoff.sh BUILD [all]
 . "$(dirname "$0")/common.sh"
 needs_built tradeoff
+skip_unless g++
 tradeoff=$BUILD/tradeoff
 # the sweep's options, its scenes, those in which qualities are compared, and the points of its plot
-sweep=(--scene A --scene table) scenes=(A table) apart=(A table) points=10
+sweep=(--scene field) scenes=(field) apart=(field) points=5
 if [ "${2-}" = all ]; then
     sweep=() scenes=(A B field point table flake patches hall odraz credits) apart=(A B field table flake hall) points=50
 fi
 check "the tracer's trade-off is measured" "$tradeoff" trace --quick "${sweep[@]}" --csv "$WORK/csv" --plot "$WORK/svg"
 check "... as a table, its measures named" \
     grep -qx "scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,words" "$WORK/csv"
-check "... its settings in words, to be counted" grep -qE ',play grid=1$' "$WORK/csv"
 for scene in "${scenes[@]}"; do
     check "... with the points of $scene that ship" \
         table "$WORK/csv" "shipped += \$1 == \"$scene\" && \$4 == 1" 'shipped >= 3'
@@ -28,26 +29,27 @@ for scene in "${apart[@]}"; do
         check "... and in sRGB" less "$(measured srgb_psnr_db $scene $1)" "$(measured srgb_psnr_db $scene $2)"
     done
 done
-check "... and as a plot" grep -q '^<svg' "$WORK/svg"
-check "... of at least $points" test "$(grep -c 'class="mark"' "$WORK/svg")" -ge $points
-check "... each with its name" test "$(grep -c 'class="name"' "$WORK/svg")" = "$(grep -c 'class="mark"' "$WORK/svg")"
-check "a scene alone" prints '^field,0,play,1,' "$tradeoff" trace --quick --scene field
+check "... and as a plot of $points points" test "$(grep -c 'class="mark"' "$WORK/svg")" = $points
 mkdir "$WORK/kept"
 again() { "$tradeoff" trace --quick --scene credits/1 --references "$WORK/kept" --setting play --setting play,grid=2,cutoff=1/64 | cut -d, -f1-5,7-; }
 check "another camera, a setting of one's own, a reference to keep" \
     prints '^credits,1,play grid=2 cutoff=1/64,0,4.000,' again
-check "... named after both" test -s "$WORK/kept/credits-1-256"
-check "... which is kept" test "$(stat -c %s "$WORK/kept"/*)" = $((256 * 144 * 3))
+check "... which is kept" test "$(stat -c %s "$WORK/kept/credits-1-256")" = $((256 * 144 * 3))
 cp "$WORK/printed" "$WORK/first"
 check "... and used again" cmp "$WORK/first" <(again)
+
+# (a program of some hundred bytes, since the film takes 14 s)
+bash "$SOURCE/packer/example/build.sh" "$BUILD/pack" "$WORK" >/dev/null
+check "the packer's trade-off is measured" "$tradeoff" pack --quick --csv "$WORK/csv" --plot "$WORK/svg" "$WORK/hello.elf"
+check "... as a table" grep -qx "file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb" "$WORK/csv"
+check "... with one point that ships, smaller than the packed file by its headers" table "$WORK/csv" \
+    'if ($3 == 1) { ++shipped; bytes = $4 }' "shipped == 1 && bytes > 50 && bytes < $(stat -c %s "$WORK/hello")"
+check "... and as a plot of five points" test "$(grep -c 'class="mark"' "$WORK/svg")" = 5
+
 check "a camera that is not there" refuses 2 "cameras are 0 to 2" "$tradeoff" trace --scene A/3
 check "a knob that is not there" \
     refuses 2 "there is no knob 'colour'; there are: grid" "$tradeoff" trace --setting play,colour=1
-check "a value that is none" refuses 2 "'1/x' is no value of cutoff" "$tradeoff" trace --setting play,cutoff=1/x
-check "a quality that is not there" refuses 2 "there is no quality 'fast'" "$tradeoff" trace --setting fast
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
-check "a plot that cannot be written" \
-    refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
-check "peer_povray refuses scenes it does not know" \
-    refuses 2 "usage: tools/measure/bench/peer_povray" "$SOURCE/tools/measure/bench/peer_povray" C
+check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" pack "$WORK/hello.elf" --plot "$WORK/none/plot.svg"
+check "a program that is none" refuses 2 "not an ELF file" "$tradeoff" pack "$SOURCE/README.md"
 finish
