@@ -35,7 +35,6 @@ odraz_scripts(odraz_script .
     radiosity_models 40
     radiosity_pictures 10
     radiosity_progress 10
-    radiosity_relight 60
     radiosity_resume 60
     radiosity_study 60
     radiosity_transfer 60

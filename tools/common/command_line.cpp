@@ -53,17 +53,16 @@ struct CommandLine::Parser {
     struct Row {
         CLI::Option *option;
         Take take;
-        std::function<std::string()> now; // the value; empty: none. Null: it is not kept
     };
     std::vector<Row> rows;
 
     CLI::Option *add(const std::string &option, const std::string &value, const Take &take,
-                     const std::string &what, const std::function<std::string()> &now = nullptr) {
+                     const std::string &what, const std::string &fallback = "") {
         CLI::Option *o =
             app.add_option(option, CLI::callback_t([](const CLI::results_t &) { return true; }), what);
         o->type_name(value)->group(group)->take_all()->expected(1)->allow_extra_args(false);
-        if (now) o->default_str(now());
-        rows.push_back({o, take, now});
+        o->default_str(fallback);
+        rows.push_back({o, take});
         return o;
     }
 };
@@ -103,21 +102,19 @@ void CommandLine::arguments(const std::string &name, std::vector<std::string> &t
 
 void CommandLine::flag(const std::string &name, bool &to, const std::string &what) {
     CLI::Option *o = parser->app.add_flag(name, what)->group(parser->group)->disable_flag_override();
-    parser->rows.push_back(
-        {o, [&to](const std::string &) { to = true; }, [&to] { return std::string(to ? "true" : ""); }});
+    parser->rows.push_back({o, [&to](const std::string &) { to = true; }});
 }
 
 void CommandLine::option(const std::string &name, const std::string &value, std::string &to,
                          const std::string &what) {
     parser->add(
-        name, value, [&to](const std::string &text) { to = text; }, what, [&to] { return to; });
+        name, value, [&to](const std::string &text) { to = text; }, what, to);
 }
 
 void CommandLine::option(const std::string &name, const std::string &value, std::vector<std::string> &to,
                          const std::string &what) {
-    auto now = [&to, between = " " + name + " "] { return CLI::detail::join(to, between); };
     parser->add(
-        name, value, [&to](const std::string &text) { to.push_back(text); }, what + "; repeatable", now);
+        name, value, [&to](const std::string &text) { to.push_back(text); }, what + "; repeatable");
 }
 
 void CommandLine::option(const std::string &name, const std::string &value, Take take,
@@ -126,26 +123,25 @@ void CommandLine::option(const std::string &name, const std::string &value, Take
 }
 
 void CommandLine::number(const std::string &name, const std::string &value, Range range, bool whole,
-                         std::function<void(double)> to, std::function<std::string()> now,
+                         std::function<void(double)> to, const std::string &fallback,
                          const std::string &what) {
     auto take = [=](const std::string &text) {
         double x = numberOf(name, text, range);
         if (whole && x != std::floor(x)) throw Refused(name + " takes a whole number, not '" + text + "'");
         to(x);
     };
-    parser->add(name, value, take, what, now);
+    parser->add(name, value, take, what, fallback);
 }
 
 void CommandLine::choice(const std::string &name, const std::vector<std::string> &names,
-                         std::function<void(size_t)> to, std::function<size_t()> now,
-                         const std::string &what) {
+                         std::function<void(size_t)> to, size_t fallback, const std::string &what) {
     auto join = [&](const char *between) { return CLI::detail::join(names, between); };
     auto take = [=, or_ = join(" or ")](const std::string &text) {
         auto found = std::find(names.begin(), names.end(), text);
         if (found == names.end()) throw Refused(name + " is " + or_ + ", not '" + text + "'");
         to((size_t)(found - names.begin()));
     };
-    parser->add(name, join("|"), take, what, [=] { return now() < names.size() ? names[now()] : ""; });
+    parser->add(name, join("|"), take, what, fallback < names.size() ? names[fallback] : "");
 }
 
 void CommandLine::parse() {
@@ -193,17 +189,6 @@ std::vector<CommandLine::Given> CommandLine::givenOf(const std::vector<std::stri
             all.push_back({parser->given[i], parser->values[i]});
     }
     return all;
-}
-
-std::string CommandLine::withValue(const std::string &name) const {
-    const CLI::Option *option = parser->app.get_option(name);
-    for (const Parser::Row &row : parser->rows) {
-        if (row.option != option || !row.now) continue;
-        std::string value = row.now();
-        if (value.empty()) return "no " + name;
-        return option->get_items_expected_max() > 0 ? name + " " + value : name;
-    }
-    return name;
 }
 
 void CommandLine::refuse(const std::string &wrong) const {

@@ -67,22 +67,21 @@ public:
                 const std::string &what) {
         number(
             name, value, range, std::is_integral_v<Number>, [&to](double x) { to = (Number)x; },
-            [&to, range] { return (double)to >= range.least && (double)to <= range.most ? textOf(to) : ""; },
-            what);
+            (double)to >= range.least && (double)to <= range.most ? textOf(to) : "", what);
     }
     template <class Number>
     void option(const std::string &name, const std::string &value, std::optional<Number> &to, Range range,
                 const std::string &what) {
         number(
             name, value, range, std::is_integral_v<Number>, [&to](double x) { to = (Number)x; },
-            [&to] { return to ? textOf(*to) : ""; }, what);
+            to ? textOf(*to) : "", what);
     }
     // One of several names. `to`, a bool, an integer or an enumeration, becomes its index.
     template <class Index>
     void option(const std::string &name, const std::vector<std::string> &names, Index &to,
                 const std::string &what) {
         choice(
-            name, names, [&to](size_t index) { to = (Index)index; }, [&to] { return (size_t)to; }, what);
+            name, names, [&to](size_t index) { to = (Index)index; }, (size_t)to, what);
     }
 
     // Reads the arguments. Throws Refused for the first that does not fit; with --help, prints that and
@@ -99,8 +98,6 @@ public:
         std::string option, value; // a flag has no value
     };
     std::vector<Given> givenOf(const std::vector<std::string> &groups) const;
-    // An option with the value that it has, given or by default: "--size 3"; "no --size" if it has none.
-    std::string withValue(const std::string &option) const;
     // The arguments as they were given.
     const std::vector<std::string> &words() const;
     // An error for what only the program can check, with a hint to --help.
@@ -116,9 +113,9 @@ public:
 
 private:
     void number(const std::string &name, const std::string &value, Range range, bool whole,
-                std::function<void(double)> to, std::function<std::string()> now, const std::string &what);
+                std::function<void(double)> to, const std::string &fallback, const std::string &what);
     void choice(const std::string &name, const std::vector<std::string> &names,
-                std::function<void(size_t)> to, std::function<size_t()> now, const std::string &what);
+                std::function<void(size_t)> to, size_t fallback, const std::string &what);
     // A number in as few digits as it needs
     template <class Number> static std::string textOf(Number x) {
         char text[64];

@@ -38,7 +38,7 @@ values() { # values OPTION PLACEHOLDER: sets good to what it may be given, by it
     radiosity--gloss*) good=(l m 0.06,16 none '' 1,1 0,1000 2,1 1,0 1) ;;
     radiosity--page) good=(256 8192 16384 255 16385) ;;
     radiosity--residual) good=(1 1e-4 0.5 1e-8 2) ;;
-    radiosity--relight | radiosity--resume) good=(m.rad m.rad m.rad m.obj file none fifo .) ;;
+    radiosity--relight | radiosity--resume) good=(m.rad m.obj file none fifo .) ;;
     *)
         case ${2-} in
         *[a-z]\|[a-z]*) good=(${2//|/ } both) ;;
@@ -114,7 +114,7 @@ pack)
 radiosity)
     printf 'newmtl l\nKe 5 5 5\n' >"$WORK/given/m.mtl"
     printf 'mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >"$WORK/given/m.obj"
-    "$program" solve "$WORK/given/m.obj" -o "$WORK/given/m.rad" --patch 1 --element 1 --keep-rows >/dev/null
+    "$program" solve "$WORK/given/m.obj" -o "$WORK/given/m.rad" --patch 1 --element 1 >/dev/null
     "$program" transfer "$WORK/given/m.obj" -o "$WORK/given/m.prt" --bands 2 --element 1 >/dev/null ;;
 esac
 given=$(ls "$WORK/given")

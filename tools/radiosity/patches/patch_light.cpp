@@ -33,10 +33,7 @@ void PatchSolver::findDirectLight() {
     findDirect(r, m, *p.scene, settings, task.workers, progressOf(SolveStep::kDirectLight));
     std::vector<std::string> known; // notes by divide()
     if (s.adaptive) findPictured(known);
-    bool keepShares = s.keepRows && task.preparable();
-    if (keepShares) findShares();
     addOutsideLight();
-    if (keepShares) findOutsideShare();
 }
 
 void PatchSolver::takePlanes() {

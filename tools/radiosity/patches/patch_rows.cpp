@@ -14,8 +14,7 @@ const uint8_t *PatchSolver::findLit() {
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &patch = m.patches[i];
         bool seen = !s.analytic && maxComponent(task.solution.emits[(size_t)patch.chart]) > 0;
-        // With other materials, any patch may reflect
-        lit[i] = maxComponent(patch.reflects) > 0 || seen || s.keepRows ? kReflects : kUnlit;
+        lit[i] = maxComponent(patch.reflects) > 0 || seen ? kReflects : kUnlit;
     }
     return lit;
 }
@@ -24,22 +23,20 @@ void PatchSolver::findRows() {
     const uint8_t *lit = findLit();
     if (!s.resumed.empty()) restoreRows();
     report.whole = true;
-    if (!task.prepared) { // otherwise nothing is missing
-        RowFinder find = s.findRows;
-        if (!find) find = rowsByHemicubes(gl, s.hemicube);
-        saved = common::wallSeconds();
-        auto progress = [](float done, void *own) {
-            auto &solver = *(PatchSolver *)own;
-            solver.task.show(SolveStep::kFormFactors, done);
-            if (common::wallSeconds() - solver.saved < solver.s.keepEvery) return;
-            solver.saveState();
-            solver.saved = common::wallSeconds();
-        };
-        task.workers.abort = task.stop;
-        report.whole = find(m, *p.scene, lit, task.workers, p.arena, r.factors, {progress, this});
-        task.workers.abort = &kNever;
-        if (!report.whole) saveState();
-    }
+    RowFinder find = s.findRows;
+    if (!find) find = rowsByHemicubes(gl, s.hemicube);
+    saved = common::wallSeconds();
+    auto progress = [](float done, void *own) {
+        auto &solver = *(PatchSolver *)own;
+        solver.task.show(SolveStep::kFormFactors, done);
+        if (common::wallSeconds() - solver.saved < solver.s.keepEvery) return;
+        solver.saveState();
+        solver.saved = common::wallSeconds();
+    };
+    task.workers.abort = task.stop;
+    report.whole = find(m, *p.scene, lit, task.workers, p.arena, r.factors, {progress, this});
+    task.workers.abort = &kNever;
+    if (!report.whole) saveState();
     for (int i = 0; i < m.patchCount; ++i) report.rows += r.factors.rows[i].known;
 }
 

@@ -44,37 +44,6 @@ void PatchSolver::run() {
     }
     fillSolution();
     task.lap(SolveStep::kSolving);
-    if (s.keepRows && report.whole) keepRows();
-}
-
-void PatchSolver::relight() {
-    restorePatches();
-    for (int i = 0; i < m.patchCount; ++i)
-        m.patches[i].reflects = task.solution.reflects[(size_t)m.patches[i].chart];
-    report.patches = m.patchCount;
-    task.lap(SolveStep::kDividing);
-    const DirectShares &shares = task.prepared->direct;
-    s.analytic = !shares.seen;
-    r.bases.skyCount = 3;
-    takePlanes();
-    std::vector<Rgb> light = shares.light(task.emitted(), (size_t)m.texelCount);
-    for (size_t t = 0; t < light.size(); ++t)
-        r.direct[0][t] = light[t].x, r.direct[1][t] = light[t].y, r.direct[2][t] = light[t].z;
-    task.lap(SolveStep::kDirectLight);
-    findRows();
-    task.lap(SolveStep::kFormFactors);
-    solveBounces();
-    fillSolution();
-    task.lap(SolveStep::kSolving);
-}
-
-void PatchSolver::keepRows() {
-    std::string prepared;
-    if (task.preparable()) {
-        prepared = task.prepare(shares, {m.charts, (size_t)m.chartCount}, {m.facets, (size_t)m.facetCount});
-        savePatches(prepared);
-    }
-    s.keepRows(savedRows(), std::move(prepared));
 }
 
 Progress PatchSolver::progressOf(SolveStep which) {
@@ -158,7 +127,7 @@ void PatchSolver::watch(const float *radiosity) {
 std::unique_ptr<PatchSystem> solveByPatches(SolveTask &task, const Gl &gl) {
     auto p = std::make_unique<PatchSystem>(task.settings.memory);
     PatchSolver solver(task, *p, gl);
-    task.prepared ? solver.relight() : solver.run();
+    solver.run();
     if (task.progress) task.progress(nullptr, 1, task.report.residual);
     return p;
 }

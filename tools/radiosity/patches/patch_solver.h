@@ -17,8 +17,6 @@ public:
     ~PatchSolver() { task.workers.abort = abort; }
 
     void run();
-    // Solves with kept rows and direct light.
-    void relight();
 
 private:
     SolveTask &task;
@@ -30,20 +28,13 @@ private:
     const Gl &gl;
     const int *abort; // the workers' former abort flag
     SolveStep step = SolveStep::kDividing;
-    DirectShares shares; // for keepRows()
-    double saved = 0;    // when the rows found so far were last saved
+    double saved = 0; // when the rows found so far were last saved
 
     Progress progressOf(SolveStep which);
 
-    // --- Kept files --- Patches and elements as arrays, for solutions with other materials: restorePatches()
-    // fills the model. It throws std::runtime_error if the arrays do not fit, or if memory is short.
-    void keepRows();
-    void savePatches(std::string &to) const;
-    void restorePatches();
-    // Fills the rows from settings.resumed, saves those found so far in the same form, and calls
-    // settings.keep with them.
+    // --- Kept files --- Fills the rows from settings.resumed, saves those found so far in the same form, and
+    // calls settings.keep with them.
     void restoreRows();
-    std::string savedRows() const;
     void saveState() const;
 
     // --- Patches and elements ---
@@ -64,11 +55,6 @@ private:
     // Adds the sky's light by rays through a grid over the cosine-weighted hemisphere, a quarter of them from
     // each of a texel's four places; the grid is rotated differently at every texel.
     void addSky();
-    // The shares of direct light, to which nothing was added yet, separated by material. If several materials
-    // emit, the light of each is found again for the final texels. And the light from outside, once it is
-    // added.
-    void findShares();
-    void findOutsideShare();
 
     // --- Rows --- Finds the missing rows, and saves them at intervals. Sets report.whole to whether all were
     // found before a stop, and report.rows to their number.

@@ -42,11 +42,6 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
     sortParts(mesh);
 }
 
-void LampRays::paint(const std::vector<Rgb> &ofMaterial) {
-    for (Part &p : parts) p.radiance = ofMaterial[(size_t)p.material];
-    for (Part &p : wholes) p.radiance = ofMaterial[(size_t)p.material];
-}
-
 // Divides a triangle into rows of smaller ones of the same shape: about `samples` if its area is the largest.
 void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double largest) {
     Rgb radiance = emittedBy(mesh, t);
@@ -55,8 +50,7 @@ void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double l
           u = mesh.points[(size_t)t.corners[1]] - q, v = mesh.points[(size_t)t.corners[2]] - q;
     double area = length(normal) / 2;
     Vec3 n = toFloat(normalize(normal));
-    wholes.push_back(
-        {{toFloat(q), toFloat(q + u), toFloat(q + v)}, n, (float)area, radiance, power, t.material});
+    wholes.push_back({{toFloat(q), toFloat(q + u), toFloat(q + v)}, n, (float)area, radiance, power});
     int rows = std::clamp((int)std::lround(std::sqrt(samples * area / largest)), 1, 64);
     auto at = [&](int row, int step) {
         return toFloat(q + u * ((double)(row - step) / rows) + v * ((double)step / rows));
@@ -68,8 +62,7 @@ void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double l
                       n,
                       (float)(area / (rows * rows)),
                       radiance,
-                      power,
-                      t.material};
+                      power};
             if (k & 1) p.corner[1] = at(r + 1, j + 1), p.corner[2] = at(r, j + 1);
             parts.push_back(p);
         }

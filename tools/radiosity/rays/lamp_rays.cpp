@@ -193,21 +193,4 @@ std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, 
     return light;
 }
 
-DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, const Surroundings &around,
-                          const LightGrid &grid, const std::vector<uint16_t> &behind, const RayTree &tree,
-                          Workers &workers) {
-    DirectShares kept;
-    kept.emitters = emitters;
-    kept.seen = lamps.none();
-    if (!kept.seen)
-        kept.find([&](const std::vector<Rgb> &ofMaterial) {
-            lamps.paint(ofMaterial);
-            return directLight(lamps, {}, grid, behind, tree, workers);
-        });
-    lamps.clear();
-    if (!around.suns.empty() || !around.lamps.empty())
-        kept.outside = directLight(lamps, around, grid, behind, tree, workers);
-    return kept;
-}
-
 } // namespace odraz::radiosity

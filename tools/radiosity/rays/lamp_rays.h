@@ -10,7 +10,6 @@
 
 #include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/read/surroundings.h"
-#include "tools/radiosity/solution/direct_shares.h"
 
 namespace odraz::radiosity {
 
@@ -26,9 +25,6 @@ public:
     bool none() const { return parts.empty(); }
     double share() const { return emittingShare; } // of the model's area
     void clear() { parts.clear(), until.clear(), wholes.clear(); }
-    // Sets the lamps' radiance to that of their material in this list. Rays are still distributed by the
-    // mesh's power.
-    void paint(const std::vector<Rgb> &ofMaterial);
 
     // The mean light at the 1 to 4 places of one texel, as irradiance / pi. `seed` differs from texel to
     // texel. `sharers` is the number of places that share the rays (one for each part), and `shift`, 0 .. 1,
@@ -42,7 +38,6 @@ private:
         float area;
         Rgb radiance;
         float power; // brightness, as a share of the brightest part's
-        int material;
         Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
         // Maps the unit square evenly to the triangle.
         Vec3 point(float a, float b) const {
@@ -67,10 +62,5 @@ private:
 // site's places that does not count (ray_system.h).
 std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
                              const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers);
-
-// The same for each of the materials that emit, with lamps of radiance 1; and the light of suns and balls.
-DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, const Surroundings &around,
-                          const LightGrid &grid, const std::vector<uint16_t> &behind, const RayTree &tree,
-                          Workers &workers);
 
 } // namespace odraz::radiosity

@@ -13,8 +13,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace odraz::radiosity {
@@ -48,10 +46,6 @@ struct LightGrid {
 
     // Numbers the cells and texels of the charts, which the caller keeps.
     LightGrid(Regions &regions, const RayTree &tree, Workers &workers);
-    // Reads a grid that save() wrote, for the charts from that solution, and moves `at` behind it. Throws
-    // std::runtime_error if it does not fit the charts.
-    LightGrid(Regions &regions, std::string_view from, size_t &at);
-    void save(std::string &to) const;
 
     Vec3 at(const Texel &t) const;
     // The cell at a point of a chart, and the position in it, 0 .. 1.
@@ -73,7 +67,6 @@ private:
     std::vector<float> see(const Regions &regions, const RayTree &tree, Workers &workers);
     void makeSites(const Regions &regions, const std::vector<float> &drops);
     void orderHidden();
-    bool fits(const Regions &regions) const;
 };
 
 } // namespace odraz::radiosity

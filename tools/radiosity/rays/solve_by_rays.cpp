@@ -61,22 +61,6 @@ public:
         task.solution.light = lightOfTexels(kShared);
         if (s.finalRays > 0 && report.whole) finalGather();
         task.lap(SolveStep::kSolving);
-        if (s.keepRows && report.whole) keepRows();
-    }
-
-    // Solves with kept rows and direct light, without the mesh.
-    void relight(const DirectShares &shares) {
-        resume();
-        report.rows = report.sites;
-        report.raysFromSite = system.rows.size() / std::max(grid.sites.size(), (size_t)1);
-        direct = shares.light(task.emitted(), grid.texels.size());
-        if (shares.seen) system.emits = task.solution.emits;
-        describeSites();
-        task.lap(SolveStep::kDirectLight);
-        fillGeometry();
-        solve();
-        task.solution.light = lightOfTexels(kShared);
-        task.lap(SolveStep::kSolving);
     }
 
 private:
@@ -90,7 +74,6 @@ private:
     bool refined = false;                // the number of rays that each site needs is known
     std::vector<Rgb> direct;             // light of each texel
     std::vector<Rgb> directAtSites, reflects;
-    DirectShares shares; // for keepRows()
 
     void resume() {
         if (s.resumed.empty()) return;
@@ -105,22 +88,11 @@ private:
 
     void keep(bool refinedRows) {
         if (!s.keep) return;
-        s.keep(savedRows(refinedRows));
-        kept = common::wallSeconds();
-    }
-    std::string savedRows(bool refinedRows) const {
         std::string rows;
         put(rows, std::vector<uint8_t>{refinedRows});
         system.save(rows);
-        return rows;
-    }
-    void keepRows() {
-        std::string prepared;
-        if (task.preparable()) {
-            prepared = task.prepare(shares, grid.charts, task.regions.facets);
-            grid.save(prepared);
-        }
-        s.keepRows(savedRows(true), std::move(prepared));
+        s.keep(rows);
+        kept = common::wallSeconds();
     }
     bool keepIsDue() const { return common::wallSeconds() - kept > s.keepEvery; }
 
@@ -158,20 +130,11 @@ private:
             system.emits = task.solution.emits;
             lamps.clear();
         }
-        if (s.keepRows && task.preparable()) {
-            shares =
-                directShares(lamps, task.emitters(), s.surroundings, grid, system.behind, tree, task.workers);
-            direct = shares.light(task.emitted(), grid.texels.size());
-        } else
-            direct = directLight(lamps, s.surroundings, grid, system.behind, tree, task.workers);
-        describeSites();
-        task.lap(SolveStep::kDirectLight);
-        task.show(SolveStep::kDirectLight, 1);
-    }
-
-    void describeSites() {
+        direct = directLight(lamps, s.surroundings, grid, system.behind, tree, task.workers);
         directAtSites = system.meansOfPlaces(direct);
         reflects = system.reflectance(task.solution);
+        task.lap(SolveStep::kDirectLight);
+        task.show(SolveStep::kDirectLight, 1);
     }
 
     void fillGeometry() {
@@ -247,26 +210,9 @@ private:
 
 } // namespace
 
-// Solves with rows and direct light that were kept.
-static void relightByRays(SolveTask &task) {
-    std::string_view from = task.prepared->rest;
-    size_t at = 0;
-    LightGrid grid(task.regions, from, at);
-    if (at != from.size() || !task.prepared->direct.fits(grid.texels.size())) refuseResumed();
-    task.report.sites = (int)grid.sites.size();
-    task.lap(SolveStep::kDividing);
-    RayTree nothing({RayTree::Corners{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}});
-    RaySolver(task, nothing, grid).relight(task.prepared->direct);
-}
-
 void solveByRays(SolveTask &task) {
     SolveReport &report = task.report;
     report.whole = true;
-    if (task.prepared) {
-        relightByRays(task);
-        if (task.progress) task.progress(nullptr, 1, report.residual);
-        return;
-    }
     task.show(SolveStep::kDividing, 0);
     RayTree tree(cornersOf(task.mesh));
     task.show(SolveStep::kDividing, 0.4f);

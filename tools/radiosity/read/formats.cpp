@@ -16,7 +16,6 @@ struct Format {
     std::vector<const char *> endings; // of files' names, in small letters
     bool (*begins)(std::string_view start);
     decltype(&readModel) read;
-    decltype(&readMaterialsAgain) readMaterials;
 };
 // Whether the first line that is not blank is a comment, or a command of OBJ.
 bool isObj(std::string_view start) {
@@ -27,8 +26,7 @@ bool isObj(std::string_view start) {
     return start.starts_with('#') || kCommands.count(start.substr(0, start.find_first_of(" \t\r\n")));
 }
 
-const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, readGltf, readGltfMaterials},
-                           {{".obj"}, isObj, readObj, readObjMaterials}};
+const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, readGltf}, {{".obj"}, isObj, readObj}};
 
 constexpr size_t kStart = 4096;
 
@@ -62,12 +60,6 @@ bool isModel(const std::string &path) {
 
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
     return formatOf(path).read(path, settings, notes);
-}
-
-std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const MaterialNames &names,
-                                             const std::vector<MaterialChange> &changes,
-                                             std::vector<std::string> &notes) {
-    return formatOf(path).readMaterials(path, names, changes, notes);
 }
 
 } // namespace odraz::radiosity

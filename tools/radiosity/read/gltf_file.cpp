@@ -140,8 +140,7 @@ void GltfFile::readBuffers(const json &list, std::string_view binary) {
         else if (!uri.empty()) {
             need(!hasScheme(uri),
                  "buffer " + number + " is not read, as its URI has a scheme: " + uri.substr(0, 200));
-            parts.push_back(nameOf(uri));
-            bytes = common::readWhole(findFile(folderOf(path), parts.back()));
+            bytes = common::readWhole(findFile(folderOf(path), nameOf(uri)));
         } else if (buffers.empty())
             bytes = binary;
         // Without a URI, a buffer is filled by an extension

@@ -26,8 +26,7 @@ class GltfFile {
 public:
     explicit GltfFile(const std::string &path);
 
-    tinygltf::Model model;          // without buffers and images
-    std::vector<std::string> parts; // files of buffers, from the model's folder
+    tinygltf::Model model; // without buffers and images
 
     // An index of one of the model's lists, checked. `what` names the list.
     template <class T> static const T &at(const std::vector<T> &list, int index, const char *what) {

@@ -56,7 +56,6 @@ public:
 
     Polygons polygons;
     Surroundings lights;
-    std::vector<std::string> &parts() { return file.parts; }
 
 private:
     const std::string &path;
@@ -229,15 +228,7 @@ Mesh readGltf(const std::string &path, const ReadSettings &settings, std::vector
     Mesh mesh = buildMesh(path, std::move(reader.polygons), reader.takeMaterials(), settings, notes);
     mesh.lights = std::move(reader.lights);
     mesh.lights.scale(settings.scale);
-    mesh.names.parts = std::move(reader.parts());
     return mesh;
-}
-
-std::vector<MeshMaterial> readGltfMaterials(const std::string &path, const MaterialNames &names,
-                                            const std::vector<MaterialChange> &changes,
-                                            std::vector<std::string> &notes) {
-    auto given = common::inFile(path, [&] { return GltfReader(path, notes).takeMaterials(); });
-    return materialsAgain(path, given, names, changes, notes);
 }
 
 } // namespace odraz::radiosity

@@ -45,16 +45,6 @@ struct Triangle {
     int material;
 };
 
-// The names of a model's materials, kept so that materials can be read again without the polygons.
-struct MaterialNames {
-    std::vector<std::string> parts;     // files of the polygons beside the model, from its folder
-    std::vector<std::string> libraries; // the text after each mtllib
-    std::vector<std::string> asked;     // named by usemtl, each once
-    std::vector<uint8_t> known;         // for each of `asked`: whether a library has it
-    std::vector<std::string> all;       // the names of Mesh::materials
-    std::vector<uint8_t> used;          // for each of `all`: whether a triangle has it
-};
-
 struct Mesh {
     Vec3 place =
         {}; // the origin of `points` in the model's coordinates: 0, unless the model lies far from it
@@ -64,7 +54,6 @@ struct Mesh {
     // has a picture
     std::vector<std::array<float, 6>> coordinates;
     std::vector<MeshMaterial> materials;
-    MaterialNames names;
     Surroundings lights;     // suns and balls that the model has, in its coordinates
     int flat = 0, twice = 0; // triangles left out: those without area; duplicates
 
@@ -85,12 +74,6 @@ bool isModel(const std::string &path);
 // polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for each thing that
 // was repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
-
-// Reads a model's materials again, in the order of Mesh::materials; unused ones are left empty. Throws
-// ModelError, also if a name that was known is missing now, or the reverse.
-std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const MaterialNames &names,
-                                             const std::vector<MaterialChange> &changes,
-                                             std::vector<std::string> &notes);
 
 // The triangle's normal, with a length of twice its area.
 Vec3d normalOf(const Mesh &mesh, const Triangle &t);

@@ -69,22 +69,6 @@ std::vector<int> findMaterials(const std::vector<std::string> &names,
     return found;
 }
 
-std::vector<MeshMaterial> materialsAgain(const std::string &path, const std::vector<MeshMaterial> &given,
-                                         const MaterialNames &names,
-                                         const std::vector<MaterialChange> &changes,
-                                         std::vector<std::string> &notes) {
-    std::vector<MeshMaterial> all;
-    const std::vector<int> found = findMaterials(names.all, given);
-    const std::vector<bool> used(names.used.begin(), names.used.end());
-    for (size_t i = 0; i < found.size(); ++i)
-        all.push_back(!used[i]        ? MeshMaterial{names.all[i], {}, {}}
-                      : found[i] >= 0 ? given[(size_t)found[i]]
-                                      : noMaterial());
-    noteBlack(all, used, path, notes);
-    changeMaterials(all, used, changes);
-    return all;
-}
-
 namespace {
 
 class MeshBuilder {
@@ -106,8 +90,6 @@ public:
         for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
         noteBlack(mesh.materials, used, path, notes);
         changeMaterials(mesh.materials, used, settings.changes);
-        for (const MeshMaterial &m : mesh.materials) mesh.names.all.push_back(m.name);
-        mesh.names.used.assign(used.begin(), used.end());
         noteLeftOut();
         return std::move(mesh);
     }

@@ -47,12 +47,6 @@ Mesh buildMesh(const std::string &path, Polygons polygons, std::vector<MeshMater
 // Finds each name's material: its index in `materials`, or -1.
 std::vector<int> findMaterials(const std::vector<std::string> &names,
                                const std::vector<MeshMaterial> &materials);
-// What readMaterialsAgain() returns, of the materials that a file has now.
-std::vector<MeshMaterial> materialsAgain(const std::string &path, const std::vector<MeshMaterial> &given,
-                                         const MaterialNames &names,
-                                         const std::vector<MaterialChange> &changes,
-                                         std::vector<std::string> &notes);
-
 // Adds notes about used materials that are black. If all are, they become grey, because nothing would be
 // visible.
 void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,

@@ -178,23 +178,7 @@ Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<
     for (Polygons::Polygon &p : content.polygons.polygons)
         if (p.material >= 0) used[(size_t)p.material] = true, p.material = found[(size_t)p.material];
     noteUnknown(path, content, found, used, materials, notes);
-    Mesh mesh = buildMesh(path, std::move(content.polygons), std::move(materials), settings, notes);
-    for (int number : found) mesh.names.known.push_back(number >= 0);
-    mesh.names.libraries = std::move(content.libraries), mesh.names.asked = std::move(content.asked);
-    return mesh;
-}
-
-std::vector<MeshMaterial> readObjMaterials(const std::string &path, const MaterialNames &names,
-                                           const std::vector<MaterialChange> &changes,
-                                           std::vector<std::string> &notes) {
-    std::vector<MeshMaterial> given = readMaterials(path, names.libraries, notes);
-    std::vector<int> found = findMaterials(names.asked, given);
-    for (size_t i = 0; i < found.size(); ++i)
-        if ((found[i] >= 0) != (names.known[i] != 0))
-            throw ModelError(path + ": the material " + names.asked[i] +
-                             (names.known[i] ? " is no longer in its files" : " is new in its files") +
-                             ": solve the model again");
-    return materialsAgain(path, given, names, changes, notes);
+    return buildMesh(path, std::move(content.polygons), std::move(materials), settings, notes);
 }
 
 } // namespace odraz::radiosity

@@ -49,16 +49,6 @@ Solution::Solution(const std::string &path) {
         throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
 }
 
-uint64_t sumOfSolution(const std::string &path) {
-    constexpr size_t kBefore = sizeof kMagic - 1;
-    uint64_t sum;
-    std::string head = common::readStart(path, kBefore + sizeof sum);
-    if (head.size() < kBefore + sizeof sum || head.compare(0, kBefore, kMagic) != 0)
-        throw std::runtime_error(path + ": was not written by 'radiosity solve'");
-    std::memcpy(&sum, head.data() + kBefore, sizeof sum);
-    return sum;
-}
-
 Rgb Solution::reflectsOf(int cell) const {
     return cellReflects.empty() ? reflects[(size_t)cells[(size_t)cell].chart] : cellReflects[(size_t)cell];
 }

@@ -77,11 +77,5 @@ private:
 // Whether a solution is safe to use: every index lies within its list, every number is finite and below 1e18,
 // no cell is its own descendant. A checksum is not enough for files, because a forger can compute it.
 bool valid(const Solution &solution);
-// The same for a model that is divided but has no light yet.
-bool validGeometry(const std::vector<Chart> &charts, const std::vector<Facet> &facets,
-                   const std::vector<Cell> &cells, const std::vector<Texel> &texels);
-
-// The checksum in the head of a solution's file. Throws std::runtime_error if the file is not a solution.
-uint64_t sumOfSolution(const std::string &path);
 
 } // namespace odraz::radiosity

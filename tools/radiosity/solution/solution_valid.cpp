@@ -66,13 +66,4 @@ bool valid(const Solution &b) {
            all(b.cells, [&](const Cell &c) { return valid(c, number++, b); });
 }
 
-bool validGeometry(const std::vector<Chart> &charts, const std::vector<Facet> &facets,
-                   const std::vector<Cell> &cells, const std::vector<Texel> &texels) {
-    Solution geometry;
-    geometry.charts = charts, geometry.facets = facets, geometry.cells = cells, geometry.texels = texels;
-    geometry.light.resize(texels.size());
-    geometry.reflects.resize(charts.size()), geometry.emits.resize(charts.size());
-    return valid(geometry);
-}
-
 } // namespace odraz::radiosity

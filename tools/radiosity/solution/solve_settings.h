@@ -63,9 +63,6 @@ struct SolveSettings {
     std::function<void(const std::string &rows)> keep;
     double keepEvery = 60;
     std::string_view resumed; // saved rows to continue from, which the system may keep using; empty: none
-    // Receives the rows of a whole solution and its PreparedSolve, for solutions with other materials; may be
-    // null
-    std::function<void(std::string rows, std::string prepared)> keepRows;
 };
 
 } // namespace odraz::radiosity

@@ -33,19 +33,8 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
         report.notes.push_back(std::to_string(coarse) + " polygons are longer than " +
                                std::to_string(kMaxAcross) +
                                " elements: their elements are longer than --element asks");
-    takeMaterials();
-}
-
-SolveTask::SolveTask(const Mesh &mesh, const PreparedSolve &prepared, const SolveSettings &settings,
-                     Workers &workers, const int *stop, const SolveProgress &progress)
-    : mesh(mesh), settings(settings), workers(workers), stop(stop), progress(progress),
-      regions(prepared.regions), prepared(&prepared) {
-    takeMaterials();
-}
-
-void SolveTask::takeMaterials() {
     solution.place = mesh.place;
-    settings.surroundings.moveTo(mesh.place);
+    this->settings.surroundings.moveTo(mesh.place);
     for (int material : regions.material) {
         const MeshMaterial &m = mesh.materials[(size_t)material];
         solution.reflects.push_back({m.reflects[0], m.reflects[1], m.reflects[2]});

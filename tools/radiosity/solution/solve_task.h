@@ -3,7 +3,6 @@
 
 #include "tools/radiosity/divide/pictured.h"
 #include "tools/radiosity/divide/regions.h"
-#include "tools/radiosity/solution/direct_shares.h"
 #include "tools/radiosity/solution/solve_settings.h"
 
 namespace odraz::radiosity {
@@ -33,18 +32,6 @@ struct SolveReport {
     size_t lamps = 0; // facets that emit
 };
 
-// Data besides rows for a solution with other materials. `rest` differs between the two methods.
-struct PreparedSolve {
-    DirectShares direct;
-    Regions regions; // divided charts; without chartOf
-    std::string_view rest;
-
-    // Throws std::runtime_error if the data is not from SolveTask::prepare() for this number of materials.
-    PreparedSolve(std::string_view from, size_t materials);
-    // Whether its direct light covers lamps of these materials. If not, direct light must be found again.
-    bool fits(const std::vector<int> &emitters) const;
-};
-
 struct SolveTask {
     const Mesh &mesh;
     SolveSettings settings; // the places of its lamps are relative to the mesh's
@@ -56,23 +43,10 @@ struct SolveTask {
     Pictured pictured; // the reflectance of materials with pictures
     Solution solution; // both methods fill its cells, texels and light
     SolveReport report;
-    const PreparedSolve *prepared = nullptr; // null: the model is divided and direct light found again
 
     // Joins the mesh into regions, and sets the charts' reflectance and emission. Throws ModelError.
     SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,
               const SolveProgress &progress);
-    // The same for a prepared solve. Only the mesh's materials are used.
-    SolveTask(const Mesh &mesh, const PreparedSolve &prepared, const SolveSettings &settings,
-              Workers &workers, const int *stop, const SolveProgress &progress);
-
-    // The beginning of SolveSettings::keepRows' `prepared`; the method appends its own data. `regions` are
-    // divided.
-    std::string prepare(const DirectShares &direct, std::span<const Chart> charts,
-                        std::span<const Facet> facets) const;
-    // Whether a solution with other materials can be prepared: pictures need polygons, final rays the scene.
-    bool preparable() const;
-    std::vector<Rgb> emitted() const;  // by each material
-    std::vector<int> emitters() const; // the materials of charts that emit, ascending
 
     void show(SolveStep step, float done, float residual = -1) const;
     // Adds the processor time since the last lap to a step.
@@ -88,7 +62,6 @@ struct SolveTask {
     bool watched() const { return settings.watcher && (!settings.lightIsDue || settings.lightIsDue()); }
 
 private:
-    void takeMaterials();
     double lastLap;           // seconds of processor time
     double firstResidual = 0; // its logarithm; 0: none yet
 };

@@ -1,10 +1,8 @@
-#include "tools/common/command_line.h"
+#include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
-#include "tools/radiosity/solution/memory.h"
-#include "tools/radiosity/solve/scaled.h"
+#include "tools/radiosity/solution/kept.h"
 #include "tools/radiosity/solve/solve.h"
-#include "tools/radiosity/solve/solve_job.h"
-#include "tools/radiosity/solve/solve_report.h"
+#include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
 
 #include <cstdio>
@@ -14,6 +12,51 @@ namespace odraz::radiosity {
 namespace {
 
 int stop = 0; // becomes 1 with Ctrl-C
+
+// The command line.
+struct SolveJob {
+    // Reads the words after `solve`. Throws Refused.
+    explicit SolveJob(std::vector<std::string> words) : line("radiosity solve", std::move(words)) {
+        line.about("Computes the light in a model and writes it to OUT, a solution for the other commands.\n"
+                   "Ctrl-C stops early: it writes the light found so far, and OUT.state.");
+        line.argument("MODEL", model,
+                      "a Wavefront OBJ or glTF. Polygons are lit on the side from which their points run "
+                      "counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke, map_Ke)",
+                      false);
+        line.option("-o", "OUT", out, "the file of the solution");
+        line.option("--resume", "OUT.state", resume,
+                    "continue a stopped solution with its options, to the same bytes; takes no other option");
+        line.option("--keep-every", "S", keepEvery, {0.01, 1e9}, "write OUT.state every S seconds");
+        options.addTo(line, SolveOptions::For::kSolve);
+        line.parse();
+        if (!resume.empty()) return;
+        if (model.empty()) throw common::Refused("name a model: radiosity solve MODEL.obj -o OUT");
+        if (out.empty()) throw common::Refused("name a file for the solution with -o OUT");
+        options.finish(line);
+    }
+    SolveJob(const SolveJob &) = delete;
+
+    common::CommandLine line;
+    std::string model, out;
+    std::string resume;    // a state to continue from
+    double keepEvery = 60; // seconds
+    SolveOptions options;
+    std::unique_ptr<Kept> kept; // of `resume`; null: none
+};
+
+// Reads a command, or the one in the state that it resumes. Throws Refused.
+std::unique_ptr<SolveJob> readJob(const std::vector<std::string> &words) {
+    auto job = std::make_unique<SolveJob>(words);
+    if (std::string state = job->resume; !state.empty()) {
+        if (job->line.given().size() > 1 || !job->model.empty())
+            throw common::Refused("--resume takes no other option: it continues with the original ones");
+        auto kept = std::make_unique<Kept>(state);
+        job = std::make_unique<SolveJob>(kept->words);
+        job->resume = state, job->kept = std::move(kept);
+    }
+    common::checkWritable(job->out);
+    return job;
+}
 
 // Whether the even sky, which is added if nothing else emits, reaches no front: the model is closed and its
 // fronts face inwards.
@@ -25,17 +68,47 @@ bool staysDark(const Solution &b) {
     return light < 0.01 * (double)b.light.size();
 }
 
+void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &settings) {
+    const SolveReport &r = solved.report;
+    bool byRays = !solved.patches;
+    auto seconds = [&](SolveStep step) { return r.seconds[(int)step]; };
+    std::printf("%zu triangles, %zu polygons in one plane each; ", mesh.triangles.size(),
+                solved.solution.charts.size());
+    size_t elements = solved.solution.elements();
+    if (byRays)
+        std::printf("%zu elements, %d sites with %zu rays\n", elements, r.sites, r.raysFromSite);
+    else
+        std::printf("%d patches, %zu elements\n", r.patches, elements);
+    std::printf("processor seconds: dividing %.2f, form factors %.2f", seconds(SolveStep::kDividing),
+                seconds(SolveStep::kFormFactors));
+    if (!byRays) std::printf(" (%d hemicubes)", r.rows + r.shots);
+    std::printf(", direct light %.2f, solving %.2f\n", seconds(SolveStep::kDirectLight),
+                seconds(SolveStep::kSolving));
+    if (r.lamps > kManyLamps) std::printf("%zu lamps: seen by hemicubes\n", r.lamps);
+    if (r.shots > 0)
+        std::printf("%d shots, %.2g %% of the light is not shot%s\n", r.shots, 100 * (double)r.residual,
+                    r.whole ? "" : ": stopped");
+    else if (!r.whole && r.sweeps > 0)
+        std::printf("stopped: the light of %d sweeps\n", r.sweeps);
+    else if (!r.whole)
+        std::printf("stopped: direct light, and the rows of %d %s\n", r.rows, byRays ? "sites" : "patches");
+    else if (settings.bounces >= 0)
+        std::printf("%d bounces\n", r.sweeps);
+    else
+        std::printf("%d sweeps, residual %.1e\n", r.sweeps, (double)r.residual);
+}
+
 // Solves a job; if an even sky lights no front, solves it again with both sides lit.
 class SolveCommand {
 public:
     explicit SolveCommand(SolveJob &job) : job(job) {
-        toKeep.words = job.kept && job.relight.empty() ? job.kept->words : job.line.words();
+        toKeep.words = job.kept ? job.kept->words : job.line.words();
     }
 
     void run() {
-        if (!job.relight.empty()) return relight();
-        const std::vector<std::string> notes = read();
-        toKeep.model = modelSum();
+        std::vector<std::string> notes; // printed once nothing is refused, so that a refusal stays one line
+        read(notes);
+        job.options.addLights(mesh, job.options.settings.surroundings, notes);
         if (job.kept && job.kept->model != toKeep.model)
             throw common::Refused(job.resume + ": belongs to another model, or " + job.model +
                                   " has changed: solve it again");
@@ -49,7 +122,6 @@ public:
             solved = solve();
         }
         solved.solution.save(job.out);
-        if (solved.report.whole && job.keepRows) saveRows(solved);
         if (solved.report.whole) std::remove(stateFile().c_str());
         printReport(mesh, solved, job.options.settings);
         if (!solved.report.whole && job.options.settings.shots == 0)
@@ -60,42 +132,29 @@ private:
     SolveJob &job;
     Kept toKeep; // the data written beside the solution
     Mesh mesh;
-    std::unique_ptr<PreparedSolve> prepared; // from kept rows; null: the model is divided
-    std::string rows, preparation;           // of the whole solution, for OUT.rows
     Workers workers = allProcessors();
     Gl gl = {};
     std::unique_ptr<ProgressBar> bar;
 
     std::string stateFile() const { return job.out + ".state"; }
 
-    // Returns the notes: they are printed once nothing is refused, so that a refusal stays one line.
-    std::vector<std::string> read() {
-        std::vector<std::string> notes;
+    void read(std::vector<std::string> &notes) {
         mesh = readModel(job.model, job.options.read, notes);
-        job.options.addLights(mesh, job.options.settings.surroundings, notes);
-        return notes;
+        toKeep.model = sumOf(mesh, job.options.settings.surroundings.sky);
     }
-    uint64_t modelSum() const { return sumOf(mesh, job.options.settings.surroundings.sky); }
 
     void prepare() {
         SolveSettings &settings = job.options.settings;
         if (job.kept) settings.resumed = job.kept->rows;
-        if (job.keepRows)
-            settings.keepRows = [this](std::string found, std::string prepared) {
-                rows = std::move(found), preparation = std::move(prepared);
-            };
         settings.keepEvery = job.keepEvery;
         settings.keep = [this](const std::string &rows) {
             toKeep.rows = rows;
-            toKeep.save(stateFile(), Kept::Kind::kState);
+            toKeep.save(stateFile());
         };
         settings.needs = [](size_t bytes) {
             std::printf("needs about %zu MB of memory\n", bytes >> 20);
             std::fflush(stdout);
         };
-        begin();
-    }
-    void begin() {
         stopAt(stop, {SIGINT});
         bar = std::make_unique<ProgressBar>(job.options.progress);
     }
@@ -106,73 +165,12 @@ private:
         };
         SolveSettings &settings = job.options.settings;
         Solved solved = solveNamed(job.model, [&] {
-            if (prepared) {
-                return relightModel(mesh, *prepared, job.kept->evenSky, settings, workers, &stop, progress);
-            }
             if (settings.way == Way::kPatches) gl = openGl();
             return solveModel(mesh, settings, gl, workers, &stop, progress);
         });
         bar->clear();
         printNotes(solved.report.notes);
         return solved;
-    }
-
-    // Solves with kept rows. If direct light is kept too, polygons are not read.
-    void relight() {
-        const Kept &kept = *job.kept;
-        SolveSettings &settings = job.options.settings;
-        if (size_t bytes = 2 * (kept.rows.size() + kept.prepared.size()); bytes > settings.memory)
-            refuseMemory(bytes, settings.memory, "raise it");
-        settings.resumed = kept.rows;
-        if (!prepare(kept)) {
-            const std::vector<std::string> notes = read();
-            bool dark = !emitsLight(mesh) && !settings.surroundings.any();
-            if (dark && settings.evenSky && !kept.evenSky) refuseDark();
-            printNotes(notes);
-        }
-        if (prepared && job.options.stopsAlike && !kept.evenSky) {
-            Solution scaled(job.relight);
-            if (scaleLight(scaled, mesh, *prepared, settings)) {
-                scaled.save(job.out);
-                std::printf("kept light, scaled: all lamps changed alike\n");
-                return;
-            }
-        }
-        begin();
-        Solved solved = solve();
-        solved.solution.save(job.out);
-        prepared ? printRelit(solved, settings) : printReport(mesh, solved, settings);
-        if (!solved.report.whole) std::printf("run it again to find all of its light: the rows are kept\n");
-    }
-
-    // Whether kept direct light fits the materials; if so, only materials are read.
-    bool prepare(const Kept &from) {
-        if (from.prepared.empty()) return false;
-        std::vector<std::string> notes;
-        mesh.place = from.place[0];
-        mesh.materials = readMaterialsAgain(job.model, from.names, job.options.read.changes, notes);
-        std::vector<int> emitters;
-        for (size_t i = 0; i < mesh.materials.size(); ++i) {
-            const MeshMaterial &m = mesh.materials[i];
-            if (!m.picture.path.empty() || !m.glow.path.empty()) return false;
-            if (from.names.used[i] && m.emits[0] + m.emits[1] + m.emits[2] > 0) emitters.push_back((int)i);
-        }
-        prepared = std::make_unique<PreparedSolve>(from.prepared, mesh.materials.size());
-        if (!prepared->fits(emitters)) prepared = nullptr;
-        if (prepared) printNotes(notes);
-        return prepared != nullptr;
-    }
-
-    // Writes the rows beside the solution, which is already written.
-    void saveRows(const Solved &solved) {
-        toKeep.model = sumOfFile(job.model, mesh.names.parts),
-        toKeep.sky = sumOf(job.options.settings.surroundings.sky);
-        toKeep.solution = sumOfSolution(job.out);
-        toKeep.evenSky = solved.evenSky;
-        toKeep.names = mesh.names;
-        toKeep.place = {mesh.place};
-        toKeep.rows = rows, toKeep.prepared = preparation;
-        toKeep.save(rowsFile(job.out), Kept::Kind::kRows);
     }
 
     bool mayLightBacks() const {
@@ -182,9 +180,8 @@ private:
     void lightBacks() {
         job.options.read.twoSided = true;
         std::vector<std::string> known; // notes already printed
-        mesh = readModel(job.model, job.options.read, known);
+        read(known);
         toKeep.words.push_back("--two-sided"); // for --resume
-        toKeep.model = modelSum();
         job.options.settings.resumed = {};
     }
 };

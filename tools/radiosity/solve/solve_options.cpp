@@ -16,9 +16,6 @@ constexpr char kByRays[] = "By rays from every element",
                    "Light from outside the model; if nothing emits light, an even sky of 1,1,1 is added",
                kReading[] = "How the model is read";
 
-// Options that rows do not depend on: they may differ between a relit and the kept solution.
-const char *const kFree[] = {"--reflectance", "--power", "--bounces", "--residual", "--memory"};
-
 Rgb lightOf(const std::string &option, const double *n) {
     for (int k = 0; k < 3; ++k)
         if (!(n[k] >= 0 && n[k] < 1e12)) throw common::Refused(option + ": light must be from 0 to 1e12");
@@ -139,30 +136,6 @@ void SolveOptions::addLights(const Mesh &mesh, Surroundings &to, std::vector<std
         to.suns.insert(to.suns.end(), mesh.lights.suns.begin(), mesh.lights.suns.end());
     else if (!mesh.lights.suns.empty())
         notes.emplace_back("--sun replaces the model's own suns");
-}
-
-void SolveOptions::follow(const common::CommandLine &line, const SolveOptions &kept,
-                          const common::CommandLine &keptLine, const std::string &file) {
-    auto refuse = [&](const std::string &had, const std::string &asked) {
-        throw common::Refused(file + ": its rows were found with " + had + ", not with " + asked +
-                              ": solve the model again");
-    };
-    if (kept.settings.way == Way::kRays && !line.givenOf({kByPatches}).empty()) refuse("rays", "hemicubes");
-    if (kept.settings.way == Way::kPatches && !line.givenOf({kByRays}).empty()) refuse("hemicubes", "rays");
-    for (const auto &[option, value] : line.givenOf(groups())) {
-        bool free = std::find(std::begin(kFree), std::end(kFree), option) != std::end(kFree);
-        std::string had = keptLine.withValue(option), asked = line.withValue(option);
-        if (!free && had != asked) refuse(had, asked);
-    }
-    const SolveOptions own = *this;
-    *this = kept;
-    progress = own.progress;
-    read.changes = own.read.changes;
-    settings.evenSky = own.settings.evenSky;
-    if (line.has("--bounces")) settings.bounces = own.settings.bounces;
-    if (line.has("--residual")) settings.residual = own.settings.residual;
-    stopsAlike = settings.bounces == kept.settings.bounces && settings.residual == kept.settings.residual;
-    if (line.has("--memory")) settings.memory = own.settings.memory;
 }
 
 } // namespace odraz::radiosity

@@ -28,12 +28,6 @@ public:
     void finish(const common::CommandLine &line);
     // Adds the suns and lamps of a model to those of the options; with --sun only the lamps.
     void addLights(const Mesh &mesh, Surroundings &to, std::vector<std::string> &notes) const;
-    // For kept rows, from `file`, after finish(): adopts the options with which they were found, except those
-    // for materials and for when to stop. Throws Refused if a given option differs.
-    void follow(const common::CommandLine &line, const SolveOptions &kept,
-                const common::CommandLine &keptLine, const std::string &file);
-
-    bool stopsAlike = false; // after follow(): stops at the same residual or bounce as the kept solution
 
     ReadSettings read;
     SolveSettings settings;

@@ -5,6 +5,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
+#include "tools/radiosity/solution/kept.h"
 
 #include <cmath>
 #include <cstring>
@@ -147,4 +148,31 @@ TEST_F(SolutionFile, WithAnyNumberAnywhereDoesNoHarm) {
     }
     EXPECT_GT(good, 30);
     EXPECT_LT(good, 770);
+}
+
+TEST(Kept, IsReadAsItWasWritten) {
+    common::TemporaryFolder folder;
+    Kept a;
+    a.words = {"m.obj", "-o", "", "a\nb"};
+    a.model = 321;
+    a.rows = "rows";
+    a.save(folder / "a.state");
+    Kept b(folder / "a.state");
+    EXPECT_EQ(b.words, a.words);
+    EXPECT_EQ(b.model, a.model);
+    EXPECT_EQ(b.rows, a.rows);
+    EXPECT_EQ((uintptr_t)b.rows.data() % 8, 0u);
+    // A wrong byte or a missing end is always detected
+    std::string all = common::readWhole(folder / "a.state");
+    auto expectRefused = [&](const std::string &wrong) {
+        common::writeWhole(folder / "b.state", wrong);
+        EXPECT_THROW(Kept(folder / "b.state"), common::Refused);
+    };
+    for (size_t i = 0; i < all.size(); ++i) {
+        std::string wrong = all;
+        wrong[i] = (char)(wrong[i] ^ 4);
+        expectRefused(wrong);
+        expectRefused(all.substr(0, i));
+    }
+    expectRefused(all + "x");
 }
