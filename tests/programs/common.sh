@@ -1,20 +1,22 @@
 # Sourced by the end-to-end tests: bash tests/programs/NAME.sh BUILD [ARGUMENT...]
 #
 # A test fails for a wrong result, not for a busy machine: it waits for a condition, not for a fixed time, and gives up
-# after PATIENCE seconds. ctest's time-out is beside the test's name in CMakeLists.txt.
+# after PATIENCE seconds, when something hangs. ctest's time-out (tests/CMakeLists.txt) is longer.
 BUILD=$(cd "$1" && pwd) || exit 1
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
 [ -d "$SOURCE/intro" ] || SOURCE=$(cd "$(dirname "$0")/../../.." && pwd) # from long/, windows/
 . "$SOURCE/intro/film.conf"
-PATIENCE=${PATIENCE:-300}
+PATIENCE=${PATIENCE:-1200}
 WORK=$(mktemp -d)
 PIDS=()
 CHECKS=0 FAILED=0 FINISHED=
 
 leave() {
-    local status=$? pid
-    for pid in "${PIDS[@]}"; do kill "$pid" 2>/dev/null; done
-    rm -rf "$WORK"
+    local status=$? pid tries=0
+    for pid in "${PIDS[@]}"; do kill "$pid" && kill -CONT "$pid"; done 2>/dev/null
+    # They may write to the folder until they have ended. What is left of it decides nothing
+    for pid in "${PIDS[@]}"; do PATIENCE=10 await gone "$pid" || kill -KILL "$pid"; done 2>/dev/null
+    until rm -rf "$WORK" 2>/dev/null || [ $((++tries)) = 50 ]; do sleep 0.1; done
     [ -n "$FINISHED" ] || [ $status = 77 ] || { echo "FAILED: it ended before its end, with status $status" >&2; exit 1; }
 }
 trap leave EXIT

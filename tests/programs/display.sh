@@ -39,12 +39,21 @@ is_bright() { shot && less 0.1 "$(measured mean)"; } 2>/dev/null
 is_black() { shot -crop "$1" && [ "$(measured maxima)" = 0 ]; } # is_black WIDTHxHEIGHT+X+Y
 
 begin() { # begin PROGRAM OPTION...: sets pid and window, once it is there
-    local began=${EPOCHREALTIME/[.,]/}
     await eval '! seen' # that of an earlier program, which the display removes a moment after its end
     behind "$@"
     await eval "seen || gone $pid"
-    seen && echo "    seen after $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) ms"
+    seen
 }
+
+# drawn: of odraz-debug, whose title has the time that the last picture took: two pictures later every request is shown
+drawn() {
+    local before i
+    for i in 1 2; do
+        before=$(title)
+        await eval '[ "$(title)" != "$before" ]' || return 1
+    done
+}
+title() { xdotool getwindowname "$window"; }
 
 # play OPTION...: loads by load(), and waits for a picture: first the film is unpacked, and the hall is solved
 play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
@@ -70,33 +79,19 @@ check_full_screen() {
     check "... below too" is_black 1000x67+0+633
     check "... and the picture is not black" await is_bright
 }
-# grows TIMES [PID]: the copper share of the middle row grows TIMES times until the film begins, which is black at
-# first. PID is stopped while we look, so that a busy machine does not make us miss steps
+# grows [PID]: the copper share of the middle row grows until the film begins, which is black at first. PID is stopped
+# while we look, so that a busy machine does not make us miss steps
 grows() {
     local before=0 now=0 steps=0 end=$((SECONDS + PATIENCE))
     while [ $SECONDS -lt $end ]; do
-        [ $# -lt 2 ] || kill -STOP "$2"
+        [ $# -lt 1 ] || kill -STOP "$1"
         shot -crop 1000x1+0+350 && now=$(measured 'int(1000*mean.r)')
-        [ $# -lt 2 ] || kill -CONT "$2"
+        [ $# -lt 1 ] || kill -CONT "$1"
         [ "$now" -gt "$before" ] && steps=$((steps + 1))
         [ "$now" -lt "$before" ] && break
         before=$now
         sleep 0.1
     done
     echo "    the bar was seen to grow $steps times, and to $before"
-    [ $steps -ge "$1" ] && [ "$now" -lt "$before" ]
+    [ $steps -ge 1 ] && [ "$now" -lt "$before" ]
 }
-# opens COMMAND: its last program (after &&) opens a window of whatever name, and is ended then
-opens() {
-    local status=0 last=${1##*&& }
-    [ "$last" = "$1" ] || eval "${1% && *}" >"$WORK/out" 2>&1 || { cat "$WORK/out" >&2; return 1; }
-    $last >"$WORK/out" 2>&1 &
-    pid=$!
-    PIDS+=($pid)
-    await eval "any_window || gone $pid"
-    any_window || { cat "$WORK/out" >&2; status=1; }
-    kill $pid 2>/dev/null
-    ended $pid >/dev/null 2>&1
-    return $status
-}
-any_window() { [ -n "$(xdotool search --onlyvisible --name '.' 2>/dev/null)" ]; }

@@ -57,9 +57,6 @@ odraz_script(hostile_surroundings 40 hostile/surroundings odraz-safe)
 odraz_script(hostile_words 6 hostile/words odraz-safe 40)
 odraz_script(machine 12 machine odraz-safe)
 
-# They play in real time, and other tests would take their processor time
-set_tests_properties(playing shown web PROPERTIES RUN_SERIAL TRUE)
-
 # tools/test --long
 function(odraz_long_script name seconds script)
     add_test(NAME ${name} CONFIGURATIONS long

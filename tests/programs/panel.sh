@@ -6,21 +6,12 @@ start_display 660x400
 WIDTH=640 HEIGHT=360
 
 WINDOW="^$FILM-debug"
-title() { xdotool getwindowname "$window"; }
 # shown_at: seconds of the film, of the title "odraz-debug  table  0:25.00  row ..."
 shown_at() { title | sed -nE 's/.*  ([0-9]+):([0-9.]+)  row .*/\1 \2/p' | awk '{ print $1 * 60 + $2 }'; }
 at() { [ "$(shown_at)" = "$1" ]; } # at SECONDS, as the title writes them
 near() { awk "BEGIN { off = $1 - $(shown_at); exit !(off < $2 && off > -$2) }"; } # near SECONDS TOLERANCE
 between() { less "$1" "$(shown_at)" && less "$(shown_at)" "$2"; } # between SECONDS SECONDS
 pointer() { xdotool mousemove --window "$window" "$1" "$2"; }
-# Two pictures later every request is shown: the title has the time that the last picture took
-drawn() {
-    local before i
-    for i in 1 2; do
-        before=$(title)
-        await eval '[ "$(title)" != "$before" ]' || return 1
-    done
-}
 look() { drawn && import -window "$window" "$WORK/$1.png"; } # look NAME: takes a picture of the window
 # differ A B GEOMETRY: the share of pixels there that differ by more than 2 %
 differ() {

@@ -42,7 +42,7 @@ order row 160
 check "... and seeks" comes 'titled "row 160.0 "'
 kept() { shot && convert "$WORK/shot.png" "rgb:$WORK/$1.rgb"; }
 is() { kept now && cmp -s "$WORK/now.rgb" "$WORK/$1.rgb"; }
-sleep 0.5
+drawn
 kept before
 order open "$document"
 order key table.camera.tableWide:eye.y 160 2.3 2
@@ -56,11 +56,11 @@ check "... and set again" comes 'is before'
 # Interpolations that the film does not have
 order row 2
 check "it seeks to the light" comes 'titled "row 2.0 "'
-sleep 0.5
+drawn
 kept light
 order key point:keyLight 0 0 0
 check "a step" comes '! is light'
-sleep 0.3
+drawn
 kept step
 order key point:keyLight 0 0 3
 check "a ramp" comes '! is step'
@@ -74,20 +74,17 @@ check "it seeks again" comes 'titled "row 168.0 "'
 press Right
 check "the film seeks, too" comes 'titled "row 172.0 "'
 check "... and sends it to the editor" comes "received 'row 172'"
-sleep 0.5
+drawn
 kept film
 xdotool keydown --window "$window" w
 check "flies" comes '! is film'
-sleep 0.3
 xdotool keyup --window "$window" w
-sleep 0.3
-kept flown
 press r
 check "the script's view again" comes 'is film'
 xdotool keydown --window "$window" d
-sleep 0.5
+comes '! is film'
 xdotool keyup --window "$window" d
-sleep 0.3
+drawn
 kept flown
 cp "$WORK/shot.png" "$WORK/flown.png"
 press k

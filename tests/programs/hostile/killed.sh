@@ -10,13 +10,12 @@ RANDOM=$seed
 cd "$WORK" || exit 1
 # Ten frames, large enough to be met while they are written
 part=(--from 20 --to 20.4 --size 1280x720 --quality draft)
-start=${EPOCHREALTIME/[.,]/}
-check "the reference" "$odraz" --dump reference "${part[@]}"
-lasts=$((${EPOCHREALTIME/[.,]/} - start))
+TIMEFORMAT='%U %S'
+takes=$({ time "$odraz" --dump reference "${part[@]}"; } 2>&1 | awk '{ print int(100 * ($1 + $2)) + 1 }') # of processor time
 frames=$(ls reference | wc -l)
 check "... has its frames: $frames" test "$frames" = 10
 
-parts=0 found=0 early=0
+parts=0 found=0 early=0 done=0
 whole() { # every frame in dump/ is the reference's
     local frame
     for frame in dump/frame-*.ppm; do
@@ -26,9 +25,9 @@ whole() { # every frame in dump/ is the reference's
     done
 }
 only_known() { [ -z "$(ls dump | grep -vE '^frame-[0-9]{6}\.ppm(\.[0-9]+\.part)?$')" ]; }
-killed() {
+killed() { # a dump that has ended before it is killed does not count
     local n pid left at
-    for ((n = 1; n <= kills; ++n)); do
+    for ((n = 1; done < kills || !found; ++n)); do
         rm -rf dump
         "$odraz" --dump dump "${part[@]}" 2>err &
         pid=$!
@@ -37,9 +36,9 @@ killed() {
         if [ $((n % 2)) = 0 ]; then
             until compgen -G "dump/frame-00050$at.ppm*" >/dev/null || gone $pid; do :; done
         else
-            sleep "$(awk "BEGIN { print $((RANDOM * 32768 + RANDOM)) / 1073741824 * $lasts / 1e6 }")"
+            worked $pid $((RANDOM % takes))
         fi
-        kill -KILL $pid 2>/dev/null || early=$((early + 1))
+        if kill -KILL $pid 2>/dev/null; then done=$((done + 1)); else early=$((early + 1)); fi
         wait $pid 2>/dev/null
         [ -d dump ] || continue
         whole && only_known || { echo "kill $n" >&2; return 1; }
@@ -50,8 +49,6 @@ killed() {
 }
 check "$kills kills: every frame that is there is whole" killed
 echo "    $found frames were there, $parts files *.part were left, $early dumps had ended before"
-check "... some were there" test $found -gt 0
-check "... and not all dumps had ended before" test $early -lt $kills
 
 # A dump that certainly left an unfinished file behind
 mkdir -p dump

@@ -71,7 +71,7 @@ const firefox = async (url, profile) => {
     for (const line of String(d).split('\n'))
       if (/^(JavaScript error|console\.error)/.test(line) && /odraz|blob:/.test(line)) errors.push(line)
   })
-  for (let i = 0; i < 300 && !port; ++i) {
+  for (let i = 0; i < 9000 && !port; ++i) {
     await later(100)
     try { port = +readFileSync(profile + '/MarionetteActivePort', 'utf8') } catch {}
   }
@@ -93,7 +93,7 @@ const firefox = async (url, profile) => {
     socket.write(Buffer.byteLength(text) + ':' + text)
   })
   const act = (type, actions) => call('WebDriver:PerformActions', { actions: [{ type, id: type, actions }] })
-  await call('WebDriver:NewSession', { capabilities: { alwaysMatch: { timeouts: { script: 300000 } } } })
+  await call('WebDriver:NewSession', { capabilities: { alwaysMatch: { timeouts: { script: 3600000 } } } })
   await call('WebDriver:Navigate', { url })
   return {
     child, errors,
@@ -124,7 +124,8 @@ export const open = async (kind, url, gl) => {
   browser.close = async () => {
     browser.child.kill()
     await ended
-    rmSync(profile, { recursive: true, force: true, maxRetries: 5 })
+    // Its other processes may still write there
+    try { rmSync(profile, { recursive: true, maxRetries: 20, retryDelay: 100 }) } catch {}
   }
   return browser
 }

@@ -44,9 +44,9 @@ struct Rebuilding : testing::Test {
     Rebuilder r{p.build()};
     double now = 0;
 
-    // The next event other than the begin of a build; waits for a minute at most.
+    // The next event other than the begin of a build; waits for a quarter of an hour at most.
     Event next() {
-        for (int i = 0; i < 6000; ++i) {
+        for (int i = 0; i < 90000; ++i) {
             Event what = r.poll(now += 0.01);
             if (what == Event::Built || what == Event::Failed) return what;
             usleep(10000);
@@ -91,12 +91,15 @@ TEST_F(Rebuilding, ReportsTheFirstError) {
 }
 
 TEST_F(Rebuilding, BuildsAgainWhatWasSavedMeanwhile) {
-    p.write("make", "sleep 0.5; cp $1/intro/show/a.cpp $2/live/live.so\n");
+    p.write(
+        "make",
+        "cp $1/intro/show/a.cpp $2/live/live.so; touch $2/copied; until [ -e $2/go ]; do sleep 0.01; done\n");
     p.write("intro/show/a.cpp", "two");
-    for (int i = 0; i < 1000 && !r.building(); ++i, usleep(1000)) r.poll(now += 0.01);
-    ASSERT_TRUE(r.building());
-    usleep(600000); // it has copied
+    auto copied = [&] { return std::filesystem::exists(p.folder / "build/copied"); };
+    for (int i = 0; i < 90000 && !copied(); ++i, usleep(10000)) r.poll(now += 0.01);
+    ASSERT_TRUE(copied() && r.building());
     p.write("intro/show/a.cpp", "three");
+    p.write("build/go", "");
     ASSERT_EQ(next(), Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "three");
     EXPECT_TRUE(quiet());

@@ -64,9 +64,9 @@ private:
     sockaddr_in address = {};
 };
 
-// Updates the client until `done`, for a minute at most; its clock stands at `now`.
+// Updates the client until `done`, for a quarter of an hour at most; its clock stands at `now`.
 template <class Done> bool until(Client &client, double now, Done done) {
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < 900000; ++i) {
         if (done()) return true;
         client.update(now);
         usleep(i < 100 ? 50 : 1000);
