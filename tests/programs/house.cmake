@@ -36,7 +36,7 @@ odraz_scripts(odraz_script .
     radiosity_pictures 10
     radiosity_progress 10
     radiosity_resume 60
-    radiosity_study 60
+    radiosity_study 10
     radiosity_transfer 60
     radiosity_view 60
     radiosity_view_transfer 40
@@ -90,7 +90,6 @@ odraz_long_script(new_film_whole 200 long/new_film)
 odraz_long_script(pack_any_all 50 pack_any all)
 odraz_long_script(radiosity_errors_all 60 radiosity_errors all)
 odraz_long_script(radiosity_resume_all 60 radiosity_resume all)
-odraz_long_script(radiosity_study_all 150 radiosity_study all)
 odraz_long_script(soak 180 soak)
 odraz_long_script(watch_full 40 watch full)
 odraz_long_script(tradeoff_all 45 tradeoff all)

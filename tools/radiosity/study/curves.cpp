@@ -46,7 +46,7 @@ Curve Converging::gathering() {
     std::fill_n(s.radiosity, (size_t)s.patches * (size_t)s.columns, 0.f);
     double seconds = rowSeconds, before = 0;
     for (int pass = 1; pass <= kMostPasses; ++pass) {
-        study.tick();
+        study.check();
         Stopwatch watch;
         bounce(s, study.workers);
         seconds += watch.processor();
@@ -87,7 +87,7 @@ void Converging::shoot(Curve &curve, Shooting &shooting, double seconds, int fir
             count, seconds, [&](int i) { return shooting.radiosity(i); }, before));
     };
     while (shooting.left() > least) {
-        study.tick();
+        study.check();
         Stopwatch batch;
         int more = shots();
         if (more == 0) break;
@@ -123,7 +123,7 @@ Curve Converging::shootingRows() {
     return curve;
 }
 
-Curve Converging::shooting(int px, double limit, bool blocks) {
+Curve Converging::shooting(int px, bool blocks) {
     Curve curve = {blocks ? "shooting by hemicubes, blocks" : "shooting by hemicubes, single patches", {}};
     std::vector<Rgb> emits, direct;
     // Light from the lamps, which the rows brought, is shot here; only light from outside is direct
@@ -134,16 +134,16 @@ Curve Converging::shooting(int px, double limit, bool blocks) {
         Rgb arrives = patches.colourIn(s.direct, i) - patches.colourIn(seen.data(), i);
         direct.push_back({std::max(arrives.x, 0.f), std::max(arrives.y, 0.f), std::max(arrives.z, 0.f)});
     }
-    Stopwatch clock;
-    // The number of blocks is low enough for each to shoot several times
-    int shotsAllowed = (int)std::clamp(limit / std::max(study.hemicubeSeconds(px), 1e-6), 16., 1e6);
+    int left = blocks ? model.patchCount / 2 : 2 * model.patchCount;
+    // There are few enough blocks for each to shoot several times
     Shooters shooters =
-        blocks ? blocksOfPatches(model, emits, std::max(shotsAllowed / 4, 1)) : patchesAlone(model);
+        blocks ? blocksOfPatches(model, emits, std::max(model.patchCount / 8, 1)) : patchesAlone(model);
     Shooting shooting(model, std::move(shooters), emits, direct);
     HemicubeShooter shooter(study.gl, model, px);
     shoot(curve, shooting, 0, 16, 1e-4, [&] {
-        curve.stopped = clock.wall() >= limit;
-        return curve.stopped ? 0 : shooter.shoot(shooting, shooter.batch(), study.workers);
+        int shots = left > 0 ? shooter.shoot(shooting, shooter.batch(), study.workers) : 0;
+        left -= shots;
+        return shots;
     });
     return curve;
 }

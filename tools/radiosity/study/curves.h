@@ -17,7 +17,6 @@ struct Step {
 struct Curve {
     std::string name;
     std::vector<Step> steps;
-    bool stopped = false; // its time was up
 };
 
 // The system of a solution by patches, and its converged light.
@@ -32,9 +31,9 @@ public:
     Curve atOnce();
     // Shots by the form factors of the rows.
     Curve shootingRows();
-    // Shots by hemicubes, without rows, as `solve --shots` does: lamps first, by single patches or by blocks
-    // of them, until `seconds` have passed.
-    Curve shooting(int px, double seconds, bool blocks);
+    // Shots by hemicubes, without rows, as `solve --shots` does: lamps first. Single patches shoot twice as
+    // often as there are patches; there is a block for each eight of them, which shoots four times.
+    Curve shooting(int px, bool blocks);
     // Whether no light is reflected.
     bool dark() const { return !(power > 0); }
 

@@ -89,7 +89,7 @@ Gathering::Result Gathering::measure(const Way &way) {
     }
     double seconds = watch.processor() / (double)(patches.size() * (size_t)rounds);
     for (size_t i = 0; i < light.size(); ++i) light[i] += outside[i];
-    study.tick();
+    study.worked();
     return {errorsOf(light, expected), seconds, std::move(light)};
 }
 

@@ -3,25 +3,20 @@
 #include "tools/common/clock.h"
 #include "tools/common/text.h"
 #include "tools/radiosity/divide/regions.h"
-#include "tools/radiosity/patches/shooting.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace odraz::radiosity {
-
-static constexpr int kCoarse = 1500;
-static constexpr double kReferenceShare = 0.1; // of the time
 
 Stopwatch::Stopwatch() : startProcessor(common::processorSeconds()), startWall(common::wallSeconds()) {}
 double Stopwatch::processor() const { return common::processorSeconds() - startProcessor; }
 double Stopwatch::wall() const { return common::wallSeconds() - startWall; }
 
 Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
-             Page &page, ProgressBar &progressBar)
+             Page &page, ProgressBar &progressBar, int ofChapters)
     : settings(settings), mesh(mesh), gl(gl), workers(workers), stop(stop), page(page), area(areaOf(mesh)),
-      bar(progressBar), began(common::wallSeconds()) {
+      bar(progressBar), works(ofChapters + (settings.quick ? 2 : 3)) {
     Regions regions = joinRegions(mesh, std::sqrt(area / 30000));
     if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
         throw ModelError(
@@ -29,9 +24,7 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
             " polygons are left after joining those in one plane; a study needs hemicubes, which "
             "take " +
             std::to_string(kMaxFacets) + ": give it a part of the model");
-    chapter("reference", kReferenceShare);
-    // Solve with the tool's defaults first: this is compared too, and a final gather of 256 rays takes about
-    // three times as long in a model of many polygons. With too few rays a gather is worse than none
+    // The solution by the tool's defaults is compared, too
     Stopwatch watch;
     Solved solved = solve(settings.solve);
     Solution plain = std::move(solved.solution);
@@ -41,10 +34,8 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
                                watch.wall(),
                                {}};
     SolveSettings s = settings.solve;
-    double share = byRays.wall / (settings.minutes * 60);
-    s.finalRays = share < 0.01 ? 512 : share < 0.03 ? 256 : share < 0.06 ? 128 : 0;
-    finalRays = s.finalRays;
-    reference = s.finalRays ? solve(s).solution : plain;
+    s.finalRays = kFinalRays;
+    reference = settings.quick ? plain : solve(s).solution;
     if (std::all_of(reference.light.begin(), reference.light.end(),
                     [](const Rgb &c) { return maxComponent(c) <= 0; }))
         notes.emplace_back("no light reaches the fronts of the polygons: try --two-sided, or another light");
@@ -52,26 +43,16 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     solvedAt(reference, places);
     for (MeshProbe &p : places) p.traced = p.solved;
     byRays.errors = errorsOf(plain);
-    if (s.finalRays) measured.push_back(byRays);
+    if (!settings.quick) measured.push_back(byRays);
     compare(plain, solved.surroundings);
-    check();
-    afterReference = common::wallSeconds();
 }
 
 void Study::compare(const Solution &byRays, const Surroundings &around) {
     ReferenceErrors &e = referenceErrors;
-    // Estimate from the time of a few paths the number that can be traced
-    constexpr int kPlaces = 300, kFewest = 8, kMost = 128;
-    const double seconds = std::min(settings.minutes * 60 * 0.03, 30.);
-    std::vector<MeshProbe> &probes = traced;
-    probes = placeMeshProbes(reference, kPlaces);
-    std::vector<MeshProbe> first = probes;
-    Stopwatch watch;
-    tracePaths(mesh, around, first, kFewest, workers, stop);
-    double share = seconds / std::max(watch.wall(), 1e-6);
-    int side = std::clamp((int)(kFewest * std::sqrt(share)), kFewest, kMost);
+    const int side = settings.quick ? 16 : 48;
+    std::vector<MeshProbe> probes = placeMeshProbes(reference, 300);
     tracePaths(mesh, around, probes, side, workers, stop);
-    check();
+    worked();
     e.unknown = "no light reaches the places that were tried";
     if (probes.empty()) return;
     e.places = probes.size(), e.paths = 2 * side * side;
@@ -81,29 +62,17 @@ void Study::compare(const Solution &byRays, const Surroundings &around) {
     if (std::isfinite(e.reference.noise)) e.unknown.clear();
 }
 
-void Study::chapter(const char *named, double end) {
-    name = named;
-    double from = afterReference > 0 ? afterReference : began, last = began + settings.minutes * 60;
-    until = from + end * std::max(last - from, 0.);
-    tick();
-}
-
-double Study::left() const { return until - common::wallSeconds(); }
-
 void Study::check() const {
     if (__atomic_load_n(stop, __ATOMIC_RELAXED)) throw Interrupted();
 }
 
-void Study::tick() {
+void Study::worked() {
     check();
-    show();
+    ++done;
+    show(0);
 }
 
-void Study::show() {
-    double done = partTo > 0 ? partFrom + (partTo - partFrom) * partDone
-                             : (common::wallSeconds() - began) / (settings.minutes * 60);
-    bar.show(name, (float)std::min(done, 0.99), -1);
-}
+void Study::show(float part) { bar.show(name, std::min(((float)done + part) / (float)works, 0.99f), -1); }
 
 void Study::print(const std::string &line) {
     bar.clear();
@@ -129,16 +98,16 @@ SolveSettings Study::thesis(int patches, int px) const {
 }
 
 Solved Study::solve(const SolveSettings &s) {
-    partDone = 0;
-    auto progress = [&](const char *step, float done, float) {
-        // With shots only solving takes time
-        if (s.shots > 0 && step && step == std::string_view(kStepNames[(int)SolveStep::kSolving]))
-            partDone = (double)done;
-        show(); // do not throw here, where threads may be running: solveModel() itself watches `stop`
+    // Each of the steps counts the same. Do not throw here, where threads may be running: solveModel() itself
+    // watches `stop`
+    constexpr int kSteps = (int)std::size(kStepNames);
+    auto progress = [&](const char *step, float part, float) {
+        auto at = std::find(std::begin(kStepNames), std::end(kStepNames), step) - std::begin(kStepNames);
+        show(std::min((float)at + part, (float)kSteps) / kSteps);
     };
     Solved solved =
         solveNamed(settings.model, [&] { return solveModel(mesh, s, gl, workers, stop, progress); });
-    check();
+    worked();
     for (const std::string &note : solved.report.notes)
         if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
     return solved;
@@ -183,50 +152,6 @@ Solved Study::divide(int patches) {
         return true;
     };
     return solve(s);
-}
-
-int Study::patchesFor(int asked) const {
-    double side = std::sqrt(area / asked), all = 0;
-    for (const Chart &c : reference.charts)
-        all += std::max(1., std::round((double)c.width / side)) *
-               std::max(1., std::round((double)c.height / side));
-    return (int)std::min(all, 1e9);
-}
-
-const Solved &Study::divided(int patches, Solved &own) {
-    divideSeconds();
-    if (patchesFor(patches) < 1.2 * patchesFor(kCoarse) && patches >= kCoarse) return coarse;
-    own = divide(patches);
-    return own;
-}
-
-double Study::divideSeconds() {
-    if (coarse.patches) return coarseSeconds;
-    Stopwatch watch;
-    coarse = divide(kCoarse);
-    return coarseSeconds = watch.wall();
-}
-
-double Study::hemicubeSeconds(int px) {
-    divideSeconds();
-    if (auto known = costs.find(px); known != costs.end()) return known->second;
-    const Model &m = *coarse.patches->model;
-    std::vector<Rgb> light((size_t)m.patchCount, Rgb{1, 1, 1}), none((size_t)m.patchCount);
-    Shooting shooting(m, patchesAlone(m), light, none);
-    HemicubeShooter shooter(gl, m, px);
-    double best = INFINITY;
-    // The first picture also compiles the shaders. If hemicubes are slow, a few are enough
-    Stopwatch watch;
-    for (int i = 0, count = 4; i < 3 && watch.wall() < 2; ++i) {
-        Stopwatch one;
-        int shots = shooter.shoot(shooting, count, workers);
-        if (shots == 0) break;
-        double each = one.wall() / shots;
-        best = std::min(best, each);
-        count = (int)std::clamp(0.5 / std::max(each, 1e-6), 4., 256.);
-        tick();
-    }
-    return costs[px] = std::isfinite(best) ? best : 0;
 }
 
 } // namespace odraz::radiosity

@@ -1,4 +1,3 @@
-#include "tools/common/clock.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
@@ -26,15 +25,12 @@ struct Job {
 void readJob(common::CommandLine &line, Job &job) {
     line.about("Measures the methods on a model: sizes and rasters, passes, gathering and shooting, "
                "display.\n"
-               "Writes a folder with a page, index.html, with advice, and tables as CSV. "
-               "Ctrl-C ends it\n"
-               "with the chapters that are done.");
+               "Writes a folder with a page, index.html, and tables as CSV. Ctrl-C ends it with the\n"
+               "chapters that are done.");
     line.argument("MODEL", job.settings.model, "a Wavefront OBJ or glTF", false);
     line.option("-o", "FOLDER", job.out, "the new folder");
-    line.option("--minutes", "N", job.settings.minutes, {0.1, 10000},
-                "the time limit; the page lists what was left out");
-    line.option("--within", "PERCENT", job.settings.within, {0.01, 100},
-                "the error allowed for the cheapest setting");
+    line.flag("--quick", job.settings.quick,
+              "only the smaller sizes and rasters, and fewer patches, shots and rays");
     line.flag("--table41", job.table41,
               "the thesis's Table 4.1 instead: the hall of columns, up to 546,048 patches; about five "
               "minutes of two "
@@ -47,8 +43,6 @@ void readJob(common::CommandLine &line, Job &job) {
     if (job.table41 != job.settings.model.empty())
         throw common::Refused(job.table41 ? "--table41 takes no model: it generates the hall of columns"
                                           : "name a model: radiosity study MODEL.obj -o FOLDER");
-    if (job.table41 && line.has("--minutes"))
-        throw common::Refused("--table41 takes no --minutes: it shoots 8,000 times in each of its cells");
     if (job.out.empty()) throw common::Refused("name a folder for the page with -o FOLDER");
     job.options.finish(line);
     job.settings.solve = job.options.settings;
@@ -64,29 +58,26 @@ Mesh columns(const ReadSettings &settings, std::vector<std::string> &notes) {
 
 struct Chapter {
     const char *name;
-    double until; // of the time after the reference
+    int works, quickWorks; // solutions and gathers
     void (*write)(Study &study);
 };
-// Methods come first because they need all rows, which take longest in a model of many polygons
-constexpr Chapter kChapters[] = {{"methods", 0.38, studyMethods},
-                                 {"table", 0.62, [](Study &s) { studyTable(s, false); }},
-                                 {"rasters", 0.9, studyRasters},
-                                 {"display", 1, studyDisplay}};
-constexpr Chapter kTable41[] = {{"table", 1, [](Study &s) { studyTable(s, true); }}};
+constexpr Chapter kChapters[] = {{"methods", 1, 1, studyMethods},
+                                 {"table", 9, 4, [](Study &s) { studyTable(s, false); }},
+                                 {"rasters", 25, 17, studyRasters},
+                                 {"display", 2, 2, studyDisplay}};
+constexpr Chapter kTable41[] = {{"table", 9, 4, [](Study &s) { studyTable(s, true); }}};
 
 // Runs the chapters; false if it was interrupted. Throws Interrupted if no chapter is done.
 bool writeChapters(Study &study, std::span<const Chapter> chapters) {
     bool some = false;
     for (const Chapter &c : chapters) {
-        const size_t advice = study.advice.size(), leftOut = study.leftOut.size();
         try {
             study.page.keep();
-            study.chapter(c.name, c.until);
+            study.chapter(c.name);
             c.write(study);
             some = true;
         } catch (const Interrupted &) {
             study.page.drop();
-            study.advice.resize(advice), study.leftOut.resize(leftOut);
             if (!some && study.page.empty()) throw;
             for (const Chapter *left = &c; left < chapters.data() + chapters.size(); ++left)
                 study.leftOut.push_back(std::string(left->name) + ": interrupted");
@@ -107,7 +98,6 @@ int runStudy(common::CommandLine &line) {
     if (job.table41) {
         mesh = columns(job.options.read, notes);
         job.settings.model = "columns.obj"; // as `generate columns` writes it
-        job.settings.minutes = 60;
     } else {
         mesh = readModel(job.settings.model, job.options.read, notes);
         job.options.addLights(mesh, job.settings.solve.surroundings, notes);
@@ -118,18 +108,20 @@ int runStudy(common::CommandLine &line) {
     ProgressBar bar(job.options.progress);
     std::string name = job.settings.model.substr(job.settings.model.rfind('/') + 1);
     Page page(folder, "A study of radiosity: " + name);
-    double began = common::wallSeconds();
-    Study study(job.settings, mesh, gl, workers, &stop, page, bar);
+    std::span<const Chapter> chapters = kChapters;
+    if (job.table41) chapters = kTable41;
+    int works = 0;
+    for (const Chapter &c : chapters) works += job.settings.quick ? c.quickWorks : c.works;
+    Study study(job.settings, mesh, gl, workers, &stop, page, bar, works);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
-    bool whole = job.table41 ? writeChapters(study, kTable41) : writeChapters(study, kChapters);
+    bool whole = writeChapters(study, chapters);
     writeSummary(study);
     page.finish();
     folder.finish();
     bar.clear();
     if (!whole)
         throw std::runtime_error("interrupted: " + job.out + "/index.html has what was measured until then");
-    std::printf("%s/index.html: %.1f minutes, %zu solutions, %zu measurements left out\n", job.out.c_str(),
-                (common::wallSeconds() - began) / 60, study.measured.size(), study.leftOut.size());
+    std::printf("%s/index.html: %zu solutions\n", job.out.c_str(), study.measured.size());
     return 0;
 }
 

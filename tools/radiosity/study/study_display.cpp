@@ -75,13 +75,6 @@ void mappings(Study &study, const Solution &solution) {
         shown((double)(most / bright)) +
         " times as bright as the 99th percentile of all other lit surfaces.");
     page.pictures(pictures);
-    std::string times = shown((double)(most / bright)) + " times";
-    study.advice.push_back(
-        most / bright > 4 ? std::string("Mapping: logarithmic, or the film's curve: ") +
-                                (isLamp ? "lamps are brighter than other surfaces by "
-                                        : "the brightest place is brighter than the others by ") +
-                                times + ", which a linear mapping shows dark."
-                          : "Mapping: any: no surface is brighter than the rest by more than " + times + ".");
 }
 
 // Solutions shown flat and interpolated.
@@ -91,27 +84,18 @@ public:
 
     // With hemicubes of `px` pixels in the middles of patches, and at their corners.
     Solution solve(int px) {
-        SolveSettings s = study.thesis(kPatches, px);
+        SolveSettings s = study.thesis(1500, px);
         Solved middle = study.solve(s);
         s.findRows = atCorners(px);
         Solved corners = study.solve(s);
-        Errors one = show("in the middle", "middle", middle),
-               four = show("at four corners", "corners", corners);
+        show("in the middle", "middle", middle);
+        show("at four corners", "corners", corners);
         study.page.text(
             "Every patch has a hemicube of " + std::to_string(px) +
             " pixels in its middle, or one near each of its corners, a tenth of its side inside, of which "
             "the mean "
             "is taken. The light of patches is shown flat, or interpolated between their middles within "
             "one plane; there is no interpolation across edges.");
-        advise(one);
-        bool better = four.interpolated < 0.9 * one.interpolated;
-        if (isMeasurable(four.interpolated, one.interpolated))
-            study.advice.push_back(
-                "Middle or corners: the " + std::string(better ? "corners" : "middle") +
-                ": light gathered at four corners is " + shown(four.interpolated) + " % off, in the middle " +
-                shown(one.interpolated) + " %, for " +
-                shown(corners.report.allSeconds / std::max(middle.report.allSeconds, 1e-9), 2) +
-                " times the time.");
         return std::move(middle.solution);
     }
 
@@ -119,8 +103,6 @@ public:
         study.page.table(table);
         study.page.pictures(pictures);
     }
-
-    static constexpr int kPatches = 1500;
 
 private:
     Study &study;
@@ -139,10 +121,7 @@ private:
         };
     }
 
-    struct Errors {
-        double flat, interpolated;
-    };
-    Errors show(const std::string &where, const std::string &file, const Solved &b) {
+    void show(const std::string &where, const std::string &file, const Solved &b) {
         auto one = [&](const Solution &solution, const char *how) {
             MeshErrors e = study.errorsOf(solution);
             std::string name = file + "-" + how + ".png";
@@ -150,23 +129,9 @@ private:
             pictures.push_back({name, where + ", " + how + ": " + shown(e.rms) + " % off"});
             table.rows.push_back({where, how, std::to_string(b.report.patches), shown(b.report.allSeconds),
                                   shown(e.rms), shown(e.median)});
-            study.tick();
-            return e.rms;
         };
-        double flat = one(flatOf(b.solution, *b.patches->model), "flat");
-        return {flat, one(b.solution, "interpolated")};
-    }
-
-    // Whether errors, in percent, exceed rounding errors.
-    static bool isMeasurable(double a, double b) {
-        return std::isfinite(a) && std::isfinite(b) && std::max(a, b) > 0.01;
-    }
-    void advise(const Errors &e) const {
-        if (!isMeasurable(e.flat, e.interpolated)) return;
-        bool smooth = e.interpolated < e.flat;
-        study.advice.push_back("Display: " + std::string(smooth ? "interpolated" : "flat") + ": " +
-                               shown(std::min(e.interpolated, e.flat)) + " % off instead of " +
-                               shown(std::max(e.interpolated, e.flat)) + " %, at no cost.");
+        one(flatOf(b.solution, *b.patches->model), "flat");
+        one(b.solution, "interpolated");
     }
     static std::string shown(double number, int digits = 3) { return radiosity::shown(number, digits); }
 };
@@ -176,12 +141,7 @@ private:
 void studyDisplay(Study &study) {
     study.page.heading("Flat and interpolated; middle and corners");
     Shown shown(study);
-    int px = 16;
-    for (int tried : {32, 50})
-        if (study.fits(6 * study.patchesFor(Shown::kPatches) * study.hemicubeSeconds(tried) +
-                       2 * study.divideSeconds()))
-            px = tried;
-    Solution solution = shown.solve(px);
+    Solution solution = shown.solve(50);
     shown.finish();
     mappings(study, solution);
 }

@@ -73,12 +73,6 @@ void writeOrders(Study &study, const Curve &next, const Curve &once) {
     study.page.heading("Two orders of update");
     study.page.text("The number of passes until the light is this close to the converged light.");
     study.page.table(table);
-    const Step *a = firstWithin(next, 1), *b = firstWithin(once, 1);
-    if (a && b)
-        study.advice.push_back("Update: " + std::string(b->number < a->number ? "at once" : "either order") +
-                               ": " + counted((size_t)b->number, "pass") + " at once and " +
-                               std::to_string(a->number) +
-                               " in the next pass bring the light within 1 % of the converged light.");
 }
 
 void writeMethods(Study &study, const std::vector<Curve> &curves) {
@@ -93,18 +87,12 @@ void writeMethods(Study &study, const std::vector<Curve> &curves) {
         errorPlot("gathering, Gauss-Seidel and shooting: error against time",
                   "processor time, form factors included, s", "error (rms) against the converged light, %");
     plot.joined = true;
-    const Curve *fastest[2] = {};
-    double best[2] = {INFINITY, INFINITY};
     for (size_t c = 0; c < curves.size(); ++c) {
         plot.series.push_back(curves[c].name);
         std::vector<std::string> row = {curves[c].name};
-        int column = 0;
         for (double percent : {10., 1., 0.1}) {
             const Step *s = firstWithin(curves[c], percent);
             row.push_back(s ? shown(s->seconds) : "");
-            if (column < 2 && s && s->seconds < best[column])
-                best[column] = s->seconds, fastest[column] = &curves[c];
-            ++column;
         }
         double least = INFINITY;
         for (const Step &s : curves[c].steps) {
@@ -120,16 +108,6 @@ void writeMethods(Study &study, const std::vector<Curve> &curves) {
     page.plot("methods", plot);
     page.table(within);
     page.table(table, false);
-    const char *to[2] = {"10", "1"};
-    for (int k = 0; k < 2; ++k)
-        if (fastest[k])
-            study.advice.push_back("Method, to within " + std::string(to[k]) + " % of the converged light: " +
-                                   fastest[k]->name + ", " + shown(best[k]) + " s.");
-    for (const Curve &c : curves)
-        if (c.stopped && !c.steps.empty())
-            study.advice.push_back("Method: " + c.name + " ran out of time; it was " +
-                                   shown(c.steps.back().error) + " % off the converged light after " +
-                                   shown(c.steps.back().seconds) + " s.");
 }
 
 } // namespace
@@ -137,28 +115,17 @@ void writeMethods(Study &study, const std::vector<Curve> &curves) {
 void studyMethods(Study &study) {
     Page &page = study.page;
     page.heading("Gathering, Gauss-Seidel and shooting");
-    struct Size {
-        int patches, px;
-    };
-    // The largest that the time allows; the smallest in any case
-    Size size = {1500, 16};
-    for (Size tried : {Size{1500, 25}, {1500, 50}, {3000, 50}, {6000, 50}}) {
-        double rows = study.patchesFor(tried.patches) * study.hemicubeSeconds(tried.px);
-        if (study.fits(1.3 * rows + study.divideSeconds() + 5)) size = tried;
-    }
-    Solved base = study.gather(size.patches, size.px);
-    study.gathered = {size.px, base.solution, study.measured.back(), base.report.patches};
+    constexpr int px = 50;
+    Solved base = study.gather(study.settings.quick ? 1500 : 3000, px);
     Converging converging(study, base);
     if (converging.dark()) return page.text("No light is reflected: there is nothing to compare.");
     std::vector<Curve> curves = {converging.gathering(), converging.atOnce(), converging.shootingRows()};
-    for (bool blocks : {false, true})
-        curves.push_back(
-            converging.shooting(size.px, std::max(study.left() * (blocks ? 0.8 : 0.4), 1.), blocks));
+    for (bool blocks : {false, true}) curves.push_back(converging.shooting(px, blocks));
     page.text(
-        std::to_string(base.report.patches) + " patches with hemicubes of " + std::to_string(size.px) +
+        std::to_string(base.report.patches) + " patches with hemicubes of " + std::to_string(px) +
         " pixels. Gathering and Gauss-Seidel need all rows before their first pass; shooting needs one "
-        "hemicube a "
-        "shot, and another one if a patch shoots again. With the same rows all methods reach the same light. "
+        "hemicube a shot, and another one if a patch shoots again. With the same rows all methods reach the "
+        "same light. "
         "Shots by hemicubes differ slightly: by reciprocity they use the form factors from the other side, "
         "which differ if a hemicube is coarse. Patches shoot singly, or in blocks of which one patch draws "
         "the hemicube for all, as in radiosity solve --shots: that is faster, but less exact.");

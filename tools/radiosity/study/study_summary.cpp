@@ -1,4 +1,4 @@
-// Recommendations, with reasons; measurements that were left out.
+// The reference, and the best of all solutions.
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ void writeReference(Study &study) {
                        std::to_string(e.paths) + " paths from each, whose own noise of " +
                        shown(e.reference.noise, 2) +
                        " % is subtracted from the rms. Smaller errors in the tables mean little.";
-    if (study.finalRays)
+    if (!study.settings.quick)
         text += " The solution by rays has rays and elements like the reference's, so its error against it "
                 "is underestimated; it differs from the paths " +
                 shownErrors(e.byRays) + ".";
@@ -40,9 +40,9 @@ void writeSummary(Study &study) {
     page.toFront();
     page.text(study.settings.model + ": " + counted(study.mesh.triangles.size(), "triangle") + ", " +
               counted(study.reference.charts.size(), "polygon") +
-              " in one plane each. Errors are against a reference, a solution by rays " +
-              (study.finalRays ? "with a final gather of " + std::to_string(study.finalRays) + " rays"
-                               : std::string("without a final gather, because there was no time")) +
+              " in one plane each. Errors are against a reference, a solution by rays with" +
+              (study.settings.quick ? "out a final gather"
+                                    : " a final gather of " + std::to_string(kFinalRays) + " rays") +
               ", at 2000 places spread by area. It has neither hemicubes nor patches. rms is the root mean "
               "square of the differences in luminance as a share of that of the reference's light.");
     writeReference(study);
@@ -53,7 +53,6 @@ void writeSummary(Study &study) {
                        {"solution", "processor, s", "clock, s", "error (rms), %", "median, %", "command"}};
     // The solutions that no other one beats in both time and error
     double least = INFINITY;
-    const MeasuredSolution *cheapest = nullptr;
     PageTable front = table;
     for (const MeasuredSolution &m : all) {
         std::vector<std::string> row = {
@@ -62,19 +61,8 @@ void writeSummary(Study &study) {
         if (!(m.errors.rms < least)) continue;
         least = m.errors.rms;
         front.rows.push_back(row);
-        if (!cheapest && m.errors.rms <= study.settings.within) cheapest = &m;
     }
-    page.heading("What to choose");
-    std::vector<std::string> advice;
-    if (cheapest)
-        advice.push_back("The cheapest setting of radiosity solve within " + shown(study.settings.within) +
-                         " %: " + cheapest->name + ": " + shown(cheapest->errors.rms) + " % off after " +
-                         shown(cheapest->seconds) + " s (" + cheapest->command + ").");
-    else if (std::isfinite(least))
-        advice.push_back("No setting of radiosity solve that was measured is within " +
-                         shown(study.settings.within) + " %; the best is " + shown(least) + " % off.");
-    advice.insert(advice.end(), study.advice.begin(), study.advice.end());
-    page.list(advice);
+    page.heading("The best settings");
     if (!front.rows.empty()) {
         page.text("Settings of radiosity solve that no other one beats in both time and error:");
         front.file = "front";
@@ -83,10 +71,7 @@ void writeSummary(Study &study) {
         page.table(table, false);
     }
     if (!study.leftOut.empty()) {
-        page.text(__atomic_load_n(study.stop, __ATOMIC_RELAXED)
-                      ? "Left out, because the study was interrupted or had no time:"
-                      : "Left out, because " + shown(study.settings.minutes) +
-                            " minutes do not allow it (--minutes):");
+        page.text("Left out, because the study was interrupted:");
         page.list(study.leftOut);
     }
     if (!study.notes.empty()) {

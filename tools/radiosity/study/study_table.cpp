@@ -1,4 +1,4 @@
-// Three sizes by three rasters, each shot by hemicubes: the thesis's Table 4.1 for any model.
+// Sizes by rasters, each shot by hemicubes: the thesis's Table 4.1 for any model.
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>
@@ -8,8 +8,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kFirst = 1500, // patches of the smallest size
-    kMostShots = 16000, kLeastShots = 200, kThesisShots = 8000;
+constexpr int kSizes[] = {1500, 6000, 24000}, kShots = 8000, kQuickShots = 2000;
 
 // The thesis's minutes: Athlon X2 4600+, GeForce 7600 GT, 7 passes with a hemicube from every triangle.
 constexpr int kThesisSizes[] = {26360, 136512, 546048}, kThesisRasters[] = {100, 200, 500};
@@ -61,17 +60,9 @@ public:
     }
 
     void fill() {
-        for (int row = 0, asked = 0; row < 3; ++row) {
-            asked = ofThesis ? kThesisSizes[row] : sizeAfter(asked);
-            int columns = 3, shots = ofThesis ? kThesisShots : shotsOf(row, asked, columns);
-            for (int column = 0; column < 3; ++column)
-                if (column < columns && shots >= kLeastShots)
-                    fillCell(row, column, asked, shots);
-                else
-                    study.leftOut.push_back("table: about " + std::to_string(study.patchesFor(asked)) +
-                                            " patches by " + std::to_string(kThesisRasters[column]) +
-                                            " pixels");
-        }
+        const int count = study.settings.quick ? 2 : 3;
+        for (int row = 0; row < count; ++row)
+            for (int column = 0; column < count; ++column) fillCell(row, column);
     }
     void finish() {
         if (table.rows.empty()) return;
@@ -91,33 +82,10 @@ private:
                                     "processor time, s", "error (rms), %");
     int lastRow = -1; // with a cell
 
-    // Each size has four times the patches of the one before. In models of many polygons it is about twice,
-    // because dividing them would take most of the time.
-    int sizeAfter(int asked) const {
-        constexpr int kMost = 1 << 22;
-        if (asked == 0) return kFirst;
-        int now = study.patchesFor(asked), next = now > 3 * asked / 2 ? 2 * asked : 4 * asked;
-        while (next < kMost && study.patchesFor(next) < 1.6 * now) next += next / 2;
-        return next;
-    }
-
-    // The number of shots for each raster of a row. It is the same for all, because unshot light would hide
-    // the effect of the raster. If it is too small, the finest rasters are left out.
-    int shotsOf(int row, int asked, int &columns) const {
-        double fixed = study.divideSeconds() * study.patchesFor(asked) / study.patchesFor(kFirst),
-               allowed = study.left() / (3 - row);
-        for (columns = 3;; --columns) {
-            double each = 0;
-            for (int k = 0; k < columns; ++k) each += study.hemicubeSeconds(kThesisRasters[k]);
-            double shots = (allowed - columns * fixed) / std::max(each, 1e-5);
-            if (shots >= kLeastShots || columns == 1) return (int)std::clamp(shots, 0., (double)kMostShots);
-        }
-    }
-
-    void fillCell(int row, int column, int asked, int shots) {
+    void fillCell(int row, int column) {
         int px = kThesisRasters[column];
-        if (ofThesis) showPart(row, column);
-        TableCell cell = shoot(study, asked, px, shots);
+        TableCell cell = shoot(study, (ofThesis ? kThesisSizes : kSizes)[row], px,
+                               study.settings.quick ? kQuickShots : kShots);
         if (ofThesis) // these take long, so print each when it is done
             study.print(std::to_string(cell.patches) + " patches by " + std::to_string(px) + " pixels: " +
                         std::to_string(cell.shots) + " shots, " + shown(cell.wall) + " s (processor " +
@@ -129,28 +97,17 @@ private:
         plot.points.push_back(
             {cell.processor, cell.errors.rms, std::to_string(px), false, (int)plot.series.size() - 1});
     }
-
-    // The work before a cell, and in it: a shot's time is proportional to its pixels.
-    void showPart(int row, int column) {
-        double before = 0, own = 0, all = 0;
-        for (int k = 0; k < 9; ++k) {
-            double work = kThesisRasters[k % 3] * kThesisRasters[k % 3] * (1 + k / 3);
-            (k < 3 * row + column ? before : k == 3 * row + column ? own : all) += work;
-        }
-        all += before + own;
-        study.nextPart(before / all, (before + own) / all);
-    }
 };
 
 } // namespace
 
 void studyTable(Study &study, bool ofThesis) {
     Page &page = study.page;
-    page.heading(ofThesis ? "The thesis's Table 4.1" : "Three sizes by three rasters");
+    page.heading(ofThesis ? "The thesis's Table 4.1" : "Sizes by rasters");
     page.text(
         "Each patch is one element, which receives light. Blocks of patches shoot it, the brightest first, "
         "each through a hemicube at one of its patches, until 0.5 % of the light is unshot or a number of "
-        "shots is reached that is the same for all rasters of a size. The remaining light is then spread "
+        "shots is reached that is the same for all. The remaining light is then spread "
         "evenly; if much remains, it causes most of the error. Hemicubes see the lamps. The last time is an "
         "estimate of one hemicube from every patch, as gathering needs; the thesis draws each of them again "
         "in every pass.");
