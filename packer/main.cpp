@@ -1,12 +1,143 @@
 // pack: makes a small self-unpacking executable of a program, and unpacks it again.
-#include "packer/pack_program.h"
+#include "packer/model/model_parameters.h"
+#include "packer/model/search.h"
+#include "packer/options.h"
+#include "packer/read/programs.h"
+#include "packer/report/report_html.h"
 #include "packer/write/packed_file.h"
 
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <sys/stat.h>
+#include <sys/xattr.h>
+#include <unistd.h>
 
 namespace pack {
 
 namespace {
+
+constexpr long kUsualBudget = 65536; // of a program made for packing
+
+volatile std::sig_atomic_t theInterruption;
+
+std::string nameOf(const std::string &path) { return std::filesystem::path(path).filename(); }
+
+ModelParameters findParameters(const Options &o, const Program &program) {
+    ModelParameters parameters = o.model.value_or(o.fast ? fastParameters() : defaultParameters());
+    if (o.seconds <= 0) return parameters;
+    double shown = -1e9;
+    bool terminal = isatty(2);
+    // Ctrl-C ends the search, not the packing
+    std::signal(SIGINT, [](int) { theInterruption = 1; });
+    auto show = [&](const Progress &p) {
+        if (p.seconds < shown + (terminal ? 0.5 : 20)) return !theInterruption;
+        shown = p.seconds;
+        std::fprintf(stderr, "%ssearching: %.0f bytes after %d tries, %.0f of %.0f s%s", terminal ? "\r" : "",
+                     p.bytes, p.tried, p.seconds, o.seconds, terminal ? "" : "\n");
+        return !theInterruption;
+    };
+    Layout layout = program.layout();
+    parameters = search(filter(program.bytes, layout), layout, parameters, o.seconds, show);
+    if (terminal) std::fputc('\n', stderr);
+    return parameters;
+}
+
+// Refuses programs whose packed copy would differ, though it would run.
+void checkCopy(const std::string &path, const Bytes &file) {
+    struct stat s;
+    need(stat(path.c_str(), &s) == 0 && !(s.st_mode & (S_ISUID | S_ISGID)),
+         "setuid or setgid, which a packed file cannot be: pack a copy without that (chmod a-s)");
+    need(!isPacked(kElf, file) && !isPacked(kLoader, file),
+         "it is packed already: pack the program that it was made from");
+    need(getxattr(path.c_str(), "security.capability", nullptr, 0) < 0,
+         "it has file capabilities, which a packed file cannot have: pack a copy without them (cp)");
+}
+
+// Prints warnings about things that a user might not expect of a packed file.
+void warn(const Options &o, const Program &program, uint64_t appended, double seconds) {
+    constexpr size_t kLarge = 2 << 20;
+    if (appended)
+        std::printf("%s: %llu bytes appended to the program are left out: a program that reads its own "
+                    "file will not find them\n",
+                    o.out.c_str(), (unsigned long long)appended);
+    if (program.bytes.size() > kLarge)
+        std::printf("%s: unpacking takes about %.0f s at every start, on a processor like this one%s\n",
+                    o.out.c_str(), seconds, o.fast || o.model ? "" : "; less with --fast");
+}
+
+// Further inputs of the reports, read and checked before the packing, which may take minutes.
+struct ForReports {
+    std::string map, symbols;
+    std::optional<Rooms> rooms;
+    std::optional<Report> before;
+
+    explicit ForReports(const Options &o) {
+        if (!o.map.empty()) map = common::readWhole(o.map);
+        if (!o.map.empty() && !isMap(map))
+            throw common::Refused(o.map + ": not a map of GNU ld: link with -Wl,-Map=FILE");
+        if (!o.symbols.empty()) symbols = common::readWhole(o.symbols);
+        if (!o.rooms.empty()) rooms = common::parseFile(o.rooms, readRooms);
+        if (!o.than.empty()) before = common::parseFile(o.than, readJson);
+        for (const std::string &path : {o.out, o.report, o.html, o.text, o.saveModel})
+            if (!path.empty() && path != "-") common::checkWritable(path);
+    }
+};
+
+// Gives `before` the rooms of `report`.
+void writeReports(const Options &o, const Report &report, const Program &program, long budget,
+                  std::optional<Report> &before) {
+    if (before) arrange(*before, report);
+    const Report *old = before ? &*before : nullptr;
+    std::string name = nameOf(o.out);
+    std::string text = o.text.empty() ? "" : printMarkdown(name, report, old, budget);
+    std::fputs((o.text == "-" ? text : printReport(report)).c_str(), stdout);
+    if (!o.report.empty()) common::writeWhole(o.report, printJson(report));
+    if (!o.text.empty() && o.text != "-") common::writeWhole(o.text, text);
+    if (!o.html.empty())
+        common::writeWhole(o.html, printHtml({name, o.in, budget, old, nameOf(o.than)}, report, program));
+}
+
+// Packs o.in to o.out: searches, packs, proves, reports. During a search SIGINT ends only that. Throws
+// std::runtime_error if the packed file is over budget.
+void packProgram(const Options &o) {
+    Bytes file = readBytes(o.in);
+    unsigned mode = modeOf(o.in);
+    bool any = o.loader || (!o.pe && !isMadeForPacking(file));
+    const PackedKind &kind = any ? kLoader : o.pe ? kPe : kElf;
+    Program program = common::inFile(o.in, [&] {
+        checkCopy(o.in, file);
+        checkNames(o.names);
+        return any ? readAnyProgram(file) : readProgram(file, o.pe ? kWindows : kLinux);
+    });
+    if (o.plain) return common::inFile(o.in, [&] { writeBytes(o.out, kind.writePlain(program), mode); });
+    ForReports given(o);
+    ModelParameters parameters = findParameters(o, program);
+    auto [packed, stretches] = common::inFile(o.in, [&] {
+        return std::pair(makePacked(kind, program, parameters, o.names),
+                         attribute(file, given.map, given.symbols, program));
+    });
+
+    std::error_code none;
+    auto before = std::filesystem::file_size(o.out, none);
+    auto size = (long)packed.bytes.size(), budget = o.budget.value_or(any ? kNoBudget : kUsualBudget);
+    Report report = makeReport(std::move(stretches), packed.bits, packed.bytes.size(), packed.overhead,
+                               given.rooms ? &*given.rooms : nullptr);
+    writeReports(o, report, program, budget, given.before);
+    if (!o.saveModel.empty())
+        common::writeWhole(o.saveModel, "# contexts that suit " + nameOf(o.in) +
+                                            ", found by pack --effort\n" + printParameters(parameters));
+    if (budget >= 0 && size > budget)
+        throw std::runtime_error("over budget by " + std::to_string(size - budget) + " bytes");
+    writeBytes(o.out, packed.bytes, mode);
+    if (o.text == "-") return;
+    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", o.out.c_str(), size, packed.overhead,
+                program.bytes.size());
+    if (!none) std::printf(", before %ld (%+ld)", (long)before, size - (long)before);
+    if (budget >= 0) std::printf(", %ld bytes left of %ld", budget - size, budget);
+    std::puts("");
+    if (any) warn(o, program, appendedBytes(file), packed.seconds);
+}
 
 void openPackedFile(const Options &o, const std::string &path, const Bytes &file) {
     const PackedKind &kind = kindOf(file);

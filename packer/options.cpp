@@ -35,9 +35,8 @@ double secondsOf(const std::string &effort) {
 bool sameFile(const std::string &a, const std::string &b) {
     namespace fs = std::filesystem;
     std::error_code ignored;
-    return !a.empty() && !b.empty() && a != "-" &&
-           fs::weakly_canonical(a, ignored) == fs::weakly_canonical(b, ignored) &&
-           !fs::is_character_file(a, ignored);
+    auto whole = [&](const std::string &path) { return fs::weakly_canonical(fs::absolute(path), ignored); };
+    return !a.empty() && !b.empty() && a != "-" && whole(a) == whole(b) && !fs::is_character_file(a, ignored);
 }
 
 // No output may replace an input or another output. But a found model may replace the given one, and a report

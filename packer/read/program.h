@@ -1,13 +1,33 @@
-// A program as it lies in memory, and what makes a file unsuitable.
+// A program as it lies in memory, its file, and what makes a file unsuitable.
 #pragma once
 
-#include "packer/read/bytes.h"
 #include "packer/stub/format.h"
 #include "tools/common/command_line.h"
+#include "tools/common/whole_file.h"
 
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace pack {
+
+// Whole files. Errors are those of tools/common/whole_file.h
+using Bytes = std::vector<uint8_t>;
+
+inline Bytes readBytes(const std::string &path) {
+    common::WholeFile file = common::readWholeFile(path);
+    return {file.view().begin(), file.view().end()};
+}
+
+// The permissions of a file, as chmod takes them.
+inline unsigned modeOf(const std::string &path) {
+    return (unsigned)std::filesystem::status(path).permissions() & 0777;
+}
+
+inline void writeBytes(const std::string &path, const Bytes &bytes, unsigned mode = 0) {
+    common::writeWhole(path, {(const char *)bytes.data(), bytes.size()}, mode);
+}
 
 inline constexpr uint64_t kMostMemory = 64 << 20; // bytes; larger programs are refused
 

@@ -1,24 +1,70 @@
+// Packed ELF files: kElf, of programs made for packing, and kLoader, of any.
+#include "packer/read/elf_file.h"
 #include "packer/stub/stub.h"
-#include "packer/write/elf_header.h"
 #include "packer/write/packed_file.h"
 #include "stub_bytes.h"
+#include "stub_loader_bytes.h"
 
 #include <algorithm>
 #include <cstring>
 
 namespace pack {
 
+// --- What both have ---
+
 namespace {
 
-// Where things lie in a packed file
-constexpr size_t kStubAt = sizeof(Front), kPayloadSectionAt = kStubAt + sizeof kStub;
-
-NamedStub namedStub() { return {kStub, sizeof kStub, kMessages, 0}; }
+// The file header of an executable with `segments` program headers from `segmentsAt` on.
+Elf64_Ehdr elfHeader(uint16_t type, uint64_t entry, uint64_t segmentsAt, uint16_t segments) {
+    Elf64_Ehdr h = {};
+    std::memcpy(h.e_ident, ELFMAG, SELFMAG);
+    h.e_ident[EI_CLASS] = ELFCLASS64;
+    h.e_ident[EI_DATA] = ELFDATA2LSB;
+    h.e_ident[EI_VERSION] = EV_CURRENT;
+    h.e_type = type;
+    h.e_machine = EM_X86_64;
+    h.e_version = EV_CURRENT;
+    h.e_entry = entry;
+    h.e_phoff = segmentsAt;
+    h.e_ehsize = sizeof h;
+    h.e_phentsize = sizeof(Elf64_Phdr);
+    h.e_phnum = segments;
+    return h;
+}
 
 Elf64_Phdr segment(uint32_t type, uint32_t flags, uint64_t offset, uint64_t address, uint64_t inFile,
                    uint64_t inMemory, uint64_t align) {
     return {type, flags, offset, address, address, inFile, inMemory, align};
 }
+
+size_t fileSize(const PackedKind &kind, const ModelParameters &parameters, const Bytes &payload) {
+    return (overhead(kind, parameters) + payload.size() + 3) / 4 * 4;
+}
+
+// Headers, stub and payload section, `size` bytes.
+template <class Front>
+Bytes assemble(const Front &front, const Bytes &stub, const Program &program,
+               const ModelParameters &parameters, const Bytes &payload, size_t size) {
+    Bytes file(sizeof front);
+    std::memcpy(file.data(), &front, sizeof front);
+    file.insert(file.end(), stub.begin(), stub.end());
+    appendPayloadSection(file, program, parameters, payload, 0, size);
+    return file;
+}
+
+// The headers of a packed file.
+template <class Front> Front frontOf(const PackedKind &kind, const Bytes &file) {
+    need(isPacked(kind, file), kForeign);
+    Front front;
+    std::memcpy(&front, file.data(), sizeof front);
+    return front;
+}
+
+} // namespace
+
+// --- Programs made for packing ---
+
+namespace {
 
 // All but the two segments that are loaded, 1 and 2.
 Front makeFront(uint64_t base, uint64_t entry, const uint32_t *slots) {
@@ -49,25 +95,23 @@ Front makeFront(uint64_t base, uint64_t entry, const uint32_t *slots) {
     return f;
 }
 
-Bytes write(const Program &program, const ModelParameters &parameters, const Bytes &payload,
-            const Names &names) {
+NamedStub elfStub() { return {kStub, sizeof kStub, kMessages, 0}; }
+
+Bytes writeElf(const Program &program, const ModelParameters &parameters, const Bytes &payload,
+               const Names &names) {
     uint32_t base = program.base - kBelow;
-    size_t size = (overhead(kElf, parameters) + payload.size() + 3) / 4 * 4;
+    size_t size = fileSize(kElf, parameters, payload);
     need(size <= kBelow, "too large: it would be more than 2 MiB, packed");
-    Front f = makeFront(base, base + kStubAt, program.slots);
+    Front f = makeFront(base, base + sizeof f, program.slots);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
-    Bytes out = beginFile(f, namedStub().with(names));
-    appendPayloadSection(out, program, parameters, payload, 0, size);
-    return out;
+    return assemble(f, elfStub().with(names), program, parameters, payload, size);
 }
 
-Packed open(const Bytes &file) {
-    need(isPacked(kElf, file), kForeign);
-    Front f;
-    std::memcpy(&f, file.data(), sizeof f);
+Packed openElf(const Bytes &file) {
+    auto f = frontOf<Front>(kElf, file);
     uint64_t span = f.segments[2].p_memsz;
-    Packed packed = openPayloadSection(file, kPayloadSectionAt, 0, span);
+    Packed packed = openPayloadSection(file, sizeof f + sizeof kStub, 0, span);
     Program &program = packed.program;
     need(program.base > kBelow, kDamaged);
     for (int i = 0; i < 2; ++i) {
@@ -77,7 +121,7 @@ Packed open(const Bytes &file) {
     return packed;
 }
 
-Bytes writePlain(const Program &program) {
+Bytes writePlainElf(const Program &program) {
     uint64_t base = program.base - kPage, size = std::max<uint64_t>(program.bytes.size(), program.readOnly);
     Front f = makeFront(base, program.entry, program.slots);
     f.segments[1] =
@@ -92,6 +136,63 @@ Bytes writePlain(const Program &program) {
 
 } // namespace
 
-const PackedKind kElf = {kStubAt, namedStub, stubDecode, write, open, writePlain};
+const PackedKind kElf = {sizeof(Front), elfStub, stubDecode, writeElf, openElf, writePlainElf};
+
+// --- Programs of any kind ---
+
+namespace {
+
+NamedStub loaderStub() {
+    return {kStubLoader, sizeof kStubLoader, kLoaderMessages, (size_t)(stubLoaderName - stubLoaderStart)};
+}
+
+LoaderFront makeLoaderFront(const Program &program, size_t size) {
+    // Alignment and stack are those of the program's own headers, which are part of it
+    ElfProgram own(program.bytes);
+    const Elf64_Ehdr &header = own.header;
+    uint64_t alignment = kPage;
+    uint32_t stack = PF_R | PF_W;
+    for (const Elf64_Phdr &h : own.headers) {
+        if (h.p_type == PT_LOAD && header.e_type == ET_DYN) alignment = std::max(alignment, h.p_align);
+        if (h.p_type == PT_GNU_STACK) stack |= h.p_flags & PF_X;
+    }
+
+    uint64_t base = program.base, fileAt = base + program.span;
+    LoaderFront f = {};
+    f.header = elfHeader(header.e_type, fileAt + sizeof f, offsetof(LoaderFront, program), 3);
+    f.program = segment(PT_LOAD, PF_R | PF_W, 0, base, 1, program.span, alignment);
+    f.file = segment(PT_LOAD, PF_R | PF_X, 0, fileAt, size, size, kPage);
+    f.stackType = PT_GNU_STACK;
+    f.stackFlags = stack;
+    return f;
+}
+
+Bytes writeLoader(const Program &program, const ModelParameters &parameters, const Bytes &payload,
+                  const Names &names) {
+    size_t size = fileSize(kLoader, parameters, payload);
+    return assemble(makeLoaderFront(program, size), loaderStub().with(names), program, parameters, payload,
+                    size);
+}
+
+Packed openLoader(const Bytes &file) {
+    auto f = frontOf<LoaderFront>(kLoader, file);
+    return openPayloadSection(file, sizeof f + sizeof kStubLoader, 0, f.program.p_memsz);
+}
+
+Bytes writePlainLoader(const Program &program) {
+    Bytes out = program.bytes;
+    ElfProgram own(program.bytes);
+    // The file is laid out like memory
+    for (Elf64_Phdr &h : own.headers)
+        if (h.p_filesz) h.p_offset = h.p_vaddr - program.base;
+    std::memcpy(out.data() + own.header.e_phoff, own.headers.data(), own.headers.size() * sizeof(Elf64_Phdr));
+    out.resize(program.span);
+    return out;
+}
+
+} // namespace
+
+const PackedKind kLoader = {sizeof(LoaderFront), loaderStub, stubDecodeLoader,
+                            writeLoader,         openLoader, writePlainLoader};
 
 } // namespace pack

@@ -2,10 +2,7 @@
 #pragma once
 
 #include "packer/write/messages.h"
-
 #include "packer/write/payload_section.h"
-#include <algorithm>
-#include <cstring>
 
 namespace pack {
 
@@ -24,9 +21,9 @@ struct PackedKind {
     Bytes (*writePlain)(const Program &program);
 };
 
-extern const PackedKind kElf;    // made for packing (stub/format.h): elf_writer.cpp
-extern const PackedKind kLoader; // of any program for Linux (stub/loader_format.h): loader_writer.cpp
-extern const PackedKind kPe;     // made for packing, for Windows (stub/pe_format.h): pe_writer.cpp
+extern const PackedKind kElf;    // made for packing (stub/format.h)
+extern const PackedKind kLoader; // of any program for Linux (stub/loader_format.h)
+extern const PackedKind kPe;     // made for packing, for Windows (stub/pe_format.h)
 
 bool isPe(const Bytes &file); // packed or not
 
@@ -35,14 +32,6 @@ bool isPacked(const PackedKind &kind, const Bytes &file);
 
 // The kind of a packed file; kElf if it is none.
 const PackedKind &kindOf(const Bytes &file);
-
-// A packed file up to the payload section: the headers, and the stub.
-template <class Front> Bytes beginFile(const Front &front, const Bytes &stub) {
-    Bytes file(sizeof front + stub.size());
-    std::memcpy(file.data(), &front, sizeof front);
-    std::copy(stub.begin(), stub.end(), file.begin() + sizeof front);
-    return file;
-}
 
 // Bytes of a packed file that are not payload.
 size_t overhead(const PackedKind &kind, const ModelParameters &parameters);
