@@ -12,16 +12,16 @@ odraz_scripts(odraz_script .
     binary 10
     doctor 5
     house 1
-    install 15
+    install 2
     ledger 1
     measure 2
     memcheck 30
     new_film 2
     odr 8
-    pack_any 50
-    pack_process 25
-    packed 20
-    packing 30
+    pack_any 8
+    pack_process 6
+    packed 2
+    packing 4
     pages 1
     panel 10
     pictures 30
@@ -40,9 +40,9 @@ odraz_scripts(odraz_script .
     radiosity_transfer 60
     radiosity_view 60
     radiosity_view_transfer 40
-    release 60
+    release 30
     render 15
-    report 4
+    report 3
     rocket 25
     screens 20
     shown 10

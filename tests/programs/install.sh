@@ -9,8 +9,8 @@ here=(*)
 echo "${here[*]}"
 for program in pack compare radiosity; do check "$program is there" test -x $program; done
 for program in "${here[@]}"; do check "$program has a --help" prints '^[Uu]sage: ' "./$program" --help; done
-check "pack packs from there" prints ': whole; ' bash -c './pack "$1" -o "$2" --fast >/dev/null && exec ./pack --test "$2"' - "$BUILD/compare" "$WORK/packed"
-check "... a program that runs" prints '^[Uu]sage: compare' "$WORK/packed" --help
+check "pack packs from there" prints 'bytes left' bash "$SOURCE/packer/example/build.sh" ./pack "$WORK"
+check "... a program that runs" exits 7 "hello, 1 words, 42" "$WORK/hello"
 check "radiosity solves from there" bash -c './radiosity generate cube -o "$1/cube.obj" >/dev/null && exec ./radiosity solve "$1/cube.obj" -o "$1/cube.rad" >/dev/null 2>&1' - "$WORK"
 doc=$prefix/share/doc/$FILM
 check "their READMEs are there" test -s "$doc/pack/README.md" -a -s "$doc/radiosity/README.md" -a -s "$doc/radiosity/METHOD.md" -a -s "$doc/CI.md" -a -s "$doc/LICENSE.txt"

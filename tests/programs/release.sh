@@ -11,8 +11,14 @@ check "archives are made" prints ' .*/odraz-.*\.zip$' "${made[@]}" --to "$WORK/o
 pages=$(ls "$BUILD/odraz.html" 2>/dev/null | wc -l)
 check "... three, with the page four, and nothing else" test "$(ls -A "$WORK/one" | wc -l)" = $((3 + pages))
 sleep 1.1 # another second
-check "... and again, by another umask and zone" bash -c 'umask 077; TZ=Asia/Tokyo; export TZ; exec "$@" >/dev/null' - "${made[@]}" --to "$WORK/two"
-check "... the same to the byte" diff -r "$WORK/one" "$WORK/two"
+again=("$release" --built --unclean --poster "$SOURCE/intro/film.png" --capture-span 20,20.1 --to "$WORK/two")
+command -v ffmpeg >/dev/null || again+=(--no-capture)
+check "... and again, by another umask and zone, with a capture of a moment" bash -c 'umask 077; TZ=Asia/Tokyo; export TZ; exec "$@" >/dev/null 2>&1' - "${again[@]}"
+check "... the same to the byte" test "$(diff -r "$WORK/one" "$WORK/two" | grep -v "^Only in $WORK/two: odraz-1080p60\.")" = ""
+if command -v ffmpeg >/dev/null; then
+    check "... which is 1080p60, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/two/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
+    check "... with its manifest, and nothing more" test "$(ls -A "$WORK/two" | wc -l)" = $((5 + pages))
+fi
 tgz=$(echo "$WORK"/one/odraz-[0-9]*.tar.gz) zip=$(echo "$WORK"/one/*.zip)
 name=$(basename "$tgz" .tar.gz)
 check "the name has the version" test "$name" = "odraz-$("$BUILD/odraz-safe" --version | cut -d' ' -f2)-unclean"
@@ -77,16 +83,9 @@ check "... and reports what is wrong with a file" refuses 2 "cannot read" ./radi
 cd "$WORK" || exit 1
 
 # What is refused
-check "an unknown option" refuses 2 "cannot use '--nope'" "$release" --nope
-check "a span that is none" refuses 2 "--capture-span takes two times" "$release" --capture-span 7
 check "a poster that is none" refuses 2 "is no PNG" "$release" --poster "$BUILD/odraz"
 check "a folder that cannot be" refuses 1 "cannot write into" "${made[@]}" --to /proc/here
 check "programs that are not there" env BUILD="$WORK" bash -c '"$@" 2>&1 | grep -q "is not built"' - "${made[@]}" --to "$WORK/three"
-if command -v ffmpeg >/dev/null; then
-    check "a capture of a moment, 1080p60" eval '"$release" --built --unclean --poster "$SOURCE/intro/film.png" --capture-span 20,20.1 --to "$WORK/capture" >/dev/null 2>&1'
-    check "... is one, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/capture/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
-    check "... with its manifest, and nothing more" test "$(ls -A "$WORK/capture" | wc -l)" = $((5 + pages))
-fi
 refuses_unclean() { # a program whose version is marked: its tree differed
     mkdir "$WORK/other"
     printf '#!/bin/sh\necho odraz 1.2.3 0123456789ab+\n' >"$WORK/other/odraz"

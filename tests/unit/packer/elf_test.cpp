@@ -334,6 +334,16 @@ TEST(Loader, ThrowsWhatIsUnsuitable) {
     expectAnyRefused("cut short",
                      [](Example &e) { e.image.segments[2].p_filesz = e.image.segments[2].p_memsz; });
     expectAnyRefused("more than 64 MiB", [](Example &e) { e.image.segments[2].p_vaddr = 0x10000000; });
+    expectAnyRefused("below 64 KiB", [](Example &e) { e.image.segments[1].p_vaddr = 0x8000; });
+}
+
+TEST(Loader, CountsWhatIsAppended) {
+    Bytes file = Example().file();
+    EXPECT_EQ(appendedBytes(file), 0u);
+    file.resize(file.size() + 1000);
+    EXPECT_EQ(appendedBytes(file), 0u) << "padding";
+    file.back() = 1;
+    EXPECT_EQ(appendedBytes(file), 1000u);
 }
 
 TEST(Loader, WritesWhatReadsBack) {

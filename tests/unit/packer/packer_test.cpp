@@ -174,10 +174,12 @@ TEST(Filter, MakesOneTargetLookTheSame) {
 // --- Model and coder: the C++ decoder and the stub's against the encoder ---
 
 TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
-    const unsigned n = odraz::kSanitized ? 10 : 30;
-    std::vector<Bytes> all = {{}, {0}, {255}, {0xe8}, Bytes(20000, 0), Bytes(5000, 0xe8), realCode(1000 * n)};
-    for (unsigned i = 0; i < n; ++i) all.push_back(randomBytes(i * 74, i, i % 2 ? 256 : 3));
-    for (unsigned i = 0; i < n; ++i) all.push_back(structured(i, i * 58));
+    std::vector<Bytes> all = {{}, {0}, {255}, {0xe8}, Bytes(20000, 0), Bytes(5000, 0xe8), realCode(10000)};
+    for (unsigned i = 0; i < 10; ++i) {
+        all.push_back(randomBytes(i * 74, i, i % 2 ? 256 : 3));
+        all.push_back(structured(i, i * 58));
+    }
+    for (unsigned i = 0; i < 40; ++i) all.push_back(i % 2 ? structured(i, i) : randomBytes(i, i));
     std::mt19937 random(5);
     for (const Bytes &b : all) {
         Layout layout = allCode(b);
@@ -197,21 +199,8 @@ TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
     }
 }
 
-TEST(Coder, HundredsOfSmallImages) {
-    ModelParameters parameters = smallParameters(12);
-    parameters.contexts = 4;
-    for (unsigned seed = 0; seed < (odraz::kSanitized ? 50 : 200); ++seed) {
-        Bytes b =
-            seed % 2 ? structured(seed, seed % 40) : randomBytes(seed % 40, seed, 1 + (int)(seed % 256));
-        Encoded e = encode(b, allCode(b), parameters, workspace);
-        ASSERT_EQ(decode(e.payload.data(), e.payload.size(), allCode(b), parameters, workspace), b) << seed;
-        if (seed % 5 || b.empty()) continue;
-        ASSERT_EQ(decodeByStub(e.payload, allCode(b), parameters), b) << seed;
-    }
-}
-
 TEST(Coder, CountsTheBitsOfEachByte) {
-    Bytes b = realCode(20000);
+    Bytes b = realCode(8000);
     Encoded e = encode(b, allCode(b), smallParameters(), workspace);
     double sum = 0;
     for (float bits : e.bits) sum += bits;
@@ -223,39 +212,30 @@ TEST(Coder, CompressesWhatHasStructure) {
     auto size = [](const Bytes &b) {
         return encode(b, {(uint32_t)b.size(), 0, 0}, defaultParameters(), workspace).payload.size();
     };
-    EXPECT_LT(size(Bytes(70000, 0)), 160u);
-    EXPECT_LT(size(randomBytes(20000, 1, 4)), 20000u / 4 * 1.06);
-    EXPECT_LT(size(randomBytes(5000, 1)), 5000u * 1.06);
+    EXPECT_LT(size(Bytes(20000, 0)), 100u);
+    EXPECT_LT(size(randomBytes(10000, 1, 4)), 10000u / 4 * 1.06);
+    EXPECT_LT(size(randomBytes(2000, 1)), 2000u * 1.06);
 }
 
-// The range is smallest when the very last bit was the unlikely one.
-TEST(Coder, SurvivesASurpriseAtTheVeryEnd) {
+// The range is smallest when the very last bit was the unlikely one; and if bits are nearly certain and
+// wrong, carries run through the whole output.
+TEST(Coder, SurvivesSurprises) {
     for (uint32_t size : {300, 3000})
-        for (uint8_t fill : {0x00, 0x55, 0xff}) {
-            Bytes b(size, fill);
-            b.back() ^= 1;
-            Layout layout = {size, 0, 0};
-            Encoded e = encode(b, layout, smallParameters(), workspace);
-            ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, smallParameters(), workspace), b);
-            ASSERT_EQ(decodeByStub(e.payload, layout, smallParameters()), b);
-        }
-}
-
-// If bits are nearly certain and wrong at the end, carries run through the whole output.
-TEST(Coder, SurvivesItsOwnSurprise) {
-    for (int length : {100, 1000, 10000})
-        for (uint8_t last : {0, 1, 127, 128, 255}) {
-            Bytes b((size_t)length, 0xff);
-            b.back() = last;
-            b[(size_t)length / 2] = last;
-            Encoded e = encode(b, allCode(b), smallParameters(), workspace);
-            ASSERT_EQ(decode(e.payload.data(), e.payload.size(), allCode(b), smallParameters(), workspace),
-                      b);
-        }
+        for (uint8_t fill : {0x00, 0x55, 0xff})
+            for (uint32_t middle : {0u, size / 2}) {
+                Bytes b(size, fill);
+                b.back() ^= 1;
+                if (middle) b[middle] = 0x7f;
+                Layout layout = {size, 0, middle ? size : 0};
+                Encoded e = encode(b, layout, smallParameters(), workspace);
+                ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, smallParameters(), workspace),
+                          b);
+                ASSERT_EQ(decodeByStub(e.payload, layout, smallParameters()), b);
+            }
 }
 
 TEST(Coder, SurvivesDamage) {
-    Bytes b = structured(9, 3000);
+    Bytes b = structured(9, 1000);
     Encoded e = encode(b, allCode(b), smallParameters(), workspace);
     for (size_t i = 0; i < e.payload.size(); i += 97) {
         Bytes broken = e.payload;
@@ -321,12 +301,12 @@ TEST(ModelParameters, ArePrintedAndParsed) {
 
 // Tests programs of code, of data and of both, with several numbers of contexts.
 TEST(Estimates, AreNearTheTruth) {
-    Bytes b = realCode(16000);
+    Bytes b = realCode(8000);
     uint32_t size = (uint32_t)b.size();
     const struct {
         Layout layout;
         uint32_t contexts;
-    } kCases[] = {{{size, 0, size}, 4}, {{size, 0, 0}, 4}, {{size, 0, size}, 12}, {{size, 3000, 10000}, 16}};
+    } kCases[] = {{{size, 0, size}, 4}, {{size, 0, 0}, 12}, {{size, 1500, 5000}, 16}};
     for (auto [layout, contexts] : kCases) {
         if (odraz::kSanitized && contexts != 4) continue;
         Bytes filtered = filter(b, layout);

@@ -1,3 +1,4 @@
+#include "packer/options.h"
 #include "packer/report/disassembly.h"
 #include "packer/report/report_html.h"
 #include "tests/support/thrown.h"
@@ -186,4 +187,39 @@ TEST(Markdown, ComparesRoomsOfWhatIsGone) {
 
 TEST(Disassembly, OfWhatIsNoProgramIsEmpty) {
     for (const char *path : {"/dev/null", "/none", "--help"}) EXPECT_TRUE(disassemble(path).empty()) << path;
+}
+
+// --- The command line ---
+
+TEST(Options, RefusesWhatDoesNotGoTogether) {
+    auto why = [](const std::vector<std::string> &words) {
+        return thrown<common::Refused>([&] {
+            common::CommandLine line("pack", words);
+            parseOptions(line);
+        });
+    };
+    const struct {
+        std::vector<std::string> words;
+        const char *text;
+    } kWrong[] = {
+        {{}, "it takes IN -o OUT"},
+        {{"in"}, "it takes IN -o OUT"},
+        {{"in", "-o", "out", "--test", "in"}, "it takes IN -o OUT"},
+        {{"--test", "in", "--budget", "1"}, "--budget is for packing alone"},
+        {{"-d", "in", "-o", "out", "--plain"}, "--plain is for packing alone"},
+        {{"in", "-o", "out", "--budget", "64k"}, "--budget needs a number of bytes, or none, not '64k'"},
+        {{"in", "-o", "out", "--budget", "1.5"}, "--budget needs"},
+        {{"in", "-o", "out", "--effort", "more"}, "--effort needs fast, normal, best or a number of seconds"},
+        {{"in", "-o", "out", "--loader", "--pe"}, "--loader is for Linux, --pe for Windows"},
+        {{"in", "-o", "out", "--fast", "--model", "x"}, "--fast and --model both choose contexts"},
+        {{"in", "-o", "out", "--symbols", "x"}, "--symbols needs --map"},
+        {{"in", "-o", "out", "--rooms", "x"}, "--rooms needs --map"},
+        {{"in", "-o", "out", "--than", "x"}, "--than needs --html or --text"},
+        {{"in", "-o", "./in"}, "in would be written over"},
+        {{"in", "-o", "out", "--html", "out"}, "out is named for two outputs"},
+        {{"in", "-o", "out", "--model", "none"}, "cannot read none"},
+    };
+    for (auto &wrong : kWrong)
+        EXPECT_NE(why(wrong.words).find(wrong.text), std::string::npos) << why(wrong.words);
+    EXPECT_EQ(why({"in", "-o", "out", "--budget", "none", "--effort", "0"}), "");
 }
