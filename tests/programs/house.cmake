@@ -26,18 +26,15 @@ odraz_scripts(odraz_script .
     panel 10
     pictures 30
     playing 32
-    radiosity 60
-    radiosity_atlas 5
-    radiosity_errors 15
-    radiosity_foreign 25
-    radiosity_gltf 12
-    radiosity_materials 8
-    radiosity_models 40
-    radiosity_pictures 10
-    radiosity_progress 10
-    radiosity_resume 60
+    radiosity 8
+    radiosity_atlas 3
+    radiosity_errors 8
+    radiosity_gltf 1
+    radiosity_models 3
+    radiosity_pictures 1
+    radiosity_resume 8
     radiosity_study 10
-    radiosity_transfer 60
+    radiosity_transfer 8
     radiosity_view 60
     radiosity_view_transfer 40
     release 30

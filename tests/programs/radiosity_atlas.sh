@@ -1,12 +1,12 @@
-# radiosity export --atlas, as its users run it: what lies in the folder, and what is refused.
+# radiosity export --atlas: what lies in the folder, glTF's numbers, and what cannot be written. (atlas_test compares the
+# pages with the solution.)
 . "$(dirname "$0")/radiosity_program.sh"
 
-check "a model" "$radiosity" generate columns -o m.obj
-check "... solved" prints 'processor seconds' "$radiosity" solve m.obj -o m.rad
+"$radiosity" generate columns -o m.obj >/dev/null
+check "a model" solved m m.obj --element 4 --rays 16
 check "its lightmaps" prints '^114 polygons in 1 page, .* 1 stands for ' "$radiosity" export m.rad --atlas light
-check "... with their size printed" prints '^light-0: [0-9]+ x [0-9]+ texels$' "$radiosity" export m.rad --atlas again
+check "... with their size printed" grep -qE '^light-0: [0-9]+ x [0-9]+ texels$' printed
 check "... with all that belongs to them" test "$(cd light && echo *)" = "light-0.hdr light-0.png model.bin model.gltf model.mtl model.obj"
-check "... equal each time" diff -r light again
 check "radiosity" prints '^radiosity-0: ' "$radiosity" export m.rad --atlas shown --map radiosity
 check "several pages" prints 'polygons in [2-9] pages' "$radiosity" export m.rad --atlas pages/ --texels 30 --page 1024 --padding 4
 check "... as many as it prints" test -s pages/light-1.hdr
@@ -50,20 +50,13 @@ if command -v python3 >/dev/null; then
     check "glTF holds the model, with a lightmap" python3 gltf.py light 1 MOZ_lightmap
     check "... or as it is seen" python3 gltf.py shown 1 KHR_materials_unlit
 else
-    echo "skipped: python3 is not installed"
+    echo "not checked: python3 is not installed"
 fi
 check "the lamps shine on in its materials" grep -q '^Ke 20 18 15' light/model.mtl
 check "... and in glTF" grep -q '"KHR_materials_emissive_strength":{"emissiveStrength":20[.}]' light/model.gltf
 check "... but not twice where the pages have them" lacks '^Ke [^0]' shown/model.mtl
-
 check "a folder that holds something" refuses 2 "light: exists already: name a folder that is new or empty" "$radiosity" export m.rad --atlas light
-check "no place for a folder" refuses 2 "cannot write" "$radiosity" export m.rad --atlas m.obj/out
 check "options of another export" refuses 2 "--texels belongs to --atlas DIR" "$radiosity" export m.rad --texels 2 --csv m.csv
-check "an unknown map" refuses 2 "--map" "$radiosity" export m.rad --atlas x --map shadows
-check "a page that is none" refuses 2 "from 256 to 16384" "$radiosity" export m.rad --atlas x --page 8
-check "two things at once" refuses 2 "one thing at a time" "$radiosity" export m.rad --atlas x --csv m.csv
-head -c 50000 m.rad >cut.rad
-check "a damaged solution" refuses 1 "damaged" "$radiosity" export cut.rad --atlas x
 # A limit on the size of files that every page exceeds
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' export m.rad --atlas x"
 check "... leaves nothing" test -z "$(find . -maxdepth 1 -name 'x*')"

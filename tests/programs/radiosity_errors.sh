@@ -1,8 +1,10 @@
-# How far solutions are from path tracing, at random places, in percent: the limits of two rooms, and the orders of
-# settings in one of them. With "all" as the second argument, the limits of three, the orders in the other two, and the
+# How far solutions are from path tracing, at random places, in percent: the limit of a room, and the orders of settings
+# in it. With "all" as the second argument, the limits of two others with more places and paths, their orders, and the
 # limits of two models of many small polygons.
 . "$(dirname "$0")/radiosity_program.sh"
 needs_built radiosity_errors
+paths=(500 24)
+[ "${2-}" != all ] || paths=(1000 36)
 
 # solved NAME MODEL PLACES SIDE OPTION...: solves MODEL with these options; its errors are NAME's: rms and median
 declare -A rms median area
@@ -23,17 +25,17 @@ part() { awk "BEGIN { print ${area[$1]} / $2 }"; } # part MODEL N: an N-th of it
 
 room() { # room MODEL LIMIT: few places at the edges of shadows make most of its rms
     generated "$1"
-    check "$1: is solved" solved default "$1" 1000 36
+    check "$1: is solved" solved default "$1" "${paths[@]}"
     check "... its light is within $2 percent" less "${rms[$1 default]}" "$2"
     "$radiosity" export "$1.rad" --csv "$1.csv"
     area[$1]=$(awk -F, 'NR > 1 { sum += $8 } END { print sum }' "$1.csv")
 }
 orders() { # orders MODEL
     local name
-    solved "few elements" "$1" 1000 36 --element "$(part "$1" 7500)"
-    solved patches "$1" 1000 36 --hemicube 16
-    solved "few patches" "$1" 1000 36 --patch "$(part "$1" 1500)"
-    solved "seen lamps" "$1" 1000 36 --direct hemicube --hemicube 32
+    solved "few elements" "$1" "${paths[@]}" --element "$(part "$1" 7500)"
+    solved patches "$1" "${paths[@]}" --hemicube 16
+    solved "few patches" "$1" "${paths[@]}" --patch "$(part "$1" 1500)"
+    solved "seen lamps" "$1" "${paths[@]}" --direct hemicube --hemicube 32
     check "$1: fewer elements are worse" less "${rms[$1 default]}" "${rms[$1 few elements]}"
     check "... and fewer patches" less "${rms[$1 patches]}" "${rms[$1 few patches]}"
     check "... and lamps that hemicubes see" less "${rms[$1 patches]}" "${rms[$1 seen lamps]}"
@@ -46,8 +48,8 @@ planes() { # planes MODEL LIMIT: of many small planes; the median includes the n
     check "... 16 rays are worse" less "${median[$1 default]}" "${median[$1 16 rays]}"
 }
 
-room corner 1.5
 if [ "${2-}" = all ]; then
+    room corner 1.5
     room columns 2.5
     orders corner
     orders columns
