@@ -75,18 +75,18 @@ check "without randomised addresses" both 'exec setarch -R ./run'
 check "with closed descriptors" both 'exec ./run <&- 2>&-'
 
 # A long decoding, in which signals come
-head -c 100000 /dev/urandom >noise
+head -c 150000 /dev/urandom >noise
 printf '%s\n' '.section .rodata' '.incbin "noise"' '.section .note.GNU-stack,"",@progbits' >noise.s
 gcc -O1 c.c noise.s -Llib -lfound -Wl,-rpath,'$ORIGIN/lib' -o long && "$pack" long -o a/long --fast >/dev/null
-check "a program of 100 KB of noise" test -x a/long
+check "a program of 150 KB of noise" test -x a/long
 in_a() { cd a && exec "$@"; }
 ignoring() { trap "" INT && in_a "$@"; }
 behind ignoring ./long x
 stopped() { grep -q '^State:.*T' "/proc/$pid/status"; }
 in_pieces() {
     local i
-    for i in 1 2 3 4 5; do
-        worked $pid 5 || { echo "it ended before it was stopped $i times"; return 1; }
+    for i in 1 2 3; do
+        worked $pid 2 || { echo "it ended before it was stopped $i times"; return 1; }
         kill -STOP $pid && await stopped && kill -CONT $pid && kill -WINCH $pid && kill -INT $pid || return 1
     done
     ended $pid
@@ -94,7 +94,7 @@ in_pieces() {
 }
 check "stopped and continued while it decodes, with signals that it ignores, it runs" in_pieces
 behind in_a ./long x
-ended_by_term() { worked $pid 5 && kill -TERM $pid; ended $pid; [ $? = 143 ] && [ ! -s out ]; }
+ended_by_term() { worked $pid 2 && kill -TERM $pid; ended $pid; [ $? = 143 ] && [ ! -s out ]; }
 check "SIGTERM ends it while it decodes" ended_by_term
 
 # What others see
