@@ -35,8 +35,8 @@ odraz_scripts(odraz_script .
     radiosity_resume 8
     radiosity_study 10
     radiosity_transfer 8
-    radiosity_view 60
-    radiosity_view_transfer 40
+    radiosity_view 15
+    radiosity_view_transfer 10
     release 30
     render 15
     report 3
