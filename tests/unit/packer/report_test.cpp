@@ -1,5 +1,4 @@
 #include "packer/options.h"
-#include "packer/report/disassembly.h"
 #include "packer/report/report_html.h"
 #include "tests/support/thrown.h"
 
@@ -181,12 +180,6 @@ TEST(Markdown, ComparesRoomsOfWhatIsGone) {
     arrange(before, now);
     EXPECT_EQ(before.rooms.at("attic").bits, 80);
     EXPECT_EQ(before.rooms.at("liba.a").bits, 24);
-}
-
-// --- Instructions ---
-
-TEST(Disassembly, OfWhatIsNoProgramIsEmpty) {
-    for (const char *path : {"/dev/null", "/none", "--help"}) EXPECT_TRUE(disassemble(path).empty()) << path;
 }
 
 // --- The command line ---
