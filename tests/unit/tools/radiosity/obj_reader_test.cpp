@@ -55,14 +55,44 @@ std::string utf16(const std::string &text, bool mark, bool bigEndian) {
 
 } // namespace
 
-TEST(ObjReader, TakesAllFormsOfCorners) {
-    for (const char *polygon : {"f 1 2 3 4", "f 1/ 2/ 3/ 4/", "f 1// 2// 3// 4//", "f 1//0 2//0 3//0 4//0",
-                                "f 1/0/0 2/0 3/0/ 4", "f -4 -3/-1 -2//-1 -1/1/1", "fo 1 2 3 4",
-                                "f 1 2 \\\n3 4", "f 1 2 3 4 # 5", "f 1/9/9 2//9 3/-9 4"}) {
+// Of all these the square is read, without a note.
+TEST(ObjReader, TakesAllFormsOfLines) {
+    for (const char *polygon :
+         {"f 1 2 3 4", "f 1/ 2/ 3/ 4/", "f 1// 2// 3// 4//", "f 1//0 2//0 3//0 4//0", "f 1/0/0 2/0 3/0/ 4",
+          "f -4 -3/-1 -2//-1 -1/1/1", "fo 1 2 3 4", "f 1 2 \\\n3 4", "f 1 2 3 4 # 5", "f 1/9/9 2//9 3/-9 4",
+          "f\t1\t2\t3\t4", "  f 1 2 3 4  \r", "f 1 2 3 4\r\r",
+          "o\ng\ng a b c\ns off\ns 1\nf 1 2 3\ns\nf 1 3 4", "mg 1 0.5\nbevel on\n$!?\ncall x.obj\nf 1 2 3 4",
+          "p 1 2\nl 1 2 3\nf 1 2 3 4", "vp 0 1\ncstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\nf 1 2 3 4",
+          "v 5 5 5\nf 1 2 3 4", "usemtl\nmtllib\nf 1 2 3 4"}) {
         Read r(kSquare + "vt 0 0\nvn 0 1 0\n" + polygon + "\n");
         EXPECT_EQ(r.error, "") << polygon;
         EXPECT_NEAR(r.area(), 144, 1e-9) << polygon;
         EXPECT_EQ(r.notes, Lines{}) << polygon;
+    }
+    const std::string unit = "v -0 +0.0 0 1 0 0\nv .0 0. 1 # a\n  v 1e0 0 1.0E+00 1.0\nv 100e-2 0 \\\n.0e5\n";
+    for (const std::string &text : {unit + "f 1 2 3 4", "f 1 2 3 4\n" + unit, unit + unit + "f 1 2 3 4"})
+        EXPECT_NEAR(Read(text).area(), 1, 1e-9) << text;
+}
+
+// Polygons of any shape; what is left out is noted.
+TEST(ObjReader, TakesAllShapes) {
+    const struct {
+        const char *text;
+        double area;
+        const char *note;
+    } cases[] = {
+        {"v 0 0 0\nv 0 0 3\nv 1 0 3\nv 1 0 1\nv 3 0 1\nv 3 0 0\nf 1 2 3 4 5 6\n", 5, ""}, // not convex
+        {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 1 2\nf 3\nf\n", 0.5,
+         "m.obj: 3 polygons with fewer than three points left out"},
+        {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 2 3 1\nf 3 1 2\n", 0.5,
+         "m.obj: 2 triangles given twice left out"},
+        {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 1 1 2\nf 1 2 2\n", 0.5,
+         "m.obj: 2 triangles without area left out"},
+    };
+    for (const auto &[text, area, note] : cases) {
+        Read r(text);
+        EXPECT_NEAR(r.area(), area, 1e-9) << text;
+        EXPECT_EQ(r.notes, *note ? Lines{note} : Lines{});
     }
 }
 
@@ -93,15 +123,22 @@ TEST(ObjReader, TakesAllKindsOfText) {
 
 // Lines are counted as editors do.
 TEST(ObjReader, NamesTheLine) {
-    EXPECT_EQ(Read("v 0 0 0\r\nv 0 0 \\\r\n 1\r\nf 1 2 9\r\n").error,
-              "m.obj:4: there is no point 9: there are 2");
-    EXPECT_EQ(Read("\xef\xbb\xbfv 0 0\n").error, "m.obj:1: a point needs three coordinates");
-    EXPECT_EQ(Read("# a\\\n\nv 0 0 0,5\n").error,
-              "m.obj:3: a point needs three coordinates: 0,5 is not a number");
-    EXPECT_EQ(Read("v 0 0 1e400\n").error, "m.obj:1: a coordinate is not a number below 1e18");
-    EXPECT_EQ(Read(kSquare + "f 1 2/x 3\n").error, "m.obj:5: a polygon's points are numbers, not 2/x");
-    EXPECT_EQ(Read(std::string("\x1f\x8b\b\0\0", 5)).error, "m.obj: is not a text file");
-    EXPECT_EQ(Read(kSquare + "f 1 2 0/1\n").error, "m.obj:5: there is no point 0 before this polygon");
+    const std::string zip("\x1f\x8b\b\0\0", 5);
+    const std::pair<std::string, std::string> cases[] = {
+        {"v 0 0 0\r\nv 0 0 \\\r\n 1\r\nf 1 2 9\r\n", ":4: there is no point 9: there are 2"},
+        {"\xef\xbb\xbfv 0 0\n", ":1: a point needs three coordinates"},
+        {"# a\\\n\nv 0 0 0,5\n", ":3: a point needs three coordinates: 0,5 is not a number"},
+        {"v 0 0 1e400\n", ":1: a coordinate is not a number below 1e18"},
+        {"v 0 0 nan\n", ":1: a coordinate is not a number below 1e18"},
+        {kSquare + "f 1 2/x 3\n", ":5: a polygon's points are numbers, not 2/x"},
+        {kSquare + "f 1 2 0/1\n", ":5: there is no point 0 before this polygon"},
+        {kSquare + "f -5 -2 -1\n", ":5: there is no point -5 before this polygon"},
+        {zip, ": is not a text file"},
+        {"", ": holds no point"},
+        {kSquare + "l 1 2 3 4\n", ": holds no polygon"},
+        {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ": holds no polygon with an area"},
+    };
+    for (const auto &[text, error] : cases) EXPECT_EQ(Read(text).error, "m.obj" + error) << text;
 }
 
 TEST(ObjReader, NotesUnknownMaterials) {
@@ -130,19 +167,50 @@ TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
               Lines{"m.mtl: is not a text file, and has no materials"});
 }
 
-TEST(ObjReader, LimitsColours) {
+TEST(ObjReader, TakesColours) {
     auto with = [](const std::string &line) {
         return Read("mtllib m.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n", "newmtl a\n" + line + "\n");
     };
+    const struct {
+        const char *line;
+        std::array<float, 3> reflects;
+        const char *note;
+    } cases[] = {
+        {"Kd .5 .25 .125 # a wall", {.5f, .25f, .125f}, ""},
+        {"Kd 0.5", {.5f, .5f, .5f}, ""},
+        {"  Kd 1 0 0  \nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0.5\nTr 0.5\nNs 9\nNi 1.5\nPr 0.5",
+         {1, 0, 0},
+         ""},
+        {"Ks 1 1 1", {.7f, .7f, .7f}, "m.obj: material a: it has no Kd: it reflects 0.7"},
+        {"Kd spectral a.rfl 1",
+         {.7f, .7f, .7f},
+         "m.obj: material a: its Kd is a spectrum, which is not read: it reflects 0.7"},
+    };
+    for (const auto &[line, reflects, note] : cases) {
+        Read r = with(line);
+        EXPECT_EQ(r.mesh.materials[0].reflects, reflects) << line;
+        EXPECT_EQ(r.notes, *note ? Lines{note} : Lines{}) << line;
+    }
     EXPECT_EQ(with("Ke 1e12").mesh.materials[0].emits[0], 1e12f);
     EXPECT_EQ(with("Ke 2e12").error, "m.obj: material a: Ke must lie between 0 and 1e12");
     EXPECT_EQ(with("Kd -1").error, "m.obj: material a: Kd must lie between 0 and 1");
     EXPECT_EQ(with("Kd 0,5 0,5 0,5").error, "m.obj: material a: Kd: 0,5 is not a number");
-    EXPECT_EQ(with("Kd .5 .25 .125 # a wall").mesh.materials[0].reflects,
-              (std::array<float, 3>{.5f, .25f, .125f}));
-    EXPECT_EQ(with("Ke spectral lamp.rfl").notes,
-              (Lines{"m.obj: material a: its Ke is a spectrum, which is not read",
-                     "m.obj: material a: it has no Kd: it reflects 0.7"}));
+    EXPECT_EQ(with("Kd 2 0 0").mesh.materials[0].reflects[0], 1);
+    EXPECT_NEAR(with("Kd xyz 0.4755 0.5 0.5445").mesh.materials[0].reflects[1], 0.5, 0.01);
+}
+
+// Material files by names with blanks, other capitals and another system's folders; names with blanks and #.
+TEST(ObjReader, FindsMaterials) {
+    for (const char *library : {"M.MTL", "C:\\\\my\\\\m.mtl", "none.mtl m.mtl"})
+        for (const std::string name : {"a b", "a#1"}) {
+            Read r(std::string("mtllib ") + library + "\n" + kSquare + "usemtl " + name + "\nf 1 2 3 4\n",
+                   "newmtl a\nKd 0 0 0\nnewmtl \t" + name + " \nKd 0 1 0\n");
+            const auto &used = r.mesh.materials.at((size_t)r.mesh.triangles.at(0).material);
+            EXPECT_EQ(used.reflects[1], 1) << library << " " << name;
+            EXPECT_EQ(r.notes.size(), library[0] == 'n' ? 1u : 0u) << library;
+        }
+    EXPECT_EQ(Read("mtllib none.mtl\nusemtl a\n" + kSquare + "f 1 2 3 4\n").notes,
+              Lines{"m.obj: its materials cannot be read: cannot read none.mtl: No such file or directory"});
 }
 
 // A model far away is moved to the origin; what is written has the model's coordinates.
