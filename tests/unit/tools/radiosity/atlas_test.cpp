@@ -1,9 +1,7 @@
 // Lightmaps: they give other programs the solution, and polygons share no texels.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
-#include "tools/common/command_line.h"
 #include "tools/common/temporary_folder.h"
-#include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/picture/psnr.h"
@@ -11,7 +9,6 @@
 #include "tools/radiosity/solve/solve.h"
 
 #include <cmath>
-#include <filesystem>
 #include <random>
 
 using namespace odraz;
@@ -207,21 +204,4 @@ TEST(Atlas, HoldsManySmallTriangles) {
             ASSERT_EQ(page[at * 3 + 1], (float)((k % 6 > 2) + 2 * (k / 6 > 2)));
         }
     }
-}
-
-TEST(Atlas, IsWrittenWholeOrNotAtAll) {
-    common::TemporaryFolder folder;
-    std::vector<std::string> notes;
-    std::filesystem::create_directories(folder / "full/x");
-    common::writeWhole(folder / "file", "x");
-    for (const char *to : {"full", "file", "none/out"})
-        EXPECT_THROW(exportAtlas(room(), {}, folder / to, notes), common::Refused) << to;
-    std::filesystem::create_directories(folder / "empty");
-    exportAtlas(room(), {}, folder / "empty/", notes);
-    int count = 0;
-    for (const auto &entry : std::filesystem::directory_iterator(folder / ".")) {
-        EXPECT_EQ(entry.path().string().find(".part"), std::string::npos);
-        ++count;
-    }
-    EXPECT_EQ(count, 3);
 }

@@ -195,13 +195,6 @@ TEST(Extremes, TinyAndHuge) {
     }
 }
 
-TEST(Extremes, NoDimensionsAtAll) { // plain k-means
-    Data d = flats(4, 400, 48);
-    Result r(d, {.clusters = 4, .dimensions = 0, .rounds = 6}, [](int row) { return row % 4; });
-    EXPECT_GT(r.percent(), 1);
-    EXPECT_LT(r.percent(), 60);
-}
-
 TEST(Extremes, NoMemory) {
     Data d = falling(10, 16, 3);
     std::vector<int> cluster(10);

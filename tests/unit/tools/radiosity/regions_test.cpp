@@ -1,15 +1,11 @@
-// Triangles joined into charts, small charts that share hemicubes, and a solution compared with its
-// reference.
+// Triangles joined into charts, and elements along them. (radiosity_errors compares solutions with paths.)
 #include "tests/support/headless_gl.h"
 #include "tools/engine/machine.h"
-#include "tools/measure/oracle/measured.h"
 #include "tools/radiosity/divide/facets.h"
 #include "tools/radiosity/divide/regions.h"
-#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/solve/solve.h"
 
 using namespace odraz;
-using namespace odraz::measure;
 using namespace odraz::radiosity;
 
 namespace {
@@ -124,28 +120,6 @@ TEST(Regions, WhatIsNotMadeOfRectanglesKeepsItsTriangles) {
     EXPECT_EQ(askew.model->chartCount, 1);
     EXPECT_EQ(askew.model->facetCount, 8);
     EXPECT_NEAR(askew.facetsArea(), 4.45, 1e-3); // by the shoelace formula
-}
-
-// A small model solved by hemicubes, compared with path tracing.
-TEST(Solution, AgreesWithRays) {
-    Workers workers = serialWorkers();
-    Mesh mesh = generatedMesh("cube", 0);
-    std::vector<MeshProbe> probes;
-    for (bool adaptive : {false, true}) {
-        SolveSettings s;
-        s.way = Way::kPatches;
-        s.adaptive = adaptive;
-        if (adaptive) s.element = areaOf(mesh) / 120000;
-        Solved solved = solveModel(mesh, s, headlessGl(), workers, &kNever, {});
-        if (probes.empty()) {
-            probes = placeMeshProbes(solved.solution, 150);
-            tracePaths(mesh, solved.surroundings, probes, 32, workers);
-        }
-        solvedAt(solved.solution, probes);
-        double rms = errorsOf(probes).rms;
-        std::printf("cube, %s: %.3f %% rms\n", adaptive ? "adaptive" : "uniform", rms);
-        EXPECT_LT(rms, 1);
-    }
 }
 
 // The number of elements along a chart's side is limited. A note reports when this makes them longer.

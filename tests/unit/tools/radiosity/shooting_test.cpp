@@ -1,5 +1,5 @@
 // Shooting against gathering, Gauss-Seidel and a direct solution in double; odd hemicubes against closed
-// forms.
+// forms. (radiosity and radiosity_study compare shots by hemicubes with rows.)
 #include "tests/support/dice.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/model_bench.h"
@@ -206,31 +206,6 @@ struct Room : ModelBench {
         if (shots) *shots = all;
         return shooting.arrives();
     }
-    // ... by rows of hemicubes
-    std::vector<Rgb> gathered(int px) {
-        AnyHemicubes hemicubes(headlessGl(), px);
-        FormFactors factors = {};
-        factors.capacity = (size_t)model->patchCount * (size_t)model->patchCount;
-        factors.links = memory.arena.take<Link>(factors.capacity);
-        std::vector<uint8_t> lit((size_t)model->patchCount, kReflects);
-        EXPECT_TRUE(findRowsFrom(hemicubes, *model, lit.data(), workers, memory.arena, factors, {}, 1));
-        System s;
-        EXPECT_TRUE(makeSystem(s, memory.arena, factors, model->patchCount, 3));
-        std::vector<float> lamps((size_t)model->patchCount * (size_t)s.columns);
-        for (size_t i = 0; i < emits.size(); ++i) {
-            set(lamps.data(), s, i, emits[i]);
-            set(s.reflectance, s, i, {0.5f, 0.6f, 0.7f});
-        }
-        findIndirect(factors, model->patchCount, s.columns, lamps.data(), s.direct, workers);
-        solve(s, workers, 1e-6f, 1000);
-        findIndirect(s.factors[0], model->patchCount, s.columns, s.radiosity, s.indirect, workers);
-        std::vector<Rgb> all;
-        for (size_t i = 0; i < emits.size(); ++i) {
-            const float *d = s.direct + i * (size_t)s.columns, *f = s.indirect + i * (size_t)s.columns;
-            all.push_back({d[0] + f[0], d[1] + f[1], d[2] + f[2]});
-        }
-        return all;
-    }
 };
 
 double green(const std::vector<Rgb> &light) {
@@ -240,21 +215,6 @@ double green(const std::vector<Rgb> &light) {
 }
 
 } // namespace
-
-// A shot uses the form factor from the shooter's middle, a row that from the receiver's: equal in the limit
-// of small patches.
-TEST(Shooting, ByHemicubesApproachesGathering) {
-    double off[2];
-    for (bool fine : {false, true}) {
-        Room room(fine ? 8 : 4);
-        std::vector<Rgb> rows = room.gathered(64), shots = room.shot(patchesAlone(*room.model), 64, 1e-4);
-        off[fine] = difference(shots, rows);
-        EXPECT_NEAR(green(shots) / green(rows), 1, fine ? 0.015 : 0.06) << fine;
-    }
-    std::printf("shots against rows: 96 patches %.3f %%, 384 patches %.3f %%\n", 100 * off[0], 100 * off[1]);
-    EXPECT_LT(off[1], 0.03);
-    EXPECT_LT(off[1], 0.7 * off[0]);
-}
 
 // Blocks shoot from one of their patches: fewer shots, and light that is right on average.
 TEST(Shooting, BlocksTakeFewerShots) {

@@ -1,14 +1,11 @@
 // Files of rooms: a round trip, and damaged files.
 #include "tests/support/open_room.h"
-#include "tests/support/sanitized.h"
 #include "tests/support/thrown.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solution/arrays.h"
 
 #include <gtest/gtest.h>
-
-#include <cstdio>
 
 using namespace odraz;
 using namespace odraz::radiosity;
@@ -54,35 +51,20 @@ TEST(File, KeepsTheRoom) {
     EXPECT_TRUE(again.upIsZ);
 }
 
-// The checksum detects damage. A file with a forged checksum is refused or safe to use.
+// The checksum detects damage. A file with a forged checksum is refused or safe to use. (The fuzzer tries
+// many more.)
 TEST(File, SurvivesDamage) {
-    TransferSettings settings = settingsOf(2, 8, 4);
+    TransferSettings settings = settingsOf(1, 8, 4);
     settings.glossy = "grey", settings.rank = 1, settings.clusters = 2;
-    TransferRoom room = transferOf(openRoom(), settings);
-    std::string file = fileOf(room);
-    const size_t sparse = kSanitized ? 4 : 1;
-    size_t head = file.find('\n') + 1 + 8;
+    std::string file = fileOf(transferOf(openRoom(), settings)), body = file.substr(file.find('\n') + 1 + 8);
     ASSERT_TRUE(accepted(file));
-    for (size_t end = 0; end < file.size(); end += end < 64 ? 1 : sparse * file.size() / 50)
-        EXPECT_FALSE(accepted(file.substr(0, end))) << end;
     EXPECT_FALSE(accepted(file + "x"));
-    std::string body = file.substr(head);
     EXPECT_FALSE(accepted(TransferRoom::withChecksum(body + "x")));
-    for (size_t end = 0; end < body.size(); end += 1 + sparse * body.size() / 100)
+    for (size_t end = 0; end < body.size(); end += body.size() / 40) {
+        EXPECT_FALSE(accepted(file.substr(0, end))) << end;
         EXPECT_FALSE(accepted(TransferRoom::withChecksum(body.substr(0, end)))) << end;
-    // Bytes changed: most of the file is small numbers, so some changes are accepted
-    int taken = 0, tried = 0;
-    for (size_t at = 0; at < body.size(); at += sparse * (at < 2048 ? 23 : body.size() / 50)) {
-        for (int value : {0, 0xff, 0x80, 1}) {
-            std::string other = body;
-            other[at] = (char)(other[at] ^ value);
-            if (other != body) taken += accepted(TransferRoom::withChecksum(other)), ++tried;
-        }
         std::string flipped = file;
-        flipped[head + at] = (char)(flipped[head + at] ^ 4);
-        EXPECT_FALSE(accepted(flipped)) << at;
+        flipped[file.size() - body.size() + end] ^= 4;
+        EXPECT_FALSE(accepted(flipped)) << end;
     }
-    std::printf("%d of %d changed files could be worked with\n", taken, tried);
-    EXPECT_GT(taken, 0);
-    EXPECT_LT(taken, tried);
 }
