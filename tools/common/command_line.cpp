@@ -90,16 +90,6 @@ void CommandLine::argument(const std::string &name, std::string &to, const std::
         ->required(required);
 }
 
-void CommandLine::arguments(const std::string &name, std::vector<std::string> &to, const std::string &what,
-                            bool required) {
-    parser
-        ->add(
-            name, "", [&to](const std::string &text) { to.push_back(text); }, what)
-        ->required(required)
-        ->expected(required ? 1 : 0, CLI::detail::expected_max_vector_size)
-        ->allow_extra_args();
-}
-
 void CommandLine::flag(const std::string &name, bool &to, const std::string &what) {
     CLI::Option *o = parser->app.add_flag(name, what)->group(parser->group)->disable_flag_override();
     parser->rows.push_back({o, [&to](const std::string &) { to = true; }});
@@ -220,6 +210,17 @@ double numberOf(const std::string &option, const std::string &text, Range range)
     if (end != text.c_str() && !*end && x >= range.least && x <= range.most) return x;
     throw Refused(option + " takes a number from " + format("%g to %g", range.least, range.most) + ", not '" +
                   text + "'");
+}
+
+Size sizeOf(const std::string &option, const std::string &text, Size most) {
+    Size s;
+    char behind;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &s.width, &s.height, &behind) == 2 && s.width > 0 &&
+        s.height > 0 && s.width <= most.width && s.height <= most.height)
+        return s;
+    throw Refused(option +
+                  format(" takes a size like 1280x720, up to %dx%d, not '", most.width, most.height) + text +
+                  "'");
 }
 
 std::vector<double> numbersOf(const std::string &option, const std::string &text, size_t count) {

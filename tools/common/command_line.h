@@ -45,9 +45,6 @@ public:
 
     // An argument without a dash, in the order of these calls. `what` is its description, which may be empty.
     void argument(const std::string &name, std::string &to, const std::string &what, bool required = true);
-    // One or more of them, the last in the order.
-    void arguments(const std::string &name, std::vector<std::string> &to, const std::string &what,
-                   bool required = true);
 
     // An option without a value, and options with one, which `value` names in --help: "N", "FILE". If one
     // is given twice, the last counts. What `to` holds before is the default, which --help prints unless it
@@ -131,6 +128,12 @@ std::vector<double> numbersOf(const std::string &option, const std::string &text
 
 // A number; throws Refused unless all of the text is one in this range.
 double numberOf(const std::string &option, const std::string &text, Range range);
+
+// A size in pixels, such as 1280x720; throws Refused unless it has at least one and at most these.
+struct Size {
+    int width, height;
+};
+Size sizeOf(const std::string &option, const std::string &text, Size most);
 
 // Runs the program called `name`; reports what the body throws. Returns the exit status.
 int runProgram(const char *name, int argc, char **argv, int (*body)(CommandLine &));

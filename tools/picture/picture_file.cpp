@@ -2,10 +2,7 @@
 
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
-#include "tools/picture/exr_reader.h"
-#include "tools/picture/hdr_reader.h"
-#include "tools/picture/pnm_reader.h"
-#include "tools/picture/stb_reader.h"
+#include "tools/picture/readers.h"
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "tools/picture/stb_reader.h"
+#include "tools/picture/readers.h"
 
 #include "tools/common/command_line.h"
 

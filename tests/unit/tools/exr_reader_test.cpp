@@ -1,7 +1,7 @@
 // OpenEXR by other writers (tests/support/pictures), value by value; and what is refused.
 #include "tests/support/thrown.h"
 #include "tools/common/whole_file.h"
-#include "tools/picture/exr_reader.h"
+#include "tools/picture/readers.h"
 
 #include <cstring>
 #include <gtest/gtest.h>

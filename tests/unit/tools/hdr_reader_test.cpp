@@ -2,7 +2,7 @@
 // pixels.
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
-#include "tools/picture/hdr_reader.h"
+#include "tools/picture/readers.h"
 
 #include <gtest/gtest.h>
 

@@ -15,13 +15,6 @@ Vec3d placeOf(const std::string &option, const std::string &text) {
     return {p[0], p[1], p[2]};
 }
 
-void readSize(const std::string &text, int &width, int &height) {
-    char rest;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 ||
-        width > kMaxWidth || height > kMaxHeight)
-        throw common::Refused("--size takes pixels like 1280x720, up to 7680x4320, not " + text);
-}
-
 // Writes a point as an option, and sets it to the rounded value that was written.
 std::string pointOption(const char *option, Vec3 &p, const Vec3 &place) {
     Vec3d at = toDouble(place) + toDouble(p);
@@ -45,7 +38,11 @@ void CameraOptions::addTo(common::CommandLine &line) {
     line.option("--lens", "DEGREES", s.lens, {1, 170}, "vertical field of view");
     line.option("--up", {"y", "z"}, s.upIsZ, "the axis that points up; by default y, or that of a room");
     line.option(
-        "--size", "WxH", [&s](const std::string &text) { readSize(text, s.width, s.height); },
+        "--size", "WxH",
+        [&s](const std::string &text) {
+            auto [width, height] = common::sizeOf("--size", text, {kMaxWidth, kMaxHeight});
+            s.width = width, s.height = height;
+        },
         "pixels (default " + std::to_string(s.width) + "x" + std::to_string(s.height) + ")");
     line.option("--exposure", "STOPS", s.stops, {-20, 20}, "brighter by this many powers of two");
     line.option("--tone", {"film", "log"}, s.logarithmic,
