@@ -8,7 +8,7 @@ to=$WORK/results.md
 # section NAME: as it stands in the results
 section() { awk -v name="$1" '/^<!-- .* -->$/ { sub(/:$/, "", $2); inside = $2 == name; next } inside' "$to"; }
 
-check "a section is measured" eval '"$all" --built --quick --to "$to" --only size >/dev/null 2>"$WORK/err"'
+check "a section is measured" eval '"$all" --built --to "$to" --only size >/dev/null 2>"$WORK/err"'
 check "... the film's size" \
     grep -qF "| \`odraz\`: packed | $(stat -c %s "$BUILD/odraz") | $(stat -c %s "$BUILD/odraz.exe") |" "$to"
 check "... with the command that makes it" prints 'By `cmake --build build --target film film_windows`:' section size
@@ -19,7 +19,7 @@ check "... which take no longer than half an hour together" \
 check "what was not measured has its command" grep -q 'Not measured yet: `tools/measure/all --only pack`' "$to"
 cp "$to" "$WORK/before"
 check "a section that fails is reported" \
-    eval '! BUILD=$WORK/none "$all" --built --quick --to "$to" --only size 2>"$WORK/err" >/dev/null && grep -q "left as they were: size" "$WORK/err"'
+    eval '! BUILD=$WORK/none "$all" --built --to "$to" --only size 2>"$WORK/err" >/dev/null && grep -q "left as they were: size" "$WORK/err"'
 check "... and leaves the results alone" cmp -s "$to" "$WORK/before"
 check "the sources of all sections are there, and README.md has the figures of RESULTS.md" \
     eval '"$all" --check >"$WORK/report"; lacks "^(unknown|README|figures)" "$WORK/report"'

@@ -153,9 +153,9 @@ measure_section() {
     took=$(($(clock) - began))
     others=$(($(busy) - all_before - $(own $self) + own_before))
     {
-        printf '## %s\n\n%s, %s, others %s%s, took %d.%d s. By ' "$title" "$(date -u +%Y-%m-%d)" "$(processor)" \
+        printf '## %s\n\n%s, %s, others %s, took %d.%d s. By ' "$title" "$(date -u +%Y-%m-%d)" "$(processor)" \
             "$(awk "BEGIN { printf \"%.2f\", $others < 0 ? 0 : $others / ($took + 1) }")" \
-            "${quick:+, quick}" $((took / 100)) $((took / 10 % 10))
+            $((took / 100)) $((took / 10 % 10))
         awk '!seen[$0]++ { printf "%s`%s`", (NR > 1 ? "; " : ""), $0 } END { printf ":\n\n" }' "$WORK/commands"
         sed '/./,$!d' "$WORK/body"
     } >"$WORK/section"

@@ -112,35 +112,31 @@ void solution(const char *name, const Mesh &mesh, const SolveSettings &settings,
     std::fflush(stdout);
 }
 
-void solutions(bool quick, const Gl &gl, Workers &workers) {
+void solutions(const Gl &gl, Workers &workers) {
     std::printf("\n| model | triangles | elements | sites | rays from each | the thesis, s | odraz, s "
                 "| us a triangle | median of 1,000 places, %% | rms, %% "
                 "|\n|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Size &row : kThesis) {
-        if (quick && row.triangles > 30000) continue;
         Mesh mesh = generatedMesh("columns", areaFor("columns", row.triangles));
         SolveSettings s;
         // At least as many elements as triangles
         s.element = areaOf(mesh) / (double)row.triangles / 1.1;
         s.memory = (size_t)8 << 30;
-        solution("columns", mesh, s, row.seconds, !quick && row.triangles < 30000, gl, workers);
+        solution("columns", mesh, s, row.seconds, row.triangles < 30000, gl, workers);
     }
     // In these models few triangles lie in one plane
-    if (quick) return;
     solution("cave", generatedMesh("cave", areaFor("cave", 26000)), {}, 0, false, gl, workers);
     for (const char *kind : {"vault", "terrain"})
         solution(kind, generatedMesh(kind, areaFor(kind, 30000)), {}, 0, true, gl, workers);
 }
 
 int run(common::CommandLine &line) {
-    bool quick = false;
     line.about("Times radiosity: hemicubes, and whole solutions. Prints Markdown.");
-    line.flag("--quick", quick, "measure less");
     line.parse();
     Gl gl = openGl();
     Workers workers = allProcessors();
     hemicubes(gl, workers);
-    solutions(quick, gl, workers);
+    solutions(gl, workers);
     return 0;
 }
 

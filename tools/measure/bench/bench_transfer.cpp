@@ -13,6 +13,8 @@ namespace odraz::measure {
 
 namespace {
 
+constexpr int kRounds = 5; // of start-up
+
 // Notes when each step of a solution ends, from its progress reports.
 struct Clock {
     struct Step {
@@ -42,12 +44,12 @@ struct Clock {
 };
 
 // Prints the time of each step of start-up, and returns the solved hall.
-std::unique_ptr<SolvedHall> startUp(int rounds, const Gl &gl, Workers &workers) {
+std::unique_ptr<SolvedHall> startUp(const Gl &gl, Workers &workers) {
     std::vector<std::pair<std::string, std::vector<double>>> steps;
     for (const Clock::Step &step : Clock().steps) steps.push_back({step.name, {}});
     steps.push_back({"the floor's matrices", {}});
     std::unique_ptr<SolvedHall> solved;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < kRounds; ++round) {
         Clock clock;
         solved =
             std::make_unique<SolvedHall>(kHallSettings, gl, workers, kRoomBytes, nullptr, clock.progress());
@@ -64,7 +66,7 @@ std::unique_ptr<SolvedHall> startUp(int rounds, const Gl &gl, Workers &workers) 
     const Hall &hall = *solved->hall;
     std::printf("%d texels, %d patches, %d lights, each in red, green and blue.\n\n"
                 "| start-up | processor s, the median of %d |\n|---|---|\n",
-                hall.model.texelCount, hall.model.patchCount, hall.radiosity.bases.count(), rounds);
+                hall.model.texelCount, hall.model.patchCount, hall.radiosity.bases.count(), kRounds);
     double sum = 0;
     for (const auto &[name, times] : steps) {
         std::printf("| %s | %.3f |\n", name.c_str(), common::median(times));
@@ -95,11 +97,11 @@ void everyPicture(SolvedHall &solved, Workers &workers) {
     show("door of light, night", {kNight, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
 }
 
-void overTheDay(int hours, const Gl &gl, Workers &workers) {
+void overTheDay(const Gl &gl, Workers &workers) {
     std::printf("\n| hour | | rms of what comes by the lightmap, %% | rms of all light, %% |\n"
                 "|---|---|---|---|\n");
     std::vector<float> all;
-    for (int i = 0; i < 2 * hours - 1; ++i) all.push_back((float)i * 0.5f + (i % 2 ? 0.125f : 0));
+    for (int i = 0; i < 2 * kNight - 1; ++i) all.push_back((float)i * 0.5f + (i % 2 ? 0.125f : 0));
     for (const DayError &e : dayErrors(all, {kBands}, gl, workers))
         std::printf("| %.3f | %s | %.2f | %.2f |\n", (double)e.hour,
                     std::fmod(e.hour, 0.25f) == 0 ? "a sun was solved there" : "between two suns", e.lightmap,
@@ -107,17 +109,15 @@ void overTheDay(int hours, const Gl &gl, Workers &workers) {
 }
 
 int run(common::CommandLine &line) {
-    bool quick = false;
     line.about(
         "Times the hall's transfer and measures the error of the relit hall over the day. Prints Markdown.");
-    line.flag("--quick", quick, "measure less");
     line.parse();
     Gl gl = openGl();
     Workers workers = allProcessors();
-    std::unique_ptr<SolvedHall> solved = startUp(quick ? 1 : 5, gl, workers);
+    std::unique_ptr<SolvedHall> solved = startUp(gl, workers);
     everyPicture(*solved, workers);
     solved.reset();
-    overTheDay(quick ? 1 : kNight, gl, workers);
+    overTheDay(gl, workers);
     return 0;
 }
 

@@ -5,7 +5,6 @@
 #include "trace/picture/development.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace odraz::measure {
 
@@ -70,16 +69,12 @@ void sizeOption(common::CommandLine &line, const std::string &name, IntroSetting
                 const std::string &what) {
     std::string usual = to.width ? common::format(" (default %dx%d)", to.width, to.height) : "";
     line.option(
-        name, "WxH", [&to](const std::string &text) { to = sizeFrom(text); }, what + usual);
+        name, "WxH", [&to, name](const std::string &text) { to = sizeFrom(name, text); }, what + usual);
 }
 
-IntroSettings sizeFrom(const std::string &text) {
-    IntroSettings s = {};
-    char behind;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &s.width, &s.height, &behind) != 2 || s.width < 16 ||
-        s.height < 16 || s.width > kMaxWidth || s.height > kMaxHeight)
-        throw common::Refused("a size is like 1280x720, not " + text);
-    return s;
+IntroSettings sizeFrom(const std::string &option, const std::string &text) {
+    auto [width, height] = common::sizeOf(option, text, {kMaxWidth, kMaxHeight});
+    return {width, height};
 }
 
 } // namespace odraz::measure

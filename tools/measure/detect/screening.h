@@ -63,6 +63,6 @@ struct ScreeningOptions {
 void sizeOption(common::CommandLine &line, const std::string &name, IntroSettings &to,
                 const std::string &what);
 // Parses a size; throws Refused for anything else.
-IntroSettings sizeFrom(const std::string &text);
+IntroSettings sizeFrom(const std::string &option, const std::string &text);
 
 } // namespace odraz::measure

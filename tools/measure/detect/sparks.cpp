@@ -1,12 +1,11 @@
-// sparks: counts the sparks in the film, or in a folder of pictures.
+// sparks: counts the sparks in the film.
 #include "show/show.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/measure/detect/spark.h"
-#include "tools/picture/picture_file.h"
+#include "tools/picture/picture.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace odraz::measure {
 
@@ -28,8 +27,8 @@ struct Count {
 
 struct Options : ScreeningOptions {
     double from = 0, to = duration(), fps = 25, apart = 0.005; // seconds; pictures a second
-    std::string folder, keep;
-    int least = 24, reach = 0;
+    std::string keep;
+    int least = 24, reach = 3;
     bool list = false;
 };
 
@@ -53,7 +52,7 @@ void lookAtFilm(const Options &o) {
         std::vector<Spark> sparks = pointsOf(now, o.least);
         if (!sparks.empty()) {
             Grey before = see(seconds - o.apart), after = see(seconds + o.apart);
-            sparks = sparksOf(sparks, now, &before, &after, o.reach ? o.reach : 3);
+            sparks = sparksOf(sparks, now, &before, &after, o.reach);
         }
         scenes[(size_t)sceneAt(seconds)].add(sparks.size());
         if (o.list) list(std::to_string(seconds).c_str(), sparks);
@@ -73,30 +72,6 @@ void lookAtFilm(const Options &o) {
     all.print("all");
 }
 
-void lookAtFolder(const Options &o) {
-    std::vector<std::string> files;
-    for (const auto &f : std::filesystem::directory_iterator(o.folder)) files.push_back(f.path());
-    std::sort(files.begin(), files.end());
-    auto see = [&](size_t i) {
-        pictures::Image p = pictures::toImage(pictures::readPicture(files[i]));
-        return greyOf(p.width, p.height, p.rgb.data(), 3);
-    };
-    if (files.size() < 2) throw common::Refused(o.folder + " holds fewer than two pictures");
-    Count all;
-    Grey before, now = see(0), after;
-    for (size_t i = 0; i < files.size(); ++i) {
-        bool first = i == 0, last = i + 1 == files.size();
-        if (!last) after = see(i + 1);
-        std::vector<Spark> sparks = sparksOf(pointsOf(now, o.least), now, first ? nullptr : &before,
-                                             last ? nullptr : &after, o.reach ? o.reach : 12);
-        all.add(sparks.size());
-        if (o.list) list(files[i].c_str(), sparks);
-        before = std::move(now);
-        now = std::move(after);
-    }
-    if (!o.list) all.print("all");
-}
-
 int run(common::CommandLine &line) {
     Options o;
     line.about(
@@ -104,23 +79,19 @@ int run(common::CommandLine &line) {
         "that\n"
         "a neighbouring picture lacks: it shows nothing half as bright near them. Prints a CSV: a row for "
         "each\n"
-        "scene of the film, or for the folder.");
-    line.argument("FOLDER", o.folder, "PNG or PPM pictures instead of the film: neighbours by name", false);
+        "scene of the film.");
     o.addTo(line);
     line.option("--from", "S", o.from, {0, duration()}, "the film's first second");
     line.option("--to", "S", o.to, {0, duration()}, "its last second");
     line.option("--fps", "N", o.fps, {0.01, 1000}, "pictures a second");
     line.option("--apart", "S", o.apart, {1e-4, 1}, "time from a picture of the film to its neighbours");
     line.option("--least", "LEVELS", o.least, {1, 255}, "how much brighter a spark is, of 255");
-    line.option("--reach", "PIXELS", o.reach, {1, 100},
-                "how near a neighbour must show it (default 3, in a folder 12)");
+    line.option("--reach", "PIXELS", o.reach, {1, 100}, "how near a neighbour must show it");
     line.flag("--list", o.list, "print a row for each spark");
     line.option("--keep", "FOLDER", o.keep, "write the film's pictures that have sparks, as PNG");
     line.parse();
-    std::puts(o.list             ? "where,x,y,over,surround"
-              : o.folder.empty() ? "scene,pictures,with_sparks,sparks,most"
-                                 : "folder,pictures,with_sparks,sparks,most");
-    o.folder.empty() ? lookAtFilm(o) : lookAtFolder(o);
+    std::puts(o.list ? "where,x,y,over,surround" : "scene,pictures,with_sparks,sparks,most");
+    lookAtFilm(o);
     return 0;
 }
 

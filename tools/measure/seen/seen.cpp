@@ -19,11 +19,10 @@ constexpr double kCore = 7e9; // instructions a second of a core, without --core
 struct Options {
     std::string list, costs = kCostsFile, pictures;
     std::vector<std::string> scenes, screens;
-    IntroSettings traced = {}, judged = {};
+    IntroSettings judged = {};
     std::vector<double> at, machines; // seconds; 10^9 instructions a second
-    int windows = 1, cores = 0, every = 1;
-    double length = 0.5, rate = 0, level = 1;
-    std::vector<double> penalty; // ... of pairs, fours, sixes and thirty; empty: each scene has its own
+    int windows = 1, cores = 0;
+    double length = 0.5;
     bool onlyList = false, onlySummary = false;
 };
 
@@ -39,11 +38,10 @@ void check(const common::CommandLine &line, Options &o) {
     auto goes = [&](const char *option, bool with, const char *what) {
         if (line.has(option) && !with) line.refuse(std::string(option) + " goes with " + what);
     };
-    if (!o.list.empty() + (o.rate > 0) + machine != 1) line.refuse("name a list, or --steady, or --machine");
-    for (const char *option : {"--every", "--level", "--traced"}) goes(option, o.rate > 0, "--steady");
-    for (const char *option : {"--cores", "--penalty"}) goes(option, machine, "--machine");
+    if (o.list.empty() != machine) line.refuse("name a list, or --machine");
+    goes("--cores", machine, "--machine");
     goes("--costs", machine || o.onlySummary, "--machine or --summary");
-    goes("--list", o.list.empty(), "--steady or --machine");
+    goes("--list", machine, "--machine");
     if (o.screens.empty()) o.screens = {"1280x720"};
     bool several = o.screens.size() > 1;
     if (several && !machine) line.refuse("several screens go with --machine");
@@ -51,8 +49,7 @@ void check(const common::CommandLine &line, Options &o) {
     for (const char *option : {"--list", "--pictures"})
         goes(option, o.screens.size() * o.machines.size() <= 1, "one machine and one screen");
     goes("--scene", o.at.empty(), "its own windows: leave out --at");
-    if (!o.traced.width) o.traced = sizeFrom(o.screens[0]);
-    if (!o.judged.width) o.judged = sizeFrom(o.screens[0]);
+    if (!o.judged.width) o.judged = sizeFrom("--screen", o.screens[0]);
     if (o.scenes.empty() && o.at.empty())
         for (const SceneEntry &s : kScenes) o.scenes.push_back(s.name);
 }
@@ -79,24 +76,10 @@ Options read(common::CommandLine &line) {
         "write the pictures on the screen, and the truth: 052000-3.png and 052000-3-truth.png are of the "
         "fourth sixtieth of the window at 52 s");
     line.option("--costs", "FILE", o.costs, "what pictures cost, as tools/measure/seen/costs writes it");
-    line.group("A player that never misses, instead of LIST");
-    line.option("--steady", "RATE", o.rate, {1, 1000}, "pictures a second");
-    line.option("--every", "N", o.every, {1, 60}, "one of N is traced, the others are made between two");
-    line.option("--level", "L", o.level, {0, 2}, "quality: 0 film, 1 play, 2 draft");
-    sizeOption(line, "--traced", o.traced, "the size that is traced (default: the screen's)");
     line.group("The film's own player on a simulated machine, instead of LIST");
     line.option("--machine", "G", numbersTo(o.machines, "--machine", {0.1, 1e6}),
                 "10^9 instructions a second of all cores; repeatable");
     line.option("--cores", "N", o.cores, {1, kMaxWorkers}, "its cores (default: of 7 G each)");
-    line.option(
-        "--penalty", "P,F,S,T",
-        [&o](const std::string &text) {
-            o.penalty = common::numbersOf("--penalty", text, kCadences - 1);
-            for (double p : o.penalty)
-                if (p < 0 || p > 99)
-                    throw common::Refused("--penalty takes numbers from 0 to 99, not " + text);
-        },
-        "for all scenes: the squared error that pairs, fours, sixes and thirty add (timeline/pace.h)");
     line.parse();
     check(line, o);
     return o;
@@ -117,20 +100,14 @@ struct Player {
 
 Machine machineOf(const Options &o, double giga, const IntroSettings &screen) {
     int cores = o.cores ? o.cores : std::clamp((int)std::lround(giga * 1e9 / kCore), 1, kMaxWorkers);
-    Machine machine = {giga * 1e9, cores, screen.width, screen.height};
-    machine.paceOf = [=](int scene) {
-        Pace pace = paceOf(scene);
-        for (size_t i = 0; i < o.penalty.size(); ++i) pace.penalty[1 + i] = (float)o.penalty[i];
-        return pace;
-    };
-    return machine;
+    return {giga * 1e9, cores, screen.width, screen.height};
 }
 
-// All players, with the pictures that they showed between two moments.
-std::vector<Player> playersOf(const Options &o, double from, double to, const CostOf &costs) {
+// All players, with the pictures that they showed.
+std::vector<Player> playersOf(const Options &o, const CostOf &costs) {
     std::vector<Player> players;
     for (const std::string &screen : o.screens) {
-        IntroSettings size = sizeFrom(screen);
+        IntroSettings size = sizeFrom("--screen", screen);
         for (double giga : o.machines) {
             std::string name = common::format("%s,%g,", screen.c_str(), giga);
             Machine machine = machineOf(o, giga, size);
@@ -138,10 +115,7 @@ std::vector<Player> playersOf(const Options &o, double from, double to, const Co
             players.push_back({name, screen, machine, simulate(costs, machine, 0, duration())});
         }
         if (!o.machines.empty()) continue;
-        players.push_back(
-            {"", screen, machineOf(o, 0, size),
-             o.rate ? steady(from, to, o.rate, o.every, (float)o.level, o.traced.width, o.traced.height)
-                    : common::parseFile(o.list, parseShown)});
+        players.push_back({"", screen, machineOf(o, 0, size), common::parseFile(o.list, parseShown)});
     }
     return players;
 }
@@ -183,7 +157,7 @@ int run(common::CommandLine &line) {
     for (const auto &row : rows)
         for (const Span &w : row) first = std::min(first, w.from), last = std::max(last, w.to);
     CostOf costs = costsOf(asked);
-    std::vector<Player> players = playersOf(asked, first, last, costs);
+    std::vector<Player> players = playersOf(asked, costs);
     if (asked.onlyList) {
         std::fputs(printShown(players[0].list).c_str(), stdout);
         return 0;
@@ -196,7 +170,7 @@ int run(common::CommandLine &line) {
         return 0;
     }
     for (Player &p : players) {
-        IntroSettings screen = sizeFrom(p.screen);
+        IntroSettings screen = sizeFrom("--screen", p.screen);
         for (Shown &s : p.list) {
             s.width = std::max(16, s.width * judged.width / screen.width);
             s.height = std::max(16, s.height * judged.height / screen.height);

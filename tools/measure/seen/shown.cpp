@@ -3,6 +3,7 @@
 #include "play/governor.h"
 #include "tools/common/command_line.h"
 #include "tools/common/text.h"
+#include "trace/picture/frame.h"
 
 #include <cmath>
 #include <cstdio>
@@ -13,7 +14,6 @@ namespace odraz::measure {
 namespace {
 
 constexpr char kHead[] = "at,time,kind,level,width,height";
-constexpr int kMostPixels = 7680; // across
 
 } // namespace
 
@@ -57,7 +57,7 @@ std::vector<Shown> parseShown(const std::string &csv) {
                      "a picture is traced or between, not '" + std::string(kind) + "'");
         common::need(std::isfinite(s.at) && std::isfinite(s.time) && s.time >= 0, "no moment of the film");
         common::need(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
-        common::need(s.width >= 16 && s.height >= 16 && s.width <= kMostPixels && s.height <= kMostPixels,
+        common::need(s.width >= 16 && s.height >= 16 && s.width <= kMaxWidth && s.height <= kMaxHeight,
                      "no size of a picture");
         common::need(s.at < 0 || s.at >= lastAt, "it came on the screen earlier than the one before");
         lastAt = std::max(s.at, lastAt);
@@ -89,17 +89,6 @@ int onScreenAt(const std::vector<Shown> &list, double seconds) {
     for (size_t i = 0; i < list.size(); ++i)
         if (list[i].at >= 0 && list[i].at <= seconds) found = (int)i;
     return found;
-}
-
-std::vector<Shown> steady(double from, double to, double rate, int every, float level, int width,
-                          int height) {
-    std::vector<Shown> list;
-    // Counted from the film's start, so that the same pictures are made wherever it begins
-    long first = std::max(0l, (long)std::floor(from * rate)), last = (long)std::ceil(to * rate);
-    first -= first % every, last += (every - last % every) % every;
-    for (long n = first; n <= last; ++n)
-        list.push_back({(double)n / rate, (double)n / rate, n % every != 0, level, width, height});
-    return list;
 }
 
 } // namespace odraz::measure

@@ -37,8 +37,4 @@ MadeFrom madeFrom(const std::vector<Shown> &list, size_t i);
 // Which picture of the list is on the screen at a moment; -1 before the first one.
 int onScreenAt(const std::vector<Shown> &list, double seconds);
 
-// A player that misses nothing: `rate` pictures a second from one moment to another, each shown at its time
-// until the next one. One of `every` is traced, the others are made between two traced ones.
-std::vector<Shown> steady(double from, double to, double rate, int every, float level, int width, int height);
-
 } // namespace odraz::measure

@@ -18,7 +18,6 @@ using TraceSetting = Setting<Quality>;
 
 struct TraceSweep : Sweep {
     std::vector<std::string> pictures, settings; // none: all
-    bool named = false;
     int width = 1280;
     std::string references;
 };
@@ -69,7 +68,7 @@ std::vector<TraceSetting> settings(bool few) {
 
 // The settings that the sweep asks for
 std::vector<TraceSetting> askedSettings(const TraceSweep &sweep) {
-    if (sweep.settings.empty()) return settings(sweep.quick || sweep.named);
+    if (sweep.settings.empty()) return settings(sweep.quick);
     std::vector<TraceSetting> all;
     for (std::string words : sweep.settings) {
         Quality q = settingOf(words);
@@ -148,7 +147,6 @@ int tradeoffTrace(common::CommandLine &line) {
                 "only this scene (A: all its cameras) or this picture (A/0)");
     line.option("--setting", "WORDS", sweep.settings,
                 "only this setting, as play or draft,threshold=0.02,cutoff=1/64");
-    line.flag("--named", sweep.named, "only the named qualities and plain grids");
     line.option("--width", "PIXELS", sweep.width, {64, 3840}, "the pictures' width");
     line.option("--references", "FOLDER", sweep.references,
                 "keep the reference pictures there, for further runs of the same commit");
