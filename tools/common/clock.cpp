@@ -13,7 +13,6 @@ static double secondsOf(clockid_t clock) {
 }
 
 double processorSeconds() { return secondsOf(CLOCK_PROCESS_CPUTIME_ID); }
-double threadSeconds() { return secondsOf(CLOCK_THREAD_CPUTIME_ID); }
 double wallSeconds() { return secondsOf(CLOCK_MONOTONIC); }
 
 double medianMs(const std::function<void()> &call, int rounds) {

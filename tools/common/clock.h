@@ -6,7 +6,6 @@
 namespace common {
 
 double processorSeconds(); // of all threads of this process
-double threadSeconds();    // of this thread
 double wallSeconds();      // since an arbitrary moment
 
 // The median processor time of a call, in milliseconds. Each of `rounds` rounds makes as many calls as take

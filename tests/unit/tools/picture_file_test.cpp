@@ -211,6 +211,21 @@ TEST(Picture, HasStepsAndLinearLight) {
     EXPECT_THROW(linearToImage(light, 2), common::Refused);
 }
 
+// All values of 16 bits, alone and as means of squares, rounded to the nearest.
+TEST(Picture, LinearLightBecomesSrgb) {
+    Picture all = {256, 256, 1, 16, {}};
+    for (int i = 0; i < 65536; ++i) all.encoded.push_back((uint16_t)i);
+    auto srgb = [](double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; };
+    for (size_t by : {1, 4}) {
+        Image image = linearToImage(all, (int)by);
+        for (size_t y = 0; y < 256; y += by)
+            for (size_t x = 0; x < 256; x += by) {
+                double mean = ((double)(y * 256 + x) + (double)(by - 1) * 257 / 2) / 65535;
+                ASSERT_EQ(image.rgb[(y / by * (256 / by) + x / by) * 3], (int)(srgb(mean) * 255 + 0.5));
+            }
+    }
+}
+
 // Sums of these must be floats, too.
 TEST(PictureFile, RefusesLightThatIsNoNumberOrTooMuch) {
     auto hdr = [](const char *pixel) {

@@ -77,9 +77,9 @@ Subject::Subject(const SubjectName &what, int width, int height)
 void Subject::pose(size_t camera) { view = poseSubject(name, camera, settings, film.intro->film); }
 
 double Subject::trace(const Quality &quality) {
-    double began = common::threadSeconds();
+    double began = common::processorSeconds();
     traceFrame(film.intro->tracer, workers, *film.intro->film.scene, view, quality, film.intro->frame);
-    return (common::threadSeconds() - began) * 1e3;
+    return (common::processorSeconds() - began) * 1e3;
 }
 
 double Subject::samplesPerPixel() const {

@@ -40,7 +40,7 @@ public:
     Subject(const SubjectName &name, int width, int height);
 
     void pose(size_t camera);
-    // Returns its processor time, in milliseconds of one thread.
+    // On one thread. Returns its processor time in milliseconds.
     double trace(const Quality &quality);
     double samplesPerPixel() const;
     // The picture as eight-bit sRGB, clamped at 1, without the film curve: 3 bytes a pixel.
