@@ -7,7 +7,9 @@
 #include "output/output.h"
 #include "play/player.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <string>
@@ -29,6 +31,10 @@ void addRow(void *rows, const Made &made, double at) { ((std::vector<Row> *)rows
 std::string listOf(std::vector<Row> rows) {
     // An in-between needs the traced ones on both sides, and has the level and size of the later one
     while (!rows.empty() && rows.back().between()) rows.pop_back();
+    // Where the machine stalled, the film's clock was set back after a picture was shown
+    double next = INFINITY;
+    for (size_t i = rows.size(); i--;)
+        if (rows[i].at >= 0) next = rows[i].at = std::min(rows[i].at, next);
     std::string text = "at,time,kind,level,width,height\n";
     for (size_t i = 0; i < rows.size(); ++i) {
         const Row &row = rows[i];

@@ -24,7 +24,7 @@ odraz_scripts(odraz_script .
     packing 4
     pages 1
     panel 10
-    pictures 30
+    pictures 10
     playing 32
     radiosity 8
     radiosity_atlas 3
