@@ -2,7 +2,6 @@
 // compression and gloss. (radiosity_transfer compares rooms with solutions made for one light, by `transfer
 // --check`.)
 #include "tests/support/open_room.h"
-#include "tests/support/sanitized.h"
 #include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/transfer/environment.h"
 
@@ -136,9 +135,9 @@ TEST(Relighting, IsASumOfRows) {
 // above, by dense quadrature. Then in the open room, by random rays through the solution for this light.
 TEST(Gloss, IsTheLobeOfWhatArrives) {
     auto shown = [&](const Mesh &mesh, const Vec3 &eye, bool lamps, const char *what, double limit) {
-        TransferSettings settings = settingsOf(kBands, 256, 0.05);
+        TransferSettings settings = settingsOf(kBands, 256, 0.15);
         settings.glossy = "grey", settings.polish = 0.3f, settings.exponent = 20;
-        if (kSanitized) settings.glossRays = 512, limit *= 2;
+        settings.glossRays = 512;
         TransferRoom room = transferOf(mesh, settings);
         ASSERT_FALSE(room.gloss.empty());
         BandLight sky = bandLimitedSkies(kBands, false)[2].light;
@@ -146,9 +145,9 @@ TEST(Gloss, IsTheLobeOfWhatArrives) {
             .sky = sky, .lamps = std::vector<float>(room.lamps.size(), lamps), .bands = kBands, .rank = -1};
         Solution lit = litModel(room, lighting, &eye);
         RayTree tree(cornersOf(mesh));
-        Regions regions = joinRegions(mesh, std::sqrt(0.05));
+        Regions regions = joinRegions(mesh, std::sqrt(0.15));
         const Chart &floor = lit.charts[0];
-        const int step = 10;
+        const int step = 6;
         double error = 0, all = 0;
         for (int j = 3; j < floor.down; j += step)
             for (int i = 3; i < floor.across; i += step) {
