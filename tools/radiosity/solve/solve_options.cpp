@@ -18,7 +18,8 @@ constexpr char kByRays[] = "By rays from every element",
 
 Rgb lightOf(const std::string &option, const double *n) {
     for (int k = 0; k < 3; ++k)
-        if (!(n[k] >= 0 && n[k] < 1e12)) throw common::Refused(option + ": light must be from 0 to 1e12");
+        if (!(n[k] >= 0 && n[k] <= kMostPower))
+            throw common::Refused(option + ": light must be from 0 to 1e12");
     return {(float)n[0], (float)n[1], (float)n[2]};
 }
 

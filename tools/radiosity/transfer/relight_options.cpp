@@ -22,13 +22,9 @@ std::vector<float> readLamps(const std::string &text, const TransferRoom &room) 
         size_t end = std::min(text.find(',', at), text.size()), equals = text.find('=', at);
         std::string name = text.substr(at, std::min(equals, end) - at);
         float strength = 1;
-        if (equals < end) {
-            char *rest;
-            std::string number = text.substr(equals + 1, end - equals - 1);
-            strength = std::strtof(number.c_str(), &rest);
-            if (number.empty() || *rest || !(strength >= 0 && strength < 1e6f))
-                throw common::Refused("--lamps: a strength is from 0 to 1e6, not '" + number + "'");
-        }
+        if (equals < end)
+            strength = (float)common::numberOf("--lamps NAME=STRENGTH",
+                                               text.substr(equals + 1, end - equals - 1), {0, 1e6});
         auto found = std::find(room.lamps.begin(), room.lamps.end(), name);
         char *rest;
         unsigned long number = std::strtoul(name.c_str(), &rest, 10);
