@@ -30,7 +30,7 @@ check "a window" begin "$radiosity" view hall.prt --relight "$sky" "${at[@]}"
 check "... has the keyboard" await focused
 check "... prints its keys" await grep -q '1 .. 9 0 lamps' out
 check "... shows the picture" await shows plain.png
-check "... and what it is" titled 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2'
+check "... and what it is" await titled 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2'
 on_key 1 "key 1: without the first lamp" shows one.png
 check "... and the title lists the other" await titled 'lamps 2 '
 on_key 1 "... and back" shows plain.png

@@ -1,8 +1,6 @@
 // glTF as other programs write it, and damaged: its triangles, places, materials and lights.
-#include "tools/common/temporary_folder.h"
+#include "tests/support/read_model.h"
 #include "tools/common/text.h"
-#include "tools/common/whole_file.h"
-#include "tools/radiosity/read/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +12,6 @@ using namespace odraz;
 using namespace odraz::radiosity;
 
 namespace {
-
-using Lines = std::vector<std::string>;
 
 std::string base64(const std::string &bytes) {
     static const char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -76,38 +72,16 @@ std::string square(const std::string &rest) {
     return Writer().add("VEC3", kSquare).add<uint16_t>("SCALAR", {0, 1, 2, 0, 2, 3}).text(rest);
 }
 
-struct Read {
-    Mesh mesh;
-    pictures::Picture picture; // of the first material
-    Lines notes;
-    std::string error;
-
+struct Read : ReadModel {
     explicit Read(const std::string &file, const std::string &name = "m.gltf",
                   const ReadSettings &settings = {}, const std::string &other = "",
-                  const std::string &content = "") {
-        common::TemporaryFolder folder;
-        common::writeWhole(folder / name, file);
-        if (!other.empty()) common::writeWhole(folder / other, content);
-        try {
-            mesh = readModel(folder / name, settings, notes);
-            if (!mesh.materials[0].picture.path.empty()) picture = mesh.materials[0].picture.read();
-        } catch (const common::Refused &e) {
-            error = e.what();
-        }
-        cut(error, folder / "");
-        for (std::string &note : notes) cut(note, folder / "");
-    }
-    double area() const { return areaOf(mesh); }
+                  const std::string &content = "")
+        : ReadModel(file, name, settings, other, content) {}
     // The sum of areas times normals
     Vec3d facing() const {
         Vec3d sum = {};
         for (const Triangle &t : mesh.triangles) sum = sum + normalOf(mesh, t) / 2;
         return sum;
-    }
-
-private:
-    static void cut(std::string &text, const std::string &folder) {
-        for (size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
     }
 };
 
@@ -395,10 +369,8 @@ TEST(GltfReader, RefusesDamage) {
         {"'byteLength':48}", "'byteLength':48,'byteStride':252}", "an accessor of 4" + outside},
         {"'byteOffset':0", "'byteOffset':9007199254740990", "bufferView 0 ends outside its buffer"},
         {"'bufferView':0,", "", "accessor 0 has no bufferView"},
-        {"'bufferView':0", "'bufferView':7", "there is no bufferView 7"},
         {"'buffer':0", "'buffer':1", "there is no buffer 1"},
         {"VEC3", "VEC4", "accessor 0 does not have the type that its use needs"},
-        {"'mesh':0", "'mesh':1", "there is no mesh 1"},
         {"'mesh':0", "'mesh':0,'children':[0]", "holds no triangle"},
         {"[{'mesh':0}]", "[{'mesh':0,'children':[1]},{'children':[0]}],'scenes':[{'nodes':[0]}]",
          "node 0 has two parents, or is within itself"},
@@ -409,16 +381,13 @@ TEST(GltfReader, RefusesDamage) {
          "material floor: baseColorFactor must lie between 0 and 1"},
         // Of another type
         {"'indices':1", "'material':'lamp'", "material" + index},
-        {"'indices':1", "'material':2.0", "material" + index},
         {"'indices':1", "'material':4294967296", "material" + index},
         {"'indices':1", "'indices':-3", "indices" + index},
-        {"'POSITION':0", "'POSITION':0.5", "POSITION" + index},
         {"'count':4", "'count':4,'sparse':{'count':4294967296}", "count" + index},
         {"'count':4", "'count':18446744073709551616", "count" + size},
         {"'byteOffset':0", "'byteOffset':1e300", "byteOffset" + size},
         {"{'mesh':0}", "{'children':[0.5],'mesh':0}", "children is not a list of whole numbers below 2^31"},
         {"'mesh':0", "'translation':['a',2,3]", "translation is not a list of 3 numbers"},
-        {"'mesh':0", "'scale':[1,2]", "scale is not a list of 3 numbers"},
         {before, lights + "'q'}},'nodes':", "lights is not a list of objects"},
         {before, lights + "[{'type':'point','intensity':'8'}]}},'nodes':", "intensity is not a number"},
         {before, floor + "'pbrMetallicRoughness':{'metallicFactor':'0'}" + nodes,

@@ -1,8 +1,6 @@
 // Wavefront OBJ as other programs write it: its text, its numbers, its materials, and the notes about them.
-#include "tools/common/temporary_folder.h"
-#include "tools/common/whole_file.h"
+#include "tests/support/read_model.h"
 #include "tools/picture/picture.h"
-#include "tools/radiosity/read/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -14,31 +12,10 @@ using namespace odraz::radiosity;
 
 namespace {
 
-struct Read {
-    Mesh mesh;
-    std::vector<std::string> notes;
-    std::string error;
-
-    explicit Read(const std::string &obj, const std::string &mtl = "", const ReadSettings &settings = {}) {
-        common::TemporaryFolder folder;
-        common::writeWhole(folder / "m.obj", obj);
-        if (!mtl.empty()) common::writeWhole(folder / "m.mtl", mtl);
-        try {
-            mesh = readModel(folder / "m.obj", settings, notes);
-        } catch (const common::Refused &e) {
-            error = e.what();
-        }
-        cut(error, folder / "");
-        for (std::string &note : notes) cut(note, folder / "");
-    }
-    double area() const { return areaOf(mesh); }
-
-private:
-    static void cut(std::string &text, const std::string &folder) {
-        for (size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
-    }
+struct Read : ReadModel {
+    explicit Read(const std::string &obj, const std::string &mtl = "", const ReadSettings &settings = {})
+        : ReadModel(obj, "m.obj", settings, "m.mtl", mtl) {}
 };
-using Lines = std::vector<std::string>;
 
 const std::string kSquare = "v 0 0 0\nv 0 0 12\nv 12 0 12\nv 12 0 0\n";
 
