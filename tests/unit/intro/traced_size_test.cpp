@@ -11,7 +11,7 @@ using namespace odraz;
 
 namespace {
 
-constexpr int kWidth = 320, kHeight = 180;
+constexpr int kTracedWidth = 320, kTracedHeight = 180;
 constexpr double kAtTable = 25, kAtFlake = 53, kAtCredits = 156; // the last one has letters
 
 struct Loaded : LoadedFilm {
@@ -32,11 +32,12 @@ struct Loaded : LoadedFilm {
 TEST(TracedSize, IsASmallerFilmScaledUp) {
     for (bool pairs : {false, true})
         for (TracedSize size : {TracedSize{160, 90}, {240, 135}, {319, 180}, {320, 177}}) {
-            Loaded large(kWidth, kHeight, pairs), small(size.width, size.height, pairs);
+            Loaded large(kTracedWidth, kTracedHeight, pairs), small(size.width, size.height, pairs);
             for (double seconds : {kAtTable, kAtCredits}) {
-                std::vector<uint8_t> less = small.at(seconds), expected((size_t)(kWidth * kHeight * 4));
+                std::vector<uint8_t> less = small.at(seconds),
+                                     expected((size_t)(kTracedWidth * kTracedHeight * 4));
                 less.resize(less.size() + 32);
-                enlarge(less.data(), size.width, size.height, expected.data(), kWidth, kHeight,
+                enlarge(less.data(), size.width, size.height, expected.data(), kTracedWidth, kTracedHeight,
                         large.threads.workers);
                 EXPECT_TRUE(large.at(seconds, size) == expected) << size.width << ' ' << seconds;
             }
@@ -44,7 +45,7 @@ TEST(TracedSize, IsASmallerFilmScaledUp) {
 }
 
 TEST(TracedSize, LeavesNothingBehind) {
-    Loaded film(kWidth, kHeight, true);
+    Loaded film(kTracedWidth, kTracedHeight, true);
     for (double seconds : {kAtTable, kAtCredits}) {
         std::vector<uint8_t> before = film.at(seconds);
         film.at(seconds + 0.1, {160, 90});
@@ -58,7 +59,7 @@ TEST(TracedSize, LeavesNothingBehind) {
 // truth as one of equal sizes, by less than a decibel: of the word's image in the marble a size may miss a
 // line.
 TEST(TracedSize, InBetweensMayBeOfTwo) {
-    Loaded film(kWidth, kHeight, true);
+    Loaded film(kTracedWidth, kTracedHeight, true);
     for (double seconds : {kAtTable, kAtFlake, kAtCredits}) {
         auto made = [&](TracedSize before, TracedSize after) {
             film.at(seconds - 1 / 60., before, 0);

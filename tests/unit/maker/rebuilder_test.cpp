@@ -10,7 +10,6 @@
 
 using namespace odraz;
 using namespace odraz::maker;
-using Event = Rebuilder::Event;
 
 namespace {
 
@@ -45,18 +44,18 @@ struct Rebuilding : testing::Test {
     double now = 0;
 
     // The next event other than the begin of a build; waits for a quarter of an hour at most.
-    Event next() {
+    Rebuilder::Event next() {
         for (int i = 0; i < 90000; ++i) {
-            Event what = r.poll(now += 0.01);
-            if (what == Event::Built || what == Event::Failed) return what;
+            Rebuilder::Event what = r.poll(now += 0.01);
+            if (what == Rebuilder::Event::Built || what == Rebuilder::Event::Failed) return what;
             usleep(10000);
         }
-        return Event::None;
+        return Rebuilder::Event::None;
     }
     // Polls for a while; true if nothing happens.
     bool quiet() {
         for (int i = 0; i < 20; ++i, usleep(5000))
-            if (r.poll(now += 0.01) != Event::None) return false;
+            if (r.poll(now += 0.01) != Rebuilder::Event::None) return false;
         return true;
     }
 };
@@ -68,7 +67,7 @@ TEST_F(Rebuilding, BuildsWhatIsSaved) {
     EXPECT_TRUE(quiet());
     EXPECT_EQ(r.object(), p.build() + "/live/live.so");
     p.write("intro/show/a.cpp", "two");
-    ASSERT_EQ(next(), Event::Built);
+    ASSERT_EQ(next(), Rebuilder::Event::Built);
     EXPECT_FALSE(r.building());
     EXPECT_EQ(p.read("build/live/live.so"), "two");
     EXPECT_GT(r.saved(), 0);
@@ -76,17 +75,17 @@ TEST_F(Rebuilding, BuildsWhatIsSaved) {
     p.write("intro/show/.a.cpp.swp", "three");
     EXPECT_TRUE(quiet()); // no source
     std::filesystem::rename(p.folder / "intro/show/.a.cpp.swp", p.folder / "intro/show/a.cpp");
-    ASSERT_EQ(next(), Event::Built);
+    ASSERT_EQ(next(), Rebuilder::Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "three");
 }
 
 TEST_F(Rebuilding, ReportsTheFirstError) {
     p.write("intro/show/a.cpp", "oops");
-    ASSERT_EQ(next(), Event::Failed);
+    ASSERT_EQ(next(), Rebuilder::Event::Failed);
     EXPECT_EQ(r.error(), "intro/show/a.cpp:3:1: error: oops");
     EXPECT_TRUE(quiet());
     p.write("intro/show/a.cpp", "well");
-    ASSERT_EQ(next(), Event::Built);
+    ASSERT_EQ(next(), Rebuilder::Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "well");
 }
 
@@ -100,7 +99,7 @@ TEST_F(Rebuilding, BuildsAgainWhatWasSavedMeanwhile) {
     ASSERT_TRUE(copied() && r.building());
     p.write("intro/show/a.cpp", "three");
     p.write("build/go", "");
-    ASSERT_EQ(next(), Event::Built);
+    ASSERT_EQ(next(), Rebuilder::Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "three");
     EXPECT_TRUE(quiet());
 }
@@ -109,14 +108,14 @@ TEST_F(Rebuilding, WatchesNewFolders) {
     std::filesystem::create_directory(p.folder / "intro/show/scenes");
     EXPECT_TRUE(quiet());
     p.write("intro/show/scenes/new.cpp", "new");
-    EXPECT_EQ(next(), Event::Built);
+    EXPECT_EQ(next(), Rebuilder::Event::Built);
 }
 
 TEST(Rebuilder, ReportsWhatItCannotWatch) {
     common::TemporaryFolder empty;
     Rebuilder r(empty / "");
     EXPECT_NE(r.problem().find("no folder of a build"), std::string::npos);
-    EXPECT_EQ(r.poll(1), Event::None);
+    EXPECT_EQ(r.poll(1), Rebuilder::Event::None);
 }
 
 TEST_F(Rebuilding, HashesTheSolvers) {

@@ -101,7 +101,7 @@ TEST(Reader, TakesAProgramAsWeLinkIt) {
 }
 
 TEST(Reader, ThrowsWhatIsUnsuitable) {
-    EXPECT_EQ(complaint({}), "not an ELF file");
+    EXPECT_EQ(complaint(Bytes{}), "not an ELF file");
     EXPECT_EQ(complaint(Bytes(5000, 'x')), "not an ELF file");
     expectRefused("32-bit", [](Example &e) { e.image.header.e_ident[EI_CLASS] = ELFCLASS32; });
     expectRefused("big-endian", [](Example &e) { e.image.header.e_ident[EI_DATA] = ELFDATA2MSB; });

@@ -2,12 +2,11 @@
 // shown, neither jump nor hide inside things, events are within their scenes, and no picture has a NaN.
 #include "inside.h"
 #include "show/events.h"
-#include "tests/support/headless_gl.h"
-#include "tests/support/loaded_film.h"
 #include "tests/support/planes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shots.h"
+#include "tests/support/small_film.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -22,12 +21,6 @@ namespace {
 constexpr double kFastest = 2.5, kFastestTurn = 40, kFastestShare = 0.12; // metres, degrees a second
 constexpr float kShortestShot = 2 * kRowsPerBar;
 constexpr int kDarkSeconds = 3; // it opens on black, and a fade may pass through it
-
-// The film, loaded once for all tests.
-Intro &film() {
-    static LoadedFilm loaded(1, 160, 90, false, needsHall(0, duration()) ? &headlessGl() : nullptr);
-    return *loaded.intro;
-}
 
 } // namespace
 
@@ -83,9 +76,9 @@ TEST(Rules, EventsAreWhereTheirSceneIsShown) {
 }
 
 TEST(Rules, TheCameraIsNeverInsideAThing) {
-    const Scene *scene = film().film.scene;
+    const Scene *scene = smallFilm().film.scene;
     for (double t = 0; t < duration(); t += kSanitized ? 0.5 : 0.1) {
-        Posed now = poseAt(film().film, t);
+        Posed now = poseAt(smallFilm().film, t);
         Vec3 eye = now.input.camera.eye;
         for (int i = 0; i < scene->shapeCount; ++i)
             EXPECT_GE(distanceFrom(scene->shapes[i], eye), 0.1f)
@@ -96,10 +89,10 @@ TEST(Rules, TheCameraIsNeverInsideAThing) {
 TEST(Rules, EveryPictureIsThereWithoutNaN) {
     int dark = 0;
     for (double t = 0; t < duration(); t += kSanitized ? 5 : 1) {
-        picture(film(), 0, t, kQualities[(int)QualityName::Play]);
-        EXPECT_STREQ(outgrown(film()), nullptr) << t;
+        picture(smallFilm(), 0, t, kQualities[(int)QualityName::Play]);
+        EXPECT_STREQ(outgrown(smallFilm()), nullptr) << t;
         double sum = 0;
-        for (float v : planesOf(film().frame)) {
+        for (float v : planesOf(smallFilm().frame)) {
             ASSERT_TRUE(v >= 0) << t;
             sum += v;
         }
@@ -110,7 +103,7 @@ TEST(Rules, EveryPictureIsThereWithoutNaN) {
 
 TEST(Rules, APictureDependsOnItsTimeAlone) {
     auto bytes = [&](double t) {
-        Picture p = picture(film(), 0, t, kQualities[(int)QualityName::Film]);
+        Picture p = picture(smallFilm(), 0, t, kQualities[(int)QualityName::Film]);
         return std::vector<uint8_t>(p.rgba, p.rgba + 160 * 90 * 4);
     };
     double end = duration();

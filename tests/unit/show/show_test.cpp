@@ -1,11 +1,10 @@
 // This film keeps to its treatment: its cuts, how its cameras move, its levels, its balls. What holds for any
 // film is in rules_test.cpp.
 #include "inside.h"
-#include "tests/support/headless_gl.h"
-#include "tests/support/loaded_film.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shots.h"
+#include "tests/support/small_film.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +14,6 @@
 using namespace odraz;
 
 namespace {
-
-// The film, loaded once for all tests.
-Intro &film() {
-    static LoadedFilm loaded(1, 160, 90, false, &headlessGl());
-    return *loaded.intro;
-}
 
 float medianOf(std::vector<float> values) {
     std::nth_element(values.begin(), values.begin() + (long)values.size() / 2, values.end());
@@ -104,7 +97,7 @@ TEST(Film, LevelsAreThoseOfTheTreatment) {
         for (double t = 0.5; t < duration(); t += 1) {
             Moment now = momentAt(kFilm, t * kRowsPerSecond);
             if (now.shot->scene != scene || now.fade < 1) continue;
-            Picture p = picture(film(), 0, t, kQualities[(int)QualityName::Draft]);
+            Picture p = picture(smallFilm(), 0, t, kQualities[(int)QualityName::Draft]);
             double level = 0;
             int white = 0;
             std::vector<float> saturations;
@@ -134,9 +127,9 @@ TEST(Film, LevelsAreThoseOfTheTreatment) {
 }
 
 TEST(Film, BallsDoNotRollThroughThings) {
-    const Scene *scene = film().film.scene;
+    const Scene *scene = smallFilm().film.scene;
     for (double t = 0; t < duration(); t += kSanitized ? 1 : 0.25) {
-        Posed now = poseAt(film().film, t);
+        Posed now = poseAt(smallFilm().film, t);
         for (int i = 0; i < scene->shapeCount; ++i)
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
@@ -151,7 +144,7 @@ TEST(Film, BallsDoNotRollThroughThings) {
 
 // Detail, gloss and the light at the camera depend on the camera in use: the script's or a flown one.
 TEST(Film, IsPosedForTheCameraInUse) {
-    const Film &f = film().film;
+    const Film &f = smallFilm().film;
     auto gloss = [&] {
         const Glossy &g = f.hall->gloss;
         return std::vector<float>(g.plane[1], g.plane[1] + g.across * g.down);

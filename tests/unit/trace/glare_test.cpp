@@ -49,13 +49,13 @@ struct Glaring {
     }
 };
 
-const std::pair<int, int> kSizes[] = {{1, 1},  {2, 3},    {17, 9},    {64, 1},
-                                      {1, 64}, {333, 97}, {320, 180}, {1280, 720}};
+const std::pair<int, int> kGlareSizes[] = {{1, 1},  {2, 3},    {17, 9},    {64, 1},
+                                           {1, 64}, {333, 97}, {320, 180}, {1280, 720}};
 
 } // namespace
 
 TEST(Glare, LeavesAnEvenPictureAsItIs) {
-    for (auto [width, height] : kSizes) {
+    for (auto [width, height] : kGlareSizes) {
         Glaring h(width, height);
         h.fill(0.3f, 1.3f, 2.3f);
         h.spread();

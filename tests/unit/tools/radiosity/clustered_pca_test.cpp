@@ -1,8 +1,7 @@
-// Compares clustered PCA with the eigenvalues of the covariance in double precision (Eigen), on data of known
+// Compares clustered PCA with the eigenvalues of the covariance in double precision, on data of known
 // structure, and at extremes.
 #include "tools/radiosity/transfer/clustered_pca.h"
 
-#include "tests/support/eigenvalues.h"
 #include "tests/support/random.h"
 #include "tools/engine/heap_arena.h"
 
@@ -11,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 using namespace odraz;
@@ -58,8 +58,45 @@ struct Result {
     double percent() const { return 100 * std::sqrt(error / size); }
 };
 
+// The eigenvalues of a symmetric matrix, in ascending order, by Jacobi's rotations (Golub and Van Loan, 8.5).
+std::vector<double> eigenvalues(std::vector<std::vector<double>> a) {
+    const size_t n = a.size();
+    auto rotate = [](double &x, double &y, double c, double s) {
+        double before = x;
+        x = c * before - s * y, y = s * before + c * y;
+    };
+    for (int sweep = 0; sweep < 12; ++sweep)
+        for (size_t p = 0; p < n; ++p)
+            for (size_t q = p + 1; q < n; ++q) {
+                if (a[p][q] == 0) continue;
+                double angle = 0.5 * std::atan(2 * a[p][q] / (a[q][q] - a[p][p])), c = std::cos(angle),
+                       s = std::sin(angle);
+                for (size_t k = 0; k < n; ++k) rotate(a[k][p], a[k][q], c, s);
+                for (size_t k = 0; k < n; ++k) rotate(a[p][k], a[q][k], c, s);
+            }
+    std::vector<double> values;
+    for (size_t k = 0; k < n; ++k) values.push_back(a[k][k]);
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+// What the best mean and subspace leave, squared: the sum of the remaining eigenvalues of the Gram matrix of
+// columns, or of rows if there are fewer.
 double bestLeft(const Data &d, int dimensions) {
-    return besideBestSubspace(d.values.data(), d.rows, d.columns, dimensions);
+    const int few = std::min(d.rows, d.columns), many = std::max(d.rows, d.columns);
+    std::vector<double> mean((size_t)d.columns);
+    for (int r = 0; r < d.rows; ++r)
+        for (int c = 0; c < d.columns; ++c) mean[(size_t)c] += (double)d.at(r, c) / d.rows;
+    auto off = [&](int i, int k) { // of line i, a row or a column
+        int r = d.rows < d.columns ? i : k, c = d.rows < d.columns ? k : i;
+        return (double)d.at(r, c) - mean[(size_t)c];
+    };
+    std::vector<std::vector<double>> gram((size_t)few, std::vector<double>((size_t)few));
+    for (int i = 0; i < few; ++i)
+        for (int j = 0; j < few; ++j)
+            for (int k = 0; k < many; ++k) gram[(size_t)i][(size_t)j] += off(i, k) * off(j, k);
+    std::vector<double> values = eigenvalues(gram);
+    return std::accumulate(values.begin(), values.end() - dimensions, 0.);
 }
 
 // Rows whose singular values fall as 2^-(k / half).

@@ -9,7 +9,7 @@ using namespace odraz::radiosity;
 
 namespace {
 
-std::vector<MeshMaterial> room() {
+std::vector<MeshMaterial> fiveMaterials() {
     MeshMaterial picture = {"cloth", {0.7f, 0.7f, 0.7f}, {}};
     picture.picture.path = "cloth.png", picture.picture.tint = {0.5f, 1, 1};
     return {{"white", {0.75f, 0.5f, 0.25f}, {}},
@@ -19,7 +19,7 @@ std::vector<MeshMaterial> room() {
             {"unused", {0.9f, 0.9f, 0.9f}, {}}};
 }
 std::vector<MeshMaterial> changed(const std::vector<std::pair<std::string, std::string>> &options) {
-    std::vector<MeshMaterial> all = room();
+    std::vector<MeshMaterial> all = fiveMaterials();
     std::vector<MaterialChange> changes;
     for (const auto &[option, text] : options) changes.push_back(readMaterialChange(option, text));
     changeMaterials(all, {true, true, true, true, false}, changes);
@@ -43,8 +43,8 @@ TEST(Materials, GetColoursAndFactors) {
     EXPECT_EQ(changed({{"--power", "lamp=0"}})[1].emits, (Colour{0, 0, 0}));
     auto all = changed({{"--power", "lamp=2"}});
     for (size_t i = 0; i < all.size(); ++i) {
-        EXPECT_EQ(all[i].reflects, room()[i].reflects);
-        EXPECT_EQ(all[i].emits, i == 1 ? (Colour{40, 36, 30}) : room()[i].emits);
+        EXPECT_EQ(all[i].reflects, fiveMaterials()[i].reflects);
+        EXPECT_EQ(all[i].emits, i == 1 ? (Colour{40, 36, 30}) : fiveMaterials()[i].emits);
     }
 }
 
@@ -53,7 +53,7 @@ TEST(Materials, WithoutNameAreAllOrAllLamps) {
     for (size_t i = 0; i < 4; ++i) EXPECT_EQ(all[i].reflects, (Colour{0.5f, 0.5f, 0.5f})) << i;
     EXPECT_EQ(all[1].emits, (Colour{7, 8, 9}));
     for (size_t i : {0u, 2u, 3u}) EXPECT_EQ(all[i].emits, (Colour{})) << i;
-    EXPECT_EQ(all[4].reflects, room()[4].reflects);
+    EXPECT_EQ(all[4].reflects, fiveMaterials()[4].reflects);
 }
 
 TEST(Materials, ChangeOneAfterTheOther) {

@@ -12,12 +12,12 @@ using namespace odraz::radiosity;
 
 namespace {
 
-struct Read : ReadModel {
-    explicit Read(const std::string &obj, const std::string &mtl = "", const ReadSettings &settings = {})
+struct ReadObj : ReadModel {
+    explicit ReadObj(const std::string &obj, const std::string &mtl = "", const ReadSettings &settings = {})
         : ReadModel(obj, "m.obj", settings, "m.mtl", mtl) {}
 };
 
-const std::string kSquare = "v 0 0 0\nv 0 0 12\nv 12 0 12\nv 12 0 0\n";
+const std::string kObjSquare = "v 0 0 0\nv 0 0 12\nv 12 0 12\nv 12 0 0\n";
 
 std::string utf16(const std::string &text, bool mark, bool bigEndian) {
     std::string to;
@@ -41,14 +41,14 @@ TEST(ObjReader, TakesAllFormsOfLines) {
           "o\ng\ng a b c\ns off\ns 1\nf 1 2 3\ns\nf 1 3 4", "mg 1 0.5\nbevel on\n$!?\ncall x.obj\nf 1 2 3 4",
           "p 1 2\nl 1 2 3\nf 1 2 3 4", "vp 0 1\ncstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\nf 1 2 3 4",
           "v 5 5 5\nf 1 2 3 4", "usemtl\nmtllib\nf 1 2 3 4"}) {
-        Read r(kSquare + "vt 0 0\nvn 0 1 0\n" + polygon + "\n");
+        ReadObj r(kObjSquare + "vt 0 0\nvn 0 1 0\n" + polygon + "\n");
         EXPECT_EQ(r.error, "") << polygon;
         EXPECT_NEAR(r.area(), 144, 1e-9) << polygon;
         EXPECT_EQ(r.notes, Lines{}) << polygon;
     }
     const std::string unit = "v -0 +0.0 0 1 0 0\nv .0 0. 1 # a\n  v 1e0 0 1.0E+00 1.0\nv 100e-2 0 \\\n.0e5\n";
     for (const std::string &text : {unit + "f 1 2 3 4", "f 1 2 3 4\n" + unit, unit + unit + "f 1 2 3 4"})
-        EXPECT_NEAR(Read(text).area(), 1, 1e-9) << text;
+        EXPECT_NEAR(ReadObj(text).area(), 1, 1e-9) << text;
 }
 
 // Polygons of any shape; what is left out is noted.
@@ -67,18 +67,18 @@ TEST(ObjReader, TakesAllShapes) {
          "m.obj: 2 triangles without area left out"},
     };
     for (const auto &[text, area, note] : cases) {
-        Read r(text);
+        ReadObj r(text);
         EXPECT_NEAR(r.area(), area, 1e-9) << text;
         EXPECT_EQ(r.notes, *note ? Lines{note} : Lines{});
     }
 }
 
 TEST(ObjReader, TakesAllKindsOfText) {
-    const std::string text = kSquare + "f 1 2 3 4\n";
+    const std::string text = kObjSquare + "f 1 2 3 4\n";
     for (bool big : {false, true})
-        for (bool mark : {false, true}) EXPECT_NEAR(Read(utf16(text, mark, big)).area(), 144, 1e-9);
-    EXPECT_NEAR(Read("\xef\xbb\xbf" + text).area(), 144, 1e-9);
-    EXPECT_NEAR(Read(text.substr(0, text.size() - 1) + "\\").area(), 144, 1e-9); // nothing follows
+        for (bool mark : {false, true}) EXPECT_NEAR(ReadObj(utf16(text, mark, big)).area(), 144, 1e-9);
+    EXPECT_NEAR(ReadObj("\xef\xbb\xbf" + text).area(), 144, 1e-9);
+    EXPECT_NEAR(ReadObj(text.substr(0, text.size() - 1) + "\\").area(), 144, 1e-9); // nothing follows
     for (bool big : {false, true})
         for (bool mark : {false, true}) {
             std::string wide;
@@ -87,12 +87,12 @@ TEST(ObjReader, TakesAllKindsOfText) {
                     wide += mark && wide.size() < 4 ? (big ? "\0\0\xfe\xff" : "\xff\xfe\0\0")[k]
                             : k == (big ? 3 : 0)    ? c
                                                     : '\0';
-            EXPECT_EQ(Read(wide).error, "m.obj: it is UTF-32: save it as UTF-8");
+            EXPECT_EQ(ReadObj(wide).error, "m.obj: it is UTF-32: save it as UTF-8");
         }
     // Names beyond ASCII are the same in both files
-    std::string obj = utf16("mtllib m.mtl\n" + kSquare + "usemtl caf?\nf 1 2 3 4\n", true, false);
+    std::string obj = utf16("mtllib m.mtl\n" + kObjSquare + "usemtl caf?\nf 1 2 3 4\n", true, false);
     obj[obj.find('?')] = '\xe9';
-    Read r(obj, "newmtl caf\xc3\xa9\nKd 0 1 0\n");
+    ReadObj r(obj, "newmtl caf\xc3\xa9\nKd 0 1 0\n");
     EXPECT_EQ(r.notes, Lines{});
     EXPECT_EQ(r.mesh.materials[0].reflects[1], 1);
     EXPECT_EQ(r.mesh.materials.size(), 1u);
@@ -107,21 +107,21 @@ TEST(ObjReader, NamesTheLine) {
         {"# a\\\n\nv 0 0 0,5\n", ":3: a point needs three coordinates: 0,5 is not a number"},
         {"v 0 0 1e400\n", ":1: a coordinate is not a number below 1e18"},
         {"v 0 0 nan\n", ":1: a coordinate is not a number below 1e18"},
-        {kSquare + "f 1 2/x 3\n", ":5: a polygon's points are numbers, not 2/x"},
-        {kSquare + "f 1 2 0/1\n", ":5: there is no point 0 before this polygon"},
-        {kSquare + "f -5 -2 -1\n", ":5: there is no point -5 before this polygon"},
+        {kObjSquare + "f 1 2/x 3\n", ":5: a polygon's points are numbers, not 2/x"},
+        {kObjSquare + "f 1 2 0/1\n", ":5: there is no point 0 before this polygon"},
+        {kObjSquare + "f -5 -2 -1\n", ":5: there is no point -5 before this polygon"},
         {zip, ": is not a text file"},
         {"", ": holds no point"},
-        {kSquare + "l 1 2 3 4\n", ": holds no polygon"},
+        {kObjSquare + "l 1 2 3 4\n", ": holds no polygon"},
         {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ": holds no polygon with an area"},
     };
-    for (const auto &[text, error] : cases) EXPECT_EQ(Read(text).error, "m.obj" + error) << text;
+    for (const auto &[text, error] : cases) EXPECT_EQ(ReadObj(text).error, "m.obj" + error) << text;
 }
 
 TEST(ObjReader, NotesUnknownMaterials) {
     const std::string mtl = "newmtl floor\nKd 1 1 1\nnewmtl lamp\nKe 1 1 1\nnewmtl wall\nKd .5 .5 .5\n";
     auto with = [&](const std::string &name) {
-        return Read("mtllib m.mtl\n" + kSquare + "usemtl " + name + "\nf 1 2 3 4\n", mtl).notes;
+        return ReadObj("mtllib m.mtl\n" + kObjSquare + "usemtl " + name + "\nf 1 2 3 4\n", mtl).notes;
     };
     EXPECT_EQ(with("wall"), Lines{});
     EXPECT_EQ(with("Lamp"),
@@ -131,22 +131,22 @@ TEST(ObjReader, NotesUnknownMaterials) {
 }
 
 TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
-    const std::string obj = "MTLLIB m.mtl\nmtllib m.mtl m.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n";
-    Read r(obj, "newmtl a\nKD 1 0 0\nmap_d a.png\nbump b.png\nnewmtl b\nKd 1 1 1\nMAP_BUMP b.png\nnewmtl "
-                "a\nKd 0 0 0\n");
+    const std::string obj = "MTLLIB m.mtl\nmtllib m.mtl m.mtl\n" + kObjSquare + "usemtl a\nf 1 2 3 4\n";
+    ReadObj r(obj, "newmtl a\nKD 1 0 0\nmap_d a.png\nbump b.png\nnewmtl b\nKd 1 1 1\nMAP_BUMP b.png\nnewmtl "
+                   "a\nKd 0 0 0\n");
     EXPECT_EQ(r.notes,
               (Lines{"m.obj: MTLLIB is read as mtllib",
                      "m.obj: material a: it is given again; the first one is used", "m.mtl: KD is read as Kd",
                      "m.obj: MAP_BUMP is not used: material b", "m.obj: bump is not used: material a",
                      "m.obj: map_d is not used: material a"}));
     EXPECT_EQ(r.mesh.materials[0].reflects, (std::array<float, 3>{1, 0, 0}));
-    EXPECT_EQ(Read("mtllib m.mtl\n" + kSquare + "f 1 2 3 4\n", std::string("\x89PNG\0\0", 6)).notes,
+    EXPECT_EQ(ReadObj("mtllib m.mtl\n" + kObjSquare + "f 1 2 3 4\n", std::string("\x89PNG\0\0", 6)).notes,
               Lines{"m.mtl: is not a text file, and has no materials"});
 }
 
 TEST(ObjReader, TakesColours) {
     auto with = [](const std::string &line) {
-        return Read("mtllib m.mtl\n" + kSquare + "usemtl a\nf 1 2 3 4\n", "newmtl a\n" + line + "\n");
+        return ReadObj("mtllib m.mtl\n" + kObjSquare + "usemtl a\nf 1 2 3 4\n", "newmtl a\n" + line + "\n");
     };
     const struct {
         const char *line;
@@ -164,7 +164,7 @@ TEST(ObjReader, TakesColours) {
          "m.obj: material a: its Kd is a spectrum, which is not read: it reflects 0.7"},
     };
     for (const auto &[line, reflects, note] : cases) {
-        Read r = with(line);
+        ReadObj r = with(line);
         EXPECT_EQ(r.mesh.materials[0].reflects, reflects) << line;
         EXPECT_EQ(r.notes, *note ? Lines{note} : Lines{}) << line;
     }
@@ -180,33 +180,35 @@ TEST(ObjReader, TakesColours) {
 TEST(ObjReader, FindsMaterials) {
     for (const char *library : {"M.MTL", "C:\\\\my\\\\m.mtl", "none.mtl m.mtl"})
         for (const std::string name : {"a b", "a#1"}) {
-            Read r(std::string("mtllib ") + library + "\n" + kSquare + "usemtl " + name + "\nf 1 2 3 4\n",
-                   "newmtl a\nKd 0 0 0\nnewmtl \t" + name + " \nKd 0 1 0\n");
+            ReadObj r(std::string("mtllib ") + library + "\n" + kObjSquare + "usemtl " + name +
+                          "\nf 1 2 3 4\n",
+                      "newmtl a\nKd 0 0 0\nnewmtl \t" + name + " \nKd 0 1 0\n");
             const auto &used = r.mesh.materials.at((size_t)r.mesh.triangles.at(0).material);
             EXPECT_EQ(used.reflects[1], 1) << library << " " << name;
             EXPECT_EQ(r.notes.size(), library[0] == 'n' ? 1u : 0u) << library;
         }
-    EXPECT_EQ(Read("mtllib none.mtl\nusemtl a\n" + kSquare + "f 1 2 3 4\n").notes,
+    EXPECT_EQ(ReadObj("mtllib none.mtl\nusemtl a\n" + kObjSquare + "f 1 2 3 4\n").notes,
               Lines{"m.obj: its materials cannot be read: cannot read none.mtl: No such file or directory"});
 }
 
 // A model far away is moved to the origin; what is written has the model's coordinates.
 TEST(ObjReader, MovesFarModels) {
-    Read far("v 460123 210 5411233\nv 460123 210 5411235.5\nv 460125 210 5411235.5\nv 460125 210 5411233\nf "
-             "1 2 3 4\n");
+    ReadObj far(
+        "v 460123 210 5411233\nv 460123 210 5411235.5\nv 460125 210 5411235.5\nv 460125 210 5411233\nf "
+        "1 2 3 4\n");
     EXPECT_NEAR(far.area(), 5, 1e-8);
     EXPECT_GT(length(far.mesh.place), 5e6f);
     for (const Vec3d &p : far.mesh.points) EXPECT_LT(length(p), 4);
-    EXPECT_EQ(length(Read(kSquare + "f 1 2 3 4\n").mesh.place), 0);
+    EXPECT_EQ(length(ReadObj(kObjSquare + "f 1 2 3 4\n").mesh.place), 0);
     // A point that no polygon has does not matter, wherever it lies
-    Read stray("v 0 0 0\nv 5411233 210 460123\nv 5411233 210 460123.5\nv 5411233.5 210 460123\nf 2 3 4\n");
+    ReadObj stray("v 0 0 0\nv 5411233 210 460123\nv 5411233 210 460123.5\nv 5411233.5 210 460123\nf 2 3 4\n");
     EXPECT_NEAR(stray.area(), 0.125, 1e-8);
     EXPECT_LT(stray.mesh.size(), 1);
 }
 
 TEST(ObjReader, PutsTheFirstPolygonInFront) {
     const std::string mtl = "newmtl wall\nKd .1 .1 .1\nnewmtl decal\nKd .9 .9 .9\n",
-                      points = kSquare + "v 3 0 3\nv 3 0 15\nv 6 0 15\nv 6 0 3\n",
+                      points = kObjSquare + "v 3 0 3\nv 3 0 15\nv 6 0 15\nv 6 0 3\n",
                       wall = "usemtl wall\nf 1 2 3 4\n", decal = "usemtl decal\nf 5 6 7 8\n";
     auto areas = [](const Mesh &mesh) {
         std::map<std::string, double> of;
@@ -214,29 +216,30 @@ TEST(ObjReader, PutsTheFirstPolygonInFront) {
             of[mesh.materials[(size_t)t.material].name] += length(normalOf(mesh, t)) / 2;
         return of;
     };
-    Read wallFirst("mtllib m.mtl\n" + points + wall + decal, mtl);
+    ReadObj wallFirst("mtllib m.mtl\n" + points + wall + decal, mtl);
     EXPECT_NEAR(areas(wallFirst.mesh)["wall"], 144, 1e-9);
     EXPECT_NEAR(areas(wallFirst.mesh)["decal"], 9, 1e-4); // it stands out by three
     EXPECT_EQ(wallFirst.notes,
               Lines{"m.obj: polygons overlap in one plane, and the first is in front: line 13 (decal) behind "
                     "line 11 (wall)"});
-    Read decalFirst("mtllib m.mtl\n" + points + decal + wall, mtl);
+    ReadObj decalFirst("mtllib m.mtl\n" + points + decal + wall, mtl);
     EXPECT_NEAR(areas(decalFirst.mesh)["wall"], 144 - 27, 1e-4);
     EXPECT_NEAR(areas(decalFirst.mesh)["decal"], 36, 1e-9);
     // Backs, neighbours and what lies a little in front do not overlap
-    EXPECT_EQ(Read(points + "f 1 2 3 4\nf 8 7 6 5\n").notes, Lines{});
-    EXPECT_EQ(Read(points + "f 1 2 3\nf 1 3 4\n").notes, Lines{});
-    EXPECT_EQ(Read(kSquare + "v 3 .001 3\nv 3 .001 9\nv 6 .001 9\nf 1 2 3 4\nf 5 6 7\n").notes, Lines{});
+    EXPECT_EQ(ReadObj(points + "f 1 2 3 4\nf 8 7 6 5\n").notes, Lines{});
+    EXPECT_EQ(ReadObj(points + "f 1 2 3\nf 1 3 4\n").notes, Lines{});
+    EXPECT_EQ(ReadObj(kObjSquare + "v 3 .001 3\nv 3 .001 9\nv 6 .001 9\nf 1 2 3 4\nf 5 6 7\n").notes,
+              Lines{});
 }
 
 TEST(ObjReader, DividesLampsByTheirPicture) {
     const std::string obj =
-        "mtllib m.mtl\n" + kSquare + "vt 0 0\nvt 0 1\nvt 1 1\nvt 1 0\nusemtl a\nf 1/1 2/2 3/3 4/4\n";
+        "mtllib m.mtl\n" + kObjSquare + "vt 0 0\nvt 0 1\nvt 1 1\nvt 1 0\nusemtl a\nf 1/1 2/2 3/3 4/4\n";
     common::TemporaryFolder folder;
     pictures::Image half = {64, 64, std::vector<uint8_t>(64 * 64 * 3)};
     for (size_t i = 0; i < half.rgb.size(); ++i) half.rgb[i] = i / 3 % 64 < 32 ? 0 : 255;
     pictures::writePng(folder / "half.png", half);
-    Read r(obj, "newmtl a\nKd 0 0 0\nKe 10 20 0\nmap_Ke " + (folder / "half.png") + "\n");
+    ReadObj r(obj, "newmtl a\nKd 0 0 0\nKe 10 20 0\nmap_Ke " + (folder / "half.png") + "\n");
     EXPECT_EQ(r.notes, Lines{});
     double dark = 0, lit = 0, power = 0;
     for (const Triangle &t : r.mesh.triangles) {
@@ -250,7 +253,7 @@ TEST(ObjReader, DividesLampsByTheirPicture) {
     EXPECT_NEAR(lit, 72, 4);
     EXPECT_NEAR(power, 20 * 72, 1);
     // Without Ke the picture alone is meant; one that cannot be read leaves Ke
-    Read alone(obj, "newmtl a\nKd 0 0 0\nmap_Ke -clamp on " + (folder / "half.png") + "\n");
+    ReadObj alone(obj, "newmtl a\nKd 0 0 0\nmap_Ke -clamp on " + (folder / "half.png") + "\n");
     EXPECT_EQ(std::max_element(alone.mesh.materials.begin(), alone.mesh.materials.end(),
                                [](auto &a, auto &b) { return a.emits[0] < b.emits[0]; })
                   ->emits[0],
@@ -258,11 +261,11 @@ TEST(ObjReader, DividesLampsByTheirPicture) {
     // Light above 1, in a picture of one pixel of 4, 8, 1
     common::writeWhole(folder / "bright.hdr",
                        std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x40\x80\x10\x84"));
-    Read bright(obj, "newmtl a\nKd 0 0 0\nKe .5 .5 .5\nmap_Ke " + (folder / "bright.hdr") + "\n");
+    ReadObj bright(obj, "newmtl a\nKd 0 0 0\nKe .5 .5 .5\nmap_Ke " + (folder / "bright.hdr") + "\n");
     EXPECT_EQ(bright.notes, Lines{});
     EXPECT_NEAR(bright.mesh.materials[0].emits[0], 2, 0.03);
     EXPECT_NEAR(bright.mesh.materials[0].emits[1], 4, 0.03);
-    Read none(obj, "newmtl a\nKe 5 5 5\nmap_Ke none.png\n");
+    ReadObj none(obj, "newmtl a\nKe 5 5 5\nmap_Ke none.png\n");
     EXPECT_EQ(none.mesh.materials[0].emits[0], 5);
     ASSERT_EQ(none.notes.size(), 1u);
     EXPECT_NE(none.notes[0].find("none.png"), std::string::npos);

@@ -14,20 +14,20 @@ using namespace odraz::radiosity;
 
 namespace {
 
-using Outline = std::vector<std::array<double, 2>>;
+using Loop = std::vector<std::array<double, 2>>;
 
 double side(const std::array<double, 2> &a, const std::array<double, 2> &b, const std::array<double, 2> &c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
-bool crosses(const Outline &p, size_t i, size_t k) { // the sides that begin at i and k
+bool crosses(const Loop &p, size_t i, size_t k) { // the sides that begin at i and k
     const auto &a = p[i], &b = p[(i + 1) % p.size()], &c = p[k], &d = p[(k + 1) % p.size()];
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
 // Random points in random order, with parts of the outline turned round until nothing crosses.
-Outline untangled(size_t count, std::mt19937 &random) {
+Loop untangled(size_t count, std::mt19937 &random) {
     std::uniform_real_distribution<double> uniform(0, 1);
-    Outline p(count);
+    Loop p(count);
     for (auto &at : p) at = {uniform(random), uniform(random)};
     for (bool again = true; again;) {
         again = false;
@@ -42,9 +42,9 @@ Outline untangled(size_t count, std::mt19937 &random) {
 }
 
 // Points around a middle, near and far.
-Outline star(size_t count, std::mt19937 &random) {
+Loop star(size_t count, std::mt19937 &random) {
     std::uniform_real_distribution<double> uniform(0.1, 1);
-    Outline p;
+    Loop p;
     for (size_t i = 0; i < count; ++i) {
         double angle = 6.283185307 * (double)i / (double)count, r = uniform(random);
         p.push_back({r * std::cos(angle), r * std::sin(angle)});
@@ -78,12 +78,12 @@ struct Built {
 };
 
 // The polygon in a plane with these axes.
-std::vector<Vec3d> placed(const Outline &p, const Vec3d &u, const Vec3d &v, const Vec3d &at) {
+std::vector<Vec3d> placed(const Loop &p, const Vec3d &u, const Vec3d &v, const Vec3d &at) {
     std::vector<Vec3d> points;
     for (const auto &q : p) points.push_back(at + u * q[0] + v * q[1]);
     return points;
 }
-std::vector<Vec3d> onFloor(const Outline &p) { return placed(p, {0, 0, 1}, {1, 0, 0}, {}); }
+std::vector<Vec3d> onFloor(const Loop &p) { return placed(p, {0, 0, 1}, {1, 0, 0}, {}); }
 
 } // namespace
 
@@ -92,7 +92,7 @@ TEST(Triangulator, DividesTenThousandRandomPolygons) {
     std::normal_distribution<double> normal;
     int wrong = 0;
     for (size_t k = 0; k < 10000; ++k) {
-        Outline p = k % 2 ? untangled(4 + k % 37, random) : star(4 + k % 37, random);
+        Loop p = k % 2 ? untangled(4 + k % 37, random) : star(4 + k % 37, random);
         auto axis = [&] { return normalize(Vec3d{normal(random), normal(random), normal(random)}); };
         Vec3d n = axis(), u = normalize(cross(n, axis())), v = cross(n, u);
         if (k % 4 < 2) u = {0, 0, 1}, v = {1, 0, 0};
@@ -115,10 +115,10 @@ TEST(Triangulator, KeepsCornersInALine) {
 }
 
 TEST(Triangulator, DividesQuadsWithANotch) {
-    for (const Outline &p : {Outline{{0, 0}, {1, 1}, {2, 0}, {1, 8}}, Outline{{1, 8}, {0, 0}, {1, 1}, {2, 0}},
-                             Outline{{0, 0}, {10, 1}, {0, 2}, {1, 1}}})
+    for (const Loop &p : {Loop{{0, 0}, {1, 1}, {2, 0}, {1, 8}}, Loop{{1, 8}, {0, 0}, {1, 1}, {2, 0}},
+                          Loop{{0, 0}, {10, 1}, {0, 2}, {1, 1}}})
         for (int turned : {0, 1}) {
-            Outline q = p;
+            Loop q = p;
             if (turned) std::reverse(q.begin(), q.end());
             Built built(onFloor(q));
             EXPECT_NEAR(built.area, length(newell(onFloor(q))), 1e-9);
@@ -153,11 +153,11 @@ TEST(Triangulator, LeavesHoles) {
 
 // The outline of squares that hang together as a tree: it touches itself at corners and along sides, where it
 // leaves holes and slits, and turns back at their ends.
-struct Squares {
+struct Tiles {
     std::mt19937 &random;
     size_t most;
     std::set<std::array<int, 2>> taken = {};
-    Outline outline = {};
+    Loop outline = {};
 
     void add(int x, int y, size_t from) { // beside the square in this direction
         taken.insert({x, y});
@@ -175,9 +175,9 @@ TEST(Triangulator, DividesWhatTouchesItself) {
     std::mt19937 random(3);
     int wrong = 0;
     for (size_t k = 0; k < 10000; ++k) {
-        Squares squares = {random, 2 + k % 60};
+        Tiles squares = {random, 2 + k % 60};
         squares.add(0, 0, 3);
-        Outline &p = squares.outline;
+        Loop &p = squares.outline;
         if (k % 3 == 0) std::reverse(p.begin(), p.end());
         std::vector<Vec3d> points = placed(p, {3, 4, 0}, {-1, 2, 5}, {k % 2 * 1e5, 0, 0});
         Built built(points);
@@ -191,8 +191,8 @@ TEST(Triangulator, DividesWhatTouchesItself) {
 // Some programs close an outline with a point that comes twice, or leave a line that is followed there and
 // back.
 TEST(Triangulator, CutsSpikes) {
-    for (const Outline &p :
-         {Outline{{0, 0}, {4, 0}, {4, 2}, {8, 2}, {4, 2}, {4, 4}, {0, 4}},
+    for (const Loop &p :
+         {Loop{{0, 0}, {4, 0}, {4, 2}, {8, 2}, {4, 2}, {4, 4}, {0, 4}},
           {{0, 0}, {4, 0}, {9, 1e-7}, {4, -1e-7}, {4, 4}, {0, 4}},
           {{0, 0}, {4, 0}, {4, 2}, {1, 2}, {4, 2}, {4, 2}, {4, 4}, {0, 4}, {0, 0}},
           {{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}, {-5, 4}, {-9, 4}, {-7, 4}, {0, 4}}}) {
@@ -210,12 +210,12 @@ TEST(Triangulator, KeepsPartsOfFoldedPolygons) {
 }
 
 TEST(Triangulator, NotesCrossings) {
-    Outline star;
+    Loop star;
     for (int k = 0; k < 5; ++k) star.push_back({std::cos(k * 2.5132741), std::sin(k * 2.5132741)});
-    const Outline bow = {{0, 0}, {4, 0}, {1, 2}, {3, 2}}, even = {{0, 0}, {4, 0}, {0, 2}, {4, 2}},
-                  twice = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {3, 5}, {1, 5}},
-                  turned = {{0, 0}, {9, 0}, {9, 9}, {0, 0}, {4, 1}, {8, 1}, {8, 5}, {4, 1}}; // a hole
-    for (const Outline &p : {star, bow, even, twice, turned}) {
+    const Loop bow = {{0, 0}, {4, 0}, {1, 2}, {3, 2}}, even = {{0, 0}, {4, 0}, {0, 2}, {4, 2}},
+               twice = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {3, 5}, {1, 5}},
+               turned = {{0, 0}, {9, 0}, {9, 9}, {0, 0}, {4, 1}, {8, 1}, {8, 5}, {4, 1}}; // a hole
+    for (const Loop &p : {star, bow, even, twice, turned}) {
         Built built(onFloor(p));
         ASSERT_FALSE(built.notes.empty());
         EXPECT_NE(built.notes.back().find("cross themselves"), std::string::npos);
@@ -225,7 +225,7 @@ TEST(Triangulator, NotesCrossings) {
 
 // A polygon of N corners takes about N log N: a comb of many teeth.
 TEST(Triangulator, DividesLargePolygons) {
-    Outline comb = {{0, -1e4}};
+    Loop comb = {{0, -1e4}};
     const int teeth = 20000;
     comb.push_back({2. * teeth, -1e4});
     for (int k = teeth; k > 0; --k) comb.push_back({2. * k - 1, 1. * teeth}), comb.push_back({2. * k - 2, 0});

@@ -13,7 +13,7 @@ using namespace odraz::measure;
 
 namespace {
 
-constexpr char kHead[] = "at,time,kind,level,width,height\n";
+constexpr char kShownHead[] = "at,time,kind,level,width,height\n";
 
 // A player that misses nothing: `rate` pictures a second from one moment to another, each shown at its time
 // until the next one. One of `every` is traced, the others are made between two traced ones.
@@ -29,14 +29,14 @@ std::vector<Shown> steady(double from, double to, double rate, int every, float 
 }
 
 std::string wrongIn(const std::string &rows) {
-    return thrown<common::Refused>([&] { parseShown(kHead + rows); });
+    return thrown<common::Refused>([&] { parseShown(kShownHead + rows); });
 }
 
 TEST(Shown, ListsAreWrittenAndRead) {
     std::vector<Shown> list = steady(3, 4, 30, 4, 1.25f, 640, 360);
     list[4].at = -1; // it was left out
     EXPECT_EQ(printShown(parseShown(printShown(list))), printShown(list));
-    EXPECT_TRUE(parseShown(kHead).empty());
+    EXPECT_TRUE(parseShown(kShownHead).empty());
 }
 
 TEST(Shown, WhatIsWrongIsReported) {

@@ -11,10 +11,10 @@ using namespace pictures;
 namespace {
 
 using Bytes = std::vector<uint8_t>;
-constexpr int kWidth = 72, kHeight = 48;
+constexpr int kAcross = 72, kDown = 48;
 
 // The pictures that were compared so
-template <class F> Bytes picture(F &&of, int width = kWidth, int height = kHeight) {
+template <class F> Bytes picture(F &&of, int width = kAcross, int height = kDown) {
     Bytes all;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
@@ -29,7 +29,7 @@ int noise(int x, int y, int c) {
 Bytes plain(int r, int g, int b) {
     return picture([&](int, int, int c) { return c == 0 ? r : c == 1 ? g : b; });
 }
-double mean(const Bytes &a, const Bytes &b, int width = kWidth, int height = kHeight) {
+double mean(const Bytes &a, const Bytes &b, int width = kAcross, int height = kDown) {
     return meanFlip(see(a, width, height), see(b, width, height));
 }
 
@@ -49,13 +49,13 @@ TEST(Flip, IsThatOfDenseFiltersInDouble) {
          0.389134, 0.267579, 0.390832},
         {"noise", picture(noise), 0.464465, 0.791629, 0.371377, 0.879153},
     };
-    SeenPicture reference = see(picture(checks), kWidth, kHeight);
+    SeenPicture reference = see(picture(checks), kAcross, kDown);
     for (const Expected &e : all) {
-        SeenPicture test = see(e.test, kWidth, kHeight);
+        SeenPicture test = see(e.test, kAcross, kDown);
         std::vector<float> errors = flip(reference, test);
         EXPECT_NEAR(meanFlip(reference, test), e.mean, 2e-6) << e.name;
         EXPECT_NEAR(errors[0], e.first, 2e-5) << e.name;
-        EXPECT_NEAR(errors[21 * kWidth + 37], e.middle, 2e-5) << e.name;
+        EXPECT_NEAR(errors[21 * kAcross + 37], e.middle, 2e-5) << e.name;
         EXPECT_NEAR(errors.back(), e.last, 2e-5) << e.name;
     }
 }
@@ -91,27 +91,27 @@ TEST(Flip, IsNothingForEqualPicturesAndTheSameBothWays) {
     EXPECT_EQ(mean(a, a), 0);
     EXPECT_EQ(mean(b, b), 0);
     EXPECT_EQ(mean(a, b), mean(b, a));
-    for (float e : flip(see(a, kWidth, kHeight), see(b, kWidth, kHeight))) EXPECT_TRUE(e > 0 && e <= 1);
+    for (float e : flip(see(a, kAcross, kDown), see(b, kAcross, kDown))) EXPECT_TRUE(e > 0 && e <= 1);
 }
 
 // Filters sum to 1 and are isotropic: a rotated picture has the same error
 TEST(Flip, DoesNotDependOnTheDirection) {
     auto turned = [](auto &&of) {
-        return picture([&](int x, int y, int c) { return of(kWidth - 1 - y, kHeight - 1 - x, c); }, kHeight,
-                       kWidth);
+        return picture([&](int x, int y, int c) { return of(kAcross - 1 - y, kDown - 1 - x, c); }, kDown,
+                       kAcross);
     };
-    EXPECT_NEAR(mean(turned(checks), turned(noise), kHeight, kWidth), mean(picture(checks), picture(noise)),
+    EXPECT_NEAR(mean(turned(checks), turned(noise), kDown, kAcross), mean(picture(checks), picture(noise)),
                 1e-6);
 }
 
 // The point of FLIP: an error at an edge counts more than the same error on a slope
 TEST(Flip, SeesEdgesMoreThanSlopes) {
     auto grey = [](int, int, int) { return 110; };
-    auto step = [](int x, int, int) { return x < kWidth / 2 ? 105 : 115; };
-    auto slope = [](int x, int, int) { return 105 + x * 10 / kWidth; };
-    SeenPicture reference = see(picture(grey), kWidth, kHeight);
+    auto step = [](int x, int, int) { return x < kAcross / 2 ? 105 : 115; };
+    auto slope = [](int x, int, int) { return 105 + x * 10 / kAcross; };
+    SeenPicture reference = see(picture(grey), kAcross, kDown);
     auto middle = [&](const Bytes &test) {
-        return flip(reference, see(test, kWidth, kHeight))[24 * kWidth + 33];
+        return flip(reference, see(test, kAcross, kDown))[24 * kAcross + 33];
     };
     EXPECT_GT(middle(picture(step)), 1.5 * middle(picture(slope)));
 }

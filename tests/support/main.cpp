@@ -1,0 +1,24 @@
+// The main() of the tests of a room: `show_tests score_test` runs those of score_test.cpp alone, `show_tests`
+// all.
+#include <cstdio>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+int main(int argc, char **argv) {
+    testing::InitGoogleTest(&argc, argv);
+    if (argc > 1) {
+        std::string of;
+        const testing::UnitTest &all = *testing::UnitTest::GetInstance();
+        for (int s = 0; s < all.total_test_suite_count(); ++s) {
+            const testing::TestSuite &suite = *all.GetTestSuite(s);
+            for (int i = 0; i < suite.total_test_count(); ++i) {
+                const testing::TestInfo &test = *suite.GetTestInfo(i);
+                if (std::filesystem::path(test.file()).stem() == argv[1])
+                    of += std::string(suite.name()) + "." + test.name() + ":";
+            }
+        }
+        if (of.empty()) return std::fprintf(stderr, "no test is of %s.cpp\n", argv[1]), 2;
+        GTEST_FLAG_SET(filter, of);
+    }
+    return RUN_ALL_TESTS();
+}

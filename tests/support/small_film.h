@@ -1,0 +1,14 @@
+// The film in small pictures, with the hall where it has one: loaded once for all tests.
+#pragma once
+
+#include "tests/support/headless_gl.h"
+#include "tests/support/loaded_film.h"
+
+namespace odraz {
+
+inline Intro &smallFilm() {
+    static LoadedFilm loaded(1, 160, 90, false, needsHall(0, duration()) ? &headlessGl() : nullptr);
+    return *loaded.intro;
+}
+
+} // namespace odraz
