@@ -6,40 +6,32 @@
 
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace odraz::measure {
 
-// How a subject is seen: by the film's camera at a time, or by another camera.
-struct SubjectCamera {
-    double seconds;                    // into the film, for its scenes
-    const CameraKey *camera = nullptr; // null: the film's camera
-};
-
 struct SubjectName {
     std::string name;
     bool hall;
-    std::function<void(Scene &)> pose; // empty: the film poses it
-    std::vector<SubjectCamera> cameras;
+    std::function<void(Scene &)> pose = {}; // empty: the film poses it
+    const CameraKey *camera = nullptr;      // null: the film's
+    double seconds = 0;                     // into the film, for its scenes
 };
 
 // All subjects, in the order in which they are measured.
 const std::vector<SubjectName> &subjectNames();
 
-// A subject and the number of its camera, from 0 on: "A" or "A/2". Throws Refused.
-std::pair<SubjectName, size_t> findPicture(const std::string &name);
+// Throws Refused if there is none of this name.
+SubjectName findSubject(const std::string &name);
 
 // Poses the subject in the film's scene; returns its view.
-View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &settings, const Film &film);
+View poseSubject(const SubjectName &subject, const IntroSettings &settings, const Film &film);
 
-// A scene, posed for a camera, with all that tracing it needs. Throws std::runtime_error with a line that
-// gives the reason.
+// A posed scene with all that tracing it needs. Throws std::runtime_error with a line that gives the reason.
 class Subject {
 public:
     Subject(const SubjectName &name, int width, int height);
 
-    void pose(size_t camera);
     // On one thread. Returns its processor time in milliseconds.
     double trace(const Quality &quality);
     double samplesPerPixel() const;
@@ -54,9 +46,8 @@ public:
 private:
     IntroSettings settings;
     Workers workers;
-    SubjectName name;
     LoadedFilm film;
-    View view = {};
+    View view;
 };
 
 } // namespace odraz::measure

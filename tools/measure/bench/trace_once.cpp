@@ -24,7 +24,7 @@ namespace odraz::measure {
 namespace {
 
 constexpr double kSixtieth = 1 / 60.0; // seconds
-constexpr char kSceneHelp[] = "A, or A/2 for another of its cameras, as in tradeoff trace",
+constexpr char kSceneHelp[] = "A, or another scene of tradeoff trace",
                kSettingHelp[] = "a quality, or one with knobs turned: draft,threshold=0.02,cutoff=1/64",
                kKeptHelp[] = "what `pose` or `film` kept";
 
@@ -80,11 +80,11 @@ int pose(common::CommandLine &line) {
     line.argument("SCENE", scene, kSceneHelp);
     sizeOption(line, "--size", size, "the picture's size");
     line.parse();
-    auto [name, camera] = findPicture(scene);
+    SubjectName subject = findSubject(scene);
     Workers workers = serialWorkers();
-    Kept &kept = keep(file, size, workers, name.hall);
+    Kept &kept = keep(file, size, workers, subject.hall);
     std::snprintf(kept.scene, sizeof kept.scene, "%s", scene.c_str());
-    kept.view = poseSubject(name, camera, size, kept.intro->film);
+    kept.view = poseSubject(subject, size, kept.intro->film);
     return 0;
 }
 
@@ -136,8 +136,7 @@ std::string fileOf(common::CommandLine &line, const char *about) {
 
 int again(common::CommandLine &line) {
     Reopened from(fileOf(line, "Poses the scene once more, as every picture does."));
-    auto [name, camera] = findPicture(from.kept.scene);
-    poseSubject(name, camera, from.kept.settings, from.intro().film);
+    poseSubject(findSubject(from.kept.scene), from.kept.settings, from.intro().film);
     return 0;
 }
 

@@ -8,7 +8,7 @@
 namespace odraz::measure {
 
 void Sweep::read(common::CommandLine &line) {
-    line.flag("--quick", quick, "measure few settings, small pictures, one camera of each scene");
+    line.flag("--quick", quick, "measure few settings, small pictures");
     line.option("--csv", "FILE", csv, "write the table there, too");
     line.option("--plot", "FILE", plot, "write a plot of it, as SVG");
     line.parse();

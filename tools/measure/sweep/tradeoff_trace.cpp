@@ -17,7 +17,7 @@ namespace {
 using TraceSetting = Setting<Quality>;
 
 struct TraceSweep : Sweep {
-    std::vector<std::string> pictures, settings; // none: all
+    std::vector<std::string> scenes, settings; // none: all
     int width = 1280;
     std::string references;
 };
@@ -79,9 +79,8 @@ std::vector<TraceSetting> askedSettings(const TraceSweep &sweep) {
 }
 
 // The reference, read from a folder or traced
-std::vector<uint8_t> referenceOf(Subject &subject, const std::string &folder, std::string name) {
+std::vector<uint8_t> referenceOf(Subject &subject, const std::string &folder, const std::string &name) {
     if (folder.empty()) return subject.reference();
-    std::replace(name.begin(), name.end(), '/', '-');
     std::string file = folder + "/" + name + "-" + std::to_string(subject.width());
     if (access(file.c_str(), R_OK) == 0) {
         std::string bytes = common::readWhole(file);
@@ -118,21 +117,11 @@ std::vector<Measured> measure(Subject &subject, const std::vector<TraceSetting> 
     return all;
 }
 
-// The pictures that the sweep asks for: a scene, and its cameras from `first` to `end`
-struct Asked {
-    SubjectName name;
-    size_t first, end;
-};
-std::vector<Asked> askedPictures(const TraceSweep &sweep) {
-    std::vector<Asked> all;
-    auto ask = [&](const SubjectName &n) { all.push_back({n, 0, sweep.quick ? 1 : n.cameras.size()}); };
-    if (sweep.pictures.empty())
-        for (const SubjectName &n : subjectNames()) ask(n);
-    for (const std::string &picture : sweep.pictures) {
-        auto [name, camera] = findPicture(picture);
-        ask(name);
-        if (picture.find('/') != std::string::npos) all.back() = {name, camera, camera + 1};
-    }
+// The scenes that the sweep asks for
+std::vector<SubjectName> askedScenes(const TraceSweep &sweep) {
+    if (sweep.scenes.empty()) return subjectNames();
+    std::vector<SubjectName> all;
+    for (const std::string &scene : sweep.scenes) all.push_back(findSubject(scene));
     return all;
 }
 
@@ -143,20 +132,19 @@ int tradeoffTrace(common::CommandLine &line) {
     line.about(
         "Settings of the tracer: processor time against mean FLIP and PSNR, in linear light and in sRGB,\n"
         "compared with 256 samples a pixel.");
-    line.option("--scene", "NAME", sweep.pictures,
-                "only this scene (A: all its cameras) or this picture (A/0)");
+    line.option("--scene", "NAME", sweep.scenes, "only this scene");
     line.option("--setting", "WORDS", sweep.settings,
                 "only this setting, as play or draft,threshold=0.02,cutoff=1/64");
     line.option("--width", "PIXELS", sweep.width, {64, 3840}, "the pictures' width");
     line.option("--references", "FOLDER", sweep.references,
                 "keep the reference pictures there, for further runs of the same commit");
     sweep.read(line);
-    std::vector<Asked> names = askedPictures(sweep);
+    std::vector<SubjectName> names = askedScenes(sweep);
     std::vector<TraceSetting> all = askedSettings(sweep);
     // A small picture costs little and gives the same ranking
     int width = sweep.quick ? 256 : sweep.width / 16 * 16, height = width * 9 / 16;
     bool one = names.size() == 1;
-    pictures::Plot plot = {"trace: " + (one ? "scene " + names[0].name.name : "several scenes") + ", " +
+    pictures::Plot plot = {"trace: " + (one ? "scene " + names[0].name : "several scenes") + ", " +
                                std::to_string(width) + "x" + std::to_string(height),
                            "processor time of a picture, ms",
                            "mean FLIP to 256 samples a pixel",
@@ -168,29 +156,24 @@ int tradeoffTrace(common::CommandLine &line) {
                            true,
                            true};
     plot.frontOfEach = !one;
-    Table table("scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,"
+    Table table("scene,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,"
                 "words",
                 plot);
     for (size_t n = 0; n < names.size(); ++n) {
-        const auto &[name, first, end] = names[n];
-        Subject subject(name, width, height);
-        if (!one) table.plot.series.push_back(name.name);
-        for (size_t camera = first; camera < end; ++camera) {
-            subject.pose(camera);
-            std::vector<uint8_t> reference =
-                referenceOf(subject, sweep.references, name.name + "/" + std::to_string(camera));
-            std::vector<Measured> found = measure(subject, all, sweep.quick ? 3 : 5, reference);
-            for (size_t i = 0; i < all.size(); ++i) {
-                const TraceSetting &s = all[i];
-                const Measured &m = found[i];
-                double ms = common::median(m.times);
-                table.row(common::format("%s,%zu,%s,%d,%.3f,%.1f,%.4f,%.2f,%.2f,%s", name.name.c_str(),
-                                         camera, s.name.c_str(), s.shipped, m.samples, ms, m.flip, m.linear,
-                                         m.shown, wordsOf(s.value).c_str()));
-                if (camera == first)
-                    table.plot.points.push_back(
-                        {ms, std::max(m.flip, 1e-4), s.name, s.shipped, one ? s.series : (int)n});
-            }
+        const std::string &name = names[n].name;
+        Subject subject(names[n], width, height);
+        if (!one) table.plot.series.push_back(name);
+        std::vector<uint8_t> reference = referenceOf(subject, sweep.references, name);
+        std::vector<Measured> found = measure(subject, all, sweep.quick ? 3 : 5, reference);
+        for (size_t i = 0; i < all.size(); ++i) {
+            const TraceSetting &s = all[i];
+            const Measured &m = found[i];
+            double ms = common::median(m.times);
+            table.row(common::format("%s,%s,%d,%.3f,%.1f,%.4f,%.2f,%.2f,%s", name.c_str(), s.name.c_str(),
+                                     s.shipped, m.samples, ms, m.flip, m.linear, m.shown,
+                                     wordsOf(s.value).c_str()));
+            table.plot.points.push_back(
+                {ms, std::max(m.flip, 1e-4), s.name, s.shipped, one ? s.series : (int)n});
         }
     }
     table.save(sweep);
