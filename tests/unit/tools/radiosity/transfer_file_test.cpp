@@ -37,7 +37,7 @@ bool accepted(const std::string &file) {
 
 TEST(File, KeepsTheRoom) {
     TransferSettings settings = settingsOf(2, 16, 0.5);
-    settings.glossy = "grey", settings.upIsZ = true;
+    settings.glossy = "grey", settings.glossRays = 64, settings.upIsZ = true;
     TransferRoom room = transferOf(openRoom(), settings);
     std::string file = fileOf(room);
     common::TemporaryFolder folder;
@@ -55,7 +55,7 @@ TEST(File, KeepsTheRoom) {
 // many more.)
 TEST(File, SurvivesDamage) {
     TransferSettings settings = settingsOf(1, 8, 4);
-    settings.glossy = "grey", settings.rank = 1, settings.clusters = 2;
+    settings.glossy = "grey", settings.glossRays = 64, settings.rank = 1, settings.clusters = 2;
     std::string file = fileOf(transferOf(openRoom(), settings)), body = file.substr(file.find('\n') + 1 + 8);
     ASSERT_TRUE(accepted(file));
     EXPECT_FALSE(accepted(file + "x"));
