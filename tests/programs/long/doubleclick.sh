@@ -7,7 +7,7 @@
 . "$(dirname "$0")/../display.sh"
 skip_unless openbox thunar pcmanfm dbus-run-session convert
 export LC_ALL=C # Alt and a letter answer the question, which must be in English
-QUIET=20        # seconds without the film after which it counts as not started
+QUIET=20        # seconds without the film after which one that should not start has not
 archive=${2-}
 if [ -z "$archive" ]; then
     skip_unless zip unzip
@@ -47,8 +47,8 @@ found() { # sets spot, the icon: the middle of the tallest region that differs b
 }
 answered() { # the film's window is there; answers one question if it comes first
     ! seen || return 0
-    running || [ -n "$asks" ] || ! opened || {
-        sleep 1 # the question must be drawn and have the keyboard
+    running || ! opened || {
+        sleep 1 # once more if the question did not have the keyboard yet
         ! seen || return 0
         asks=1
         xdotool key alt+e
@@ -64,7 +64,7 @@ clicked() { # sets outcome
     sleep 0.3
     xdotool click --repeat 2 --delay 120 1
     asks=
-    PATIENCE=$QUIET await answered || { running && await seen; } || { outcome="${asks:+asks, and }does not start it"; return; }
+    PATIENCE=$patience await answered || { running && await seen; } || { outcome="${asks:+asks, and }does not start it"; return; }
     outcome="${asks:+asks, then }starts it"
     running || outcome="starts another film"
     sleep 1
@@ -87,7 +87,12 @@ double_click() {
     kill -TERM -- "-$group"
     PATIENCE=5 await eval "! kill -0 -- -$group" 2>/dev/null || kill -KILL -- "-$group" 2>/dev/null
 }
-does() { double_click "$2"; [[ $outcome = $1 ]] || { echo "$2: '$outcome', wanted '$1'" >&2; return 1; }; } # does OUTCOME MANAGER
+does() { # does OUTCOME MANAGER
+    local patience=$PATIENCE
+    [[ $1 != *not* ]] || patience=$QUIET
+    double_click "$2"
+    [[ $outcome = $1 ]] || { echo "$2: '$outcome', wanted '$1'" >&2; return 1; }
+}
 
 start_display 1024x768
 start_window_manager

@@ -29,14 +29,21 @@ mark() { marked=$(wc -l <"$WORK/err"); }
 edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED
 restore() { cp "$WORK/kept/$1" "$house/intro/$1"; }
 # shows COMMAND...: does it, and waits until the picture is that of the new sources
-shows() { mark && "$@" && comes 'reported "shown"' && sleep 1; }
+shows() { mark && "$@" && comes 'reported "shown"' && drawn; }
 changes() { # changes NAME FILE SED: another picture comes
-    shows edit "$2" "$3" && comes '! same before' && sleep 1 && kept "$1"
+    shows edit "$2" "$3" && comes '! same before' && drawn && kept "$1"
 }
 goes_back() { shows restore "$1" && comes 'same before'; }
 same() { kept again && cmp -s "$WORK/$1.png" "$WORK/again.png"; }
 kept() { shot && cp "$WORK/shot.png" "$WORK/$1.png"; }
-pauses() { press space && comes 'titled paused' && sleep 1 && kept before; }
+fly() {
+    xdotool keydown --window "$window" d
+    comes '! same before' && drawn
+    xdotool keyup --window "$window" d
+    drawn
+}
+unreported() { sleep 5 && drawn; } # a report is over the picture for four seconds
+pauses() { press space && comes 'titled paused' && drawn && kept before; }
 
 # --- Sound ---
 loud() { [ "$(tail -c 40000 "$WORK/played" | od -An -v -td2 -w2 | awk '{ a = $1 < 0 ? -$1 : $1; if (a > most) most = a } END { print (most > 300) }')" = "$1" ]; }
@@ -57,7 +64,7 @@ check "a scene that is changed is shown" changes red "$table" 's/0.8f, kSilver)/
 mark
 echo "this is no C++" >>"$house/intro/$table"
 check "what does not compile is reported" comes 'reported "intro/$table:[0-9:]* error: "'
-sleep 1
+drawn
 kept wrong
 upper() { convert "$WORK/$1.png" -crop 320x60+0+0 +repage "rgb:$WORK/$1.rgb"; }
 stands() { upper red && upper wrong && cmp "$WORK/red.rgb" "$WORK/wrong.rgb" && ! cmp -s "$WORK/red.png" "$WORK/wrong.png"; }
@@ -94,12 +101,10 @@ check "... is shown" comes '! same before'
 restore show/CMakeLists.txt
 rm "$house/intro/show/scenes/ring.cpp"
 check "... and gone" goes_back "$table"
-xdotool keydown --window "$window" d
-sleep 1
-xdotool keyup --window "$window" d
+fly
 press k
 check "a key is set" comes 'titled "key set on row"'
-sleep 5 # until it is no longer reported over the picture
+unreported
 check "... which is another view" eval '! same before'
 kept before
 check "a changed scene is shown from there" changes viewed "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
@@ -110,32 +115,25 @@ check "... and reports nothing else" eval '! grep -v " shown \| error: " "$WORK/
 # --- What was edited becomes source ---
 film=$house/intro/show/film.keys
 reports() { comes "reported '$1'"; }
-flies() { # and sets a key there
-    xdotool keydown --window "$window" d
-    sleep "$1"
-    xdotool keyup --window "$window" d
-    press k
-    comes 'titled "key set on row"' && sleep 5 && kept edited # it is reported over the picture
-}
+flies() { fly && press k && comes 'titled "key set on row"' && unreported && kept edited; } # and sets a key there
 check "it plays again" starts 20 --mute
 check "it pauses" pauses
 on_row() { # a key that is set there takes the film there
-    press k && comes 'titled "key set on row"' && press ctrl+z && comes 'titled undone' && sleep 5 && kept before
+    press k && comes 'titled "key set on row"' && press ctrl+z && comes 'titled undone' && unreported && kept before
 }
 check "... on a row" on_row
-check "a key is set by hand" flies 1
+check "a key is set by hand" flies
 row=$(xdotool getwindowname "$window" | sed -n 's/.* row \([0-9]*\)\.0 .*/\1/p')
 # S without Ctrl flies backwards, and Ctrl may be up first
 saves() {
     mark
     xdotool keydown --window "$window" ctrl keydown --window "$window" s keyup --window "$window" ctrl
-    sleep 0.5
+    drawn
     xdotool keyup --window "$window" s
     reports "saved film.keys"
 }
 check "it is saved" saves
 check "... built and shown" comes 'reported "shown"'
-sleep 1
 check "... the same picture" comes 'same edited'
 changed_lines() { diff "$WORK/kept/show/film.keys" "$film" | grep -c '^[<>]'; }
 check "... of which one key is new in the source" test "$(changed_lines)" = 1
@@ -147,15 +145,14 @@ undoes() { press ctrl+z && comes 'titled undone' && saves; }
 check "the step is undone, and saved" undoes
 check "... the source is as it was" cmp "$WORK/kept/show/film.keys" "$film"
 check "... and the picture" comes 'same before'
-check "another key" flies 1
+check "another key" flies
 mark
 echo "// mine" >>"$film"
 check "somebody writes the file meanwhile" reports "shown"
-sleep 1
 check "... the edit is still seen" comes 'same edited'
 check "... and is saved beside it" saves
 check "... both stand there" test "$(changed_lines)" = 2
-check "the next" flies 1
+check "the next" flies
 echo "this is no C++" >>"$film"
 check "what does not compile" reports "intro/show/film.keys:[0-9:]* error: "
 mark
@@ -175,7 +172,7 @@ check "it pauses" pauses
 mark
 edit show/hall_model.cpp 's/kShaft, 0\.46f/kShaft, 0.4f/'
 check "another hall is solved" comes 'reported "solving the hall again"'
-sleep 0.5
+drawn
 kept solving
 check "... over the picture, with a bar" eval '! cmp -s "$WORK/before.png" "$WORK/solving.png"'
 check "... shown when it is done" comes 'reported "shown"'
