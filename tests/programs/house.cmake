@@ -63,6 +63,7 @@ function(odraz_long_script name seconds script)
 endfunction()
 odraz_scripts(odraz_long_script long
     binary_again 80
+    busy 9000
     doubleclick 100
     live 300
     pack_kernels 120

@@ -1,0 +1,21 @@
+# No ordinary test fails for a busy machine: all of them pass three times with four busy loops beside them, and once on
+# one processor.
+#   busy.sh BUILD [CTEST OPTION...]
+. "$(dirname "$0")/../common.sh"
+options=("${@:2}")
+mkdir "$WORK/tests" # a folder of its own, for what ctest writes
+echo "subdirs(\"$BUILD\")" >"$WORK/tests/CTestTestfile.cmake"
+all_pass() { # all_pass COMMAND...: ctest under the command, with one test more than there are processors
+    "$@" ctest --test-dir "$WORK/tests" --output-on-failure -j $(($("$@" nproc) + 1)) "${options[@]}" >"$WORK/printed" 2>&1 &&
+        grep '^100% tests passed' "$WORK/printed" || { cat "$WORK/printed" >&2; return 1; }
+}
+loops=()
+for _ in 1 2 3 4; do
+    while :; do :; done &
+    loops+=($!)
+done
+PIDS+=("${loops[@]}")
+for round in 1 2 3; do check "four busy loops beside them, round $round" all_pass env; done
+kill "${loops[@]}"
+check "on one processor" all_pass taskset -c 0
+finish
