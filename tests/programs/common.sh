@@ -136,7 +136,7 @@ await() {
     local end=$((SECONDS + PATIENCE))
     until "$@"; do
         [ $SECONDS -lt $end ] || { echo "waited $PATIENCE s without success for: $*" >&2; return 1; }
-        sleep 0.02
+        sleep 0.1
     done
 }
 gone() { ! kill -0 "$1" 2>/dev/null; }

@@ -10,7 +10,7 @@ function(odraz_scripts function folder)
 endfunction()
 odraz_scripts(odraz_script .
     binary 10
-    doctor 5
+    doctor 2
     house 1
     install 2
     ledger 1
@@ -25,7 +25,7 @@ odraz_scripts(odraz_script .
     pages 1
     panel 10
     pictures 10
-    playing 32
+    playing 10
     radiosity 8
     radiosity_atlas 3
     radiosity_errors 8
@@ -40,20 +40,20 @@ odraz_scripts(odraz_script .
     release 30
     render 15
     report 3
-    rocket 25
-    screens 20
-    shown 10
-    sound 25
+    rocket 18
+    screens 15
+    shown 5
+    sound 16
     tradeoff 4
     watch 10
-    web 90
-    window 60)
-odraz_script(hostile_damaged 15 hostile/damaged 8)
-odraz_script(hostile_killed 12 hostile/killed 6)
-odraz_script(hostile_surroundings 40 hostile/surroundings odraz-safe)
+    web 50
+    window 40)
+odraz_script(hostile_damaged 2 hostile/damaged 8)
+odraz_script(hostile_killed 4 hostile/killed 6)
+odraz_script(hostile_surroundings 15 hostile/surroundings odraz-safe)
 odraz_script(hostile_words 6 hostile/words odraz-safe 40)
 odraz_script(hostile_words_radiosity 3 hostile/words radiosity 60)
-odraz_script(machine 12 machine odraz-safe)
+odraz_script(machine 4 machine odraz-safe)
 
 # tools/test --long
 function(odraz_long_script name seconds script)

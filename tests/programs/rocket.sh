@@ -29,7 +29,7 @@ order() { echo "$*" >&7; }
 await grep -q port "$WORK/received"
 port=$(sed -n 's/port //p' "$WORK/received")
 WINDOW="^$FILM-debug "
-begin "$debug" --mute --size 160x90 --from 20 --quality draft --rocket "127.0.0.1:$port"
+begin "$debug" --mute --threads 1 --size 160x90 --from 20 --quality draft --rocket "127.0.0.1:$port"
 [ -n "$window" ] && xdotool windowfocus --sync "$window"
 received() { grep -qxF "$1" "$WORK/received"; }
 check "the film comes, and greets" comes 'received film'

@@ -8,7 +8,7 @@ shows() {
     local width=$1 height=$2 x=$3 y=$4 w=$5 h=$6 status
     shift 6
     start_display "${width}x$height"
-    behind "$odraz" --mute --from 24 --to 60 "$@"
+    behind "$odraz" --mute --threads 1 --from 24 --to 60 "$@"
     await lit "$x" "$y" "$w" "$h" "$width" "$height"
     status=$?
     kill $pid 2>/dev/null
@@ -17,17 +17,15 @@ shows() {
 }
 brightness() { convert "$WORK/screen.png" -crop "$1" +repage -colorspace gray -format '%[fx:round(255*mean)]' info:; }
 lit() { # lit X Y W H WIDTH HEIGHT
-    import -window root "$WORK/screen.png" 2>/dev/null || return 1
+    import -window root -quality 0 "$WORK/screen.png" 2>/dev/null || return 1
     [ "$(brightness "2x2+$(($1 + 2))+$(($2 + 2))")" -gt 20 ] && [ "$(brightness "2x2+$(($1 + $3 - 4))+$(($2 + 2))")" -gt 20 ] || return 1
     [ "$1" -lt 2 ] || [ "$(brightness "$(($1 - 1))x$6+0+0")" = 0 ] || return 1
     [ "$2" -lt 2 ] || [ "$(brightness "$5x$(($2 - 1))+0+0")" = 0 ]
 }
-check "1280x720: the whole screen" shows 1280 720 0 0 1280 720
 check "1366x768" shows 1366 768 0 0 1365 768
 check "1280x1024: bars above and below" shows 1280 1024 0 152 1280 720
 check "1000x300: bars at the sides" shows 1000 300 233 0 533 300
 check "3000x1800: more than it traces" shows 3000 1800 0 56 3000 1687
-check "320x200: less" shows 320 200 0 10 320 180
 check "--size: scaled to the screen" shows 1280 720 0 0 1280 720 --size 320x180
 check "... with its own aspect" shows 1280 720 280 0 720 720 --size 200x200
 finish

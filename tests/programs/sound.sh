@@ -23,11 +23,12 @@ check "... to the sample" shard 71.123456 71.2 3413926 3417600 0.076542
 check "... at the end" shard 161.5 162 7752000 7776000 0.500000
 "$odraz" --wav "$WORK/none.wav" --from 3 --to 3
 check "a part of nothing is a header" test "$(stat -c %s "$WORK/none.wav")" = 44
-check "a pipe gets the same" cmp "$WORK/shard.wav" <("$odraz" --wav - --from 161.5 | cat)
+check "a part to compare with" shard 8 8.5 384000 408000 0.500000
+check "a pipe gets the same" cmp "$WORK/shard.wav" <("$odraz" --wav - --from 8 --to 8.5 | cat)
 mkfifo "$WORK/fifo"
 cat "$WORK/fifo" >"$WORK/piped" &
 PIDS+=($!)
-check "a named pipe stays one" "$odraz" --wav "$WORK/fifo" --from 161.5
+check "a named pipe stays one" "$odraz" --wav "$WORK/fifo" --from 8 --to 8.5
 check "... and gets the same" eval 'await cmp -s "$WORK/shard.wav" "$WORK/piped" && [ -p "$WORK/fifo" ]'
 check "pictures and sound come together" "$odraz" --dump "$WORK/frames" --wav "$WORK/both.wav" --from 8 --to 8.2 --size 64x36
 check "... five of them" test "$(ls "$WORK/frames" | wc -l)" = 5
@@ -35,13 +36,9 @@ check "... and two tenths of a second" test "$(stat -c %s "$WORK/both.wav")" = $
 
 # Errors are one line, and nothing is left half-written
 check "--wav reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --wav - --to 1 >/dev/full"
-check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --wav - --to 9 | head -c 99 >/dev/null"
-check "... a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$odraz' --wav - >&-"
 check "... a folder that does not exist" refuses 1 "no such directory" "$odraz" --wav "$WORK/no/where.wav" --to 1
 check "... a folder of that name" refuses 1 "it is a directory" bash -c "mkdir '$WORK/taken' && exec '$odraz' --wav '$WORK/taken' --to 1"
 check "... and leaves no part of a file" test -z "$(find "$WORK" -name "taken*.part")"
-check "--wav refuses the pipe that --dump uses" refuses 2 "cannot both be -" "$odraz" --wav - --dump -
-check "... and --window" refuses 2 "--window is for playing" "$odraz" --wav "$WORK/x" --window
 
 # Loudness, after EBU R 128 and ITU-R BS.1770
 ffmpeg -hide_banner -nostats -i "$wav" -af ebur128=peak=true:framelog=verbose -f null - 2>"$WORK/ebu"
@@ -68,14 +65,11 @@ check "... and four of them come out of silence" test "$(awk -F, '$1 == "hit" &&
 onset='$4 >= -20 && $4 <= 20 && $5 >= 2.5'
 check "every cut and every audible event is heard, within 20 ms" heard onset "$onset"
 check "... more than 50 of them" test "$(grep -c '^onset' "$WORK/heard")" -gt 50
-# Music that is a row late is found
-(head -c 44 "$wav"; head -c 24000 /dev/zero; body "$wav" | head -c -24000) >"$WORK/late.wav"
+# Music that is a row late is found, and a click in it
+(head -c 44 "$wav"; head -c 24000 /dev/zero; body "$wav" | head -c 4000000; printf '\377\077\377\077'; body "$wav" | tail -c +4000005 | head -c -24000) >"$WORK/late.wav"
 "$BUILD/listen" "$WORK/late.wav" >"$WORK/late"
 late() { [ "$(awk -F, "/^onset/ && !($onset)" "$WORK/late" | wc -l)" -ge 15 ]; }
 check "(in music that is a row late, many would be missed)" late
-# ... and a click
-(head -c 4000044 "$wav"; printf '\377\077\377\077'; tail -c +4000049 "$wav") >"$WORK/click.wav"
-"$BUILD/listen" "$WORK/click.wav" >"$WORK/click"
-check "(a click would be found)" eval '! heard step "\$2 < 12" click 2>/dev/null'
+check "(a click would be found)" eval '! heard step "\$2 < 12" late 2>/dev/null'
 
 finish

@@ -20,8 +20,6 @@ check "ESC leaves" leaves to_window Escape
 # While loading, a bar grows and the film can be ended, both during unpacking and after it
 check "opens a window" load
 check "a bar grows while it loads" grows
-check "ESC leaves" leaves to_window Escape
-check "opens a window" load --from 100
 check "ESC leaves while it loads" leaves to_window Escape
 
 check "plays in a window" play --window --size 640x360 --from 60 --stats
