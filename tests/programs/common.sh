@@ -136,7 +136,7 @@ await() {
     local end=$((SECONDS + PATIENCE))
     until "$@"; do
         [ $SECONDS -lt $end ] || { echo "waited $PATIENCE s without success for: $*" >&2; return 1; }
-        sleep 0.1
+        sleep ${PAUSE:-0.1}
     done
 }
 gone() { ! kill -0 "$1" 2>/dev/null; }
@@ -158,7 +158,7 @@ ended() {
 # ends first
 worked() {
     local until=$(($(ticks "$1") + $2))
-    await eval "[ \"\$(ticks $1)\" -ge $until ] || gone $1"
+    PAUSE=0.02 await eval "[ \"\$(ticks $1)\" -ge $until ] || gone $1"
     ! gone "$1"
 }
 ticks() {
