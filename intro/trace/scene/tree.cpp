@@ -1,17 +1,11 @@
 #include "trace/scene/tree.h"
 
 #include "trace/scene/scene.h"
+#include "trace/scene/split.h"
 
 namespace odraz {
 
 namespace {
-
-float component(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-float halfArea(const Bounds &b) {
-    Vec3 e = b.hi - b.lo;
-    return e.x * e.y + e.y * e.z + e.z * e.x;
-}
 
 // Shapes order[first .. first + count) and their box.
 struct Group {
@@ -25,61 +19,14 @@ Bounds boxOf(const Scene &s, int first, int count) {
     return b;
 }
 
-// Splits a group in two: moves the shapes of the first part to its front and returns their number. The
-// surface area heuristic chooses the parts (Goldsmith and Salmon, 1987), over bins (Wald, "On Fast
-// Construction of SAH-based Bounding Volume Hierarchies", 2007). A group whose shapes have the same middle,
-// or which is too deep in the tree, is halved in the order it has.
 int split(Scene &s, const Group &g, bool halve) {
-    constexpr int kBins = 16;
-    auto middle = [&](int i) { return s.box[s.order[i]].lo + s.box[s.order[i]].hi; };
-    Bounds middles = kNoBounds;
-    for (int i = g.first; i < g.first + g.count; ++i) include(middles, {middle(i), middle(i)});
-    Vec3 extent = middles.hi - middles.lo;
-    int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    float low = component(middles.lo, axis), width = component(extent, axis);
-    if (halve || !(width > 0)) return g.count / 2;
-
-    Bounds boxes[kBins];
-    int counts[kBins] = {};
-    for (Bounds &b : boxes) b = kNoBounds;
-    auto bin = [&](int i) {
-        return min((int)((component(middle(i), axis) - low) / width * kBins), kBins - 1);
-    };
-    for (int i = g.first; i < g.first + g.count; ++i) {
-        include(boxes[bin(i)], s.box[s.order[i]]);
-        ++counts[bin(i)];
-    }
-    // Sweep from both ends for the split with the least sum of area times count
-    float left[kBins];
-    Bounds swept = kNoBounds;
-    int passed = 0;
-    for (int b = 0; b < kBins - 1; ++b) {
-        include(swept, boxes[b]);
-        left[b + 1] = halfArea(swept) * (float)(passed += counts[b]);
-        if (!passed) left[b + 1] = kInfinity;
-    }
-    swept = kNoBounds;
-    passed = 0;
-    int best = 1;
-    float least = kInfinity;
-    for (int b = kBins - 1; b > 0; --b) {
-        include(swept, boxes[b]);
-        if (!(passed += counts[b])) continue;
-        float cost = left[b] + halfArea(swept) * (float)passed;
-        if (cost < least) {
-            least = cost;
-            best = b;
-        }
-    }
-    int end = g.first;
-    for (int i = g.first; i < g.first + g.count; ++i)
-        if (bin(i) < best) {
+    return splitGroup(
+        g.first, g.count, halve, [&](int i) -> const Bounds & { return s.box[s.order[i]]; },
+        [&](int i, int k) {
             uint16_t moved = s.order[i];
-            s.order[i] = s.order[end];
-            s.order[end++] = moved;
-        }
-    int front = end - g.first;
-    return front > 0 && front < g.count ? front : g.count / 2;
+            s.order[i] = s.order[k];
+            s.order[k] = moved;
+        });
 }
 
 // Makes a node of a group: splits it, and then always its largest part, until there are eight parts.

@@ -1,8 +1,8 @@
 #include "tools/radiosity/rays/ray_tree.h"
 
-#include "trace/scene/bounds.h"
+#include "trace/scene/split.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace odraz::radiosity {
 
@@ -17,74 +17,28 @@ struct RayTree::Builder {
     std::vector<Item> items;
 
     struct Group {
-        size_t first, count;
+        int first, count;
         Bounds box;
     };
-    static constexpr size_t kLeaf = 8;
+    static constexpr int kLeaf = 8;
     static constexpr int kSplit = 40; // down to this depth groups are halved by surface, below it by number
 
-    static float halfArea(const Bounds &b) {
-        Vec3 e = b.hi - b.lo;
-        return e.x * e.y + e.y * e.z + e.z * e.x;
-    }
-    static float at(const Vec3 &v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-    Bounds boxOf(size_t first, size_t count) const {
+    Bounds boxOf(int first, int count) const {
         Bounds b = kNoBounds;
-        for (size_t i = first; i < first + count; ++i) include(b, items[i].box);
+        for (int i = first; i < first + count; ++i) include(b, items[(size_t)i].box);
         return b;
     }
 
-    // Sorts a group and returns the number of items in its first half. The division is the best by the
-    // surface area heuristic over bins (Wald, 2007).
-    size_t split(const Group &g, int deep) {
-        constexpr int kBins = 16;
-        auto middle = [&](const Item &i) { return i.box.lo + i.box.hi; };
-        Bounds middles = kNoBounds;
-        for (size_t i = g.first; i < g.first + g.count; ++i)
-            include(middles, {middle(items[i]), middle(items[i])});
-        Vec3 extent = middles.hi - middles.lo;
-        int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-        float low = at(middles.lo, axis), width = at(extent, axis);
-        if (deep > kSplit || !(width > 0)) return g.count / 2;
-        auto bin = [&](const Item &i) {
-            return std::min((int)((at(middle(i), axis) - low) / width * kBins), kBins - 1);
-        };
-        Bounds boxes[kBins];
-        size_t counts[kBins] = {};
-        for (Bounds &b : boxes) b = kNoBounds;
-        for (size_t i = g.first; i < g.first + g.count; ++i) {
-            int k = bin(items[i]);
-            include(boxes[k], items[i].box);
-            ++counts[k];
-        }
-        float left[kBins];
-        Bounds swept = kNoBounds;
-        size_t passed = 0;
-        for (int b = 0; b < kBins - 1; ++b) {
-            include(swept, boxes[b]);
-            passed += counts[b];
-            left[b + 1] = passed ? halfArea(swept) * (float)passed : kInfinity;
-        }
-        swept = kNoBounds, passed = 0;
-        int best = 1;
-        float least = kInfinity;
-        for (int b = kBins - 1; b > 0; --b) {
-            include(swept, boxes[b]);
-            if (!(passed += counts[b])) continue;
-            float cost = left[b] + halfArea(swept) * (float)passed;
-            if (cost < least) least = cost, best = b;
-        }
-        auto begin = items.begin() + (ptrdiff_t)g.first;
-        auto end =
-            std::partition(begin, begin + (ptrdiff_t)g.count, [&](const Item &i) { return bin(i) < best; });
-        auto front = (size_t)(end - begin);
-        return front > 0 && front < g.count ? front : g.count / 2;
+    int split(const Group &g, int deep) {
+        return splitGroup(
+            g.first, g.count, deep > kSplit, [&](int i) -> const Bounds & { return items[(size_t)i].box; },
+            [&](int i, int k) { std::swap(items[(size_t)i], items[(size_t)k]); });
     }
 
     int leaf(const Group &g) {
         Leaf l = {};
-        for (size_t k = 0; k < kLeaf; ++k) {
-            l.number[k] = k < g.count ? items[g.first + k].number : -1;
+        for (int k = 0; k < kLeaf; ++k) {
+            l.number[k] = k < g.count ? items[(size_t)(g.first + k)].number : -1;
             if (k >= g.count) continue;
             const Corners &c = triangles[(size_t)l.number[k]];
             for (size_t i = 0; i < 3; ++i)
@@ -108,8 +62,7 @@ struct RayTree::Builder {
                     largest = i, area = a;
             if (largest < 0) break;
             Group &g = parts[largest];
-            size_t front = split(g, deep);
-            size_t rest = g.first + front;
+            int front = split(g, deep), rest = g.first + front;
             parts[count++] = {rest, g.count - front, boxOf(rest, g.count - front)};
             g = {g.first, front, boxOf(g.first, front)};
         }
@@ -138,7 +91,8 @@ RayTree::RayTree(const std::vector<Corners> &triangles) {
         b.items[i] = {box, (int)i};
     }
     nodes.reserve(triangles.size() / 12 + 16), leaves.reserve(triangles.size() / 4 + 16);
-    b.build({0, triangles.size(), b.boxOf(0, triangles.size())}, 0);
+    auto count = (int)triangles.size();
+    b.build({0, count, b.boxOf(0, count)}, 0);
 }
 
 } // namespace odraz::radiosity
