@@ -7,28 +7,48 @@
 
 namespace odraz::radiosity {
 
-static constexpr char kAtlas[] = "Lightmaps";
+namespace {
+
+constexpr char kAtlas[] = "Lightmaps";
+
+void writeAtlas(const Solution &solution, const std::string &folder, const AtlasSettings &settings) {
+    std::vector<std::string> notes;
+    exportAtlas(solution, settings, folder, notes);
+    for (const std::string &note : notes) std::printf("%s\n", note.c_str());
+}
+
+// What can be written: a row each.
+constexpr struct Kind {
+    const char *option, *value, *what;
+    void (*write)(const Solution &solution, const std::string &to, const AtlasSettings &settings);
+} kKinds[] = {
+    {"--csv", "FILE", "a line for every element",
+     [](const Solution &b, const std::string &to, const AtlasSettings &) { exportCsv(b, to); }},
+    {"--ply", "FILE", "a mesh with colours at its points",
+     [](const Solution &b, const std::string &to, const AtlasSettings &) { exportPolygons(b, to, true); }},
+    {"--obj", "FILE", "the same as OBJ",
+     [](const Solution &b, const std::string &to, const AtlasSettings &) { exportPolygons(b, to, false); }},
+    {"--atlas", "DIR",
+     "a new folder with lightmaps (PNG, and linear HDR) and the model as OBJ and glTF with the coordinates "
+     "of the lightmaps",
+     writeAtlas}};
+
+} // namespace
 
 int runExport(common::CommandLine &line) {
-    std::string in, kind, out;
+    std::string in, out;
+    const Kind *kind = nullptr;
     AtlasSettings s;
     RelightOptions relight;
     line.about("Writes a solution, or a room from transfer, for other programs.");
     line.argument("SOLUTION", in, "a file that solve or transfer wrote", false);
-    auto writes = [&](const std::string &option, const std::string &value, const std::string &what) {
-        auto take = [&, option](const std::string &path) {
-            if (!out.empty()) throw common::Refused("export writes one thing at a time");
-            kind = option, out = path;
+    for (const Kind &k : kKinds) {
+        auto take = [&](const std::string &path) {
+            if (kind) throw common::Refused("export writes one thing at a time");
+            kind = &k, out = path;
         };
-        line.option(option, value, take, what);
-    };
-    writes("--csv", "FILE", "a line for every element");
-    writes("--ply", "FILE", "a mesh with colours at its points");
-    writes("--obj", "FILE", "the same as OBJ");
-    writes("--atlas", "DIR",
-           "a new folder with lightmaps (PNG, and linear HDR) and the model as OBJ and glTF with the "
-           "coordinates of the "
-           "lightmaps");
+        line.option(k.option, k.value, take, k.what);
+    }
     line.group(kAtlas);
     line.option("--map", {"light", "radiosity"}, s.radiosity,
                 "irradiance over pi, which viewers multiply by colours; or visible light, emission included");
@@ -38,19 +58,12 @@ int runExport(common::CommandLine &line) {
     line.option("--page", "PX", s.page, {256, 16384}, "longest side of a page");
     relight.addTo(line);
     line.parse();
-    if (in.empty() || out.empty())
+    if (in.empty() || !kind || out.empty())
         throw common::Refused("export needs a solution and a file: radiosity export OUT --csv FILE");
-    if (auto given = line.givenOf({kAtlas}); !given.empty() && kind != "--atlas")
+    if (auto given = line.givenOf({kAtlas}); !given.empty() && kind->write != writeAtlas)
         throw common::Refused(given[0].option + " belongs to --atlas DIR");
     Workers workers = allProcessors();
-    Solution solution = readLit(in, relight, line, workers);
-    if (kind == "--atlas") {
-        std::vector<std::string> notes;
-        exportAtlas(solution, s, out, notes);
-        for (const std::string &note : notes) std::printf("%s\n", note.c_str());
-        return 0;
-    }
-    kind == "--csv" ? exportCsv(solution, out) : exportPolygons(solution, out, kind == "--ply");
+    kind->write(readLit(in, relight, line, workers), out, s);
     return 0;
 }
 

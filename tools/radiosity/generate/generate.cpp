@@ -1,6 +1,5 @@
 #include "tools/radiosity/generate/generate.h"
 
-#include "tools/radiosity/generate/generate_curved.h"
 #include "tools/radiosity/generate/obj_writer.h"
 #include "tools/radiosity/read/mesh.h"
 

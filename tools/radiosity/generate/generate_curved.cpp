@@ -1,4 +1,4 @@
-#include "tools/radiosity/generate/generate_curved.h"
+#include "tools/radiosity/generate/obj_writer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 // The formats of models that can be read: a row each.
+#include "tools/radiosity/read/formats.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/read/gltf_file.h"
-#include "tools/radiosity/read/gltf_reader.h"
-#include "tools/radiosity/read/obj_reader.h"
 
 #include <algorithm>
 #include <cctype>
@@ -15,6 +14,7 @@ namespace {
 struct Format {
     std::vector<const char *> endings; // of files' names, in small letters
     bool (*begins)(std::string_view start);
+    bool sure; // what begins so is nothing else
     decltype(&readModel) read;
 };
 // Whether the first line that is not blank is a comment, or a command of OBJ.
@@ -26,7 +26,7 @@ bool isObj(std::string_view start) {
     return start.starts_with('#') || kCommands.count(start.substr(0, start.find_first_of(" \t\r\n")));
 }
 
-const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, readGltf}, {{".obj"}, isObj, readObj}};
+const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, true, readGltf}, {{".obj"}, isObj, false, readObj}};
 
 constexpr size_t kStart = 4096;
 
@@ -49,13 +49,14 @@ const Format &formatOf(const std::string &path) {
 } // namespace
 
 bool isModel(const std::string &path) {
-    for (const Format &format : kFormats)
-        if (isNamed(format, path)) return true;
+    std::string start;
     try {
-        return isGltf(common::readStart(path, kStart));
-    } catch (const common::Refused &) {
-        return false; // readers report why
+        start = common::readStart(path, kStart);
+    } catch (const common::Refused &) { // readers report why
     }
+    return std::any_of(std::begin(kFormats), std::end(kFormats), [&](const Format &format) {
+        return isNamed(format, path) || (format.sure && format.begins(start));
+    });
 }
 
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
