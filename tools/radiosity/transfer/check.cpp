@@ -88,15 +88,18 @@ SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ) {
     return sky;
 }
 
-std::vector<Rgb> freshLight(const Mesh &mesh, const TransferSettings &settings, int rays, const TriedSky &sky,
-                            Workers &workers, const int *stop) {
+// A solution for a sky alone, with dark lamps: by the room's rays, or with rays == 0 by the number of rays
+// that this light needs. A value other than 0 in `stop` ends it early, with incomplete light.
+static std::vector<Rgb> freshLight(const Mesh &mesh, const TransferSettings &settings, int rays,
+                                   const TriedSky &sky, Workers &workers, const int *stop) {
     Mesh dark = mesh;
     for (MeshMaterial &m : dark.materials) m.emits = {};
     return fresh(dark, settings, rays, {sky.sky, sky.suns, {}}, workers, stop);
 }
 
-std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays, Workers &workers,
-                            const int *stop) {
+// A solution for the model's lamps alone.
+static std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays,
+                                   Workers &workers, const int *stop) {
     return fresh(mesh, settings, rays,
                  {{}, settings.solve.surroundings.suns, settings.solve.surroundings.lamps}, workers, stop);
 }
@@ -110,8 +113,10 @@ double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     return all > 0 ? std::sqrt(lost / all) : lost > 0 ? INFINITY : 0;
 }
 
-Clusters oneSubspace(const TransferRoom &room, const std::vector<float> &rows,
-                     const std::vector<float> &scale, size_t floats, Workers &workers) {
+// One subspace for all rows of a room, with the fewest axes that take as much memory as `floats`; without
+// axes if these are more than kMostRank.
+static Clusters oneSubspace(const TransferRoom &room, const std::vector<float> &rows,
+                            const std::vector<float> &scale, size_t floats, Workers &workers) {
     Clusters one = {.count = 1,
                     .rank = 0,
                     .columns = room.columns(),

@@ -23,21 +23,8 @@ std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ);
 // A band-limited light as a picture, with pixels small enough for an error of 1e-4.
 SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ);
 
-// A solution for a sky alone, with dark lamps: by the room's rays, or with rays == 0 by the number of rays
-// that this light needs. A value other than 0 in `stop` ends it early, with incomplete light.
-std::vector<Rgb> freshLight(const Mesh &mesh, const TransferSettings &settings, int rays, const TriedSky &sky,
-                            Workers &workers, const int *stop = &kNever);
-// A solution for the model's lamps alone.
-std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays, Workers &workers,
-                            const int *stop = &kNever);
-
 // The root mean square of a - b, as a share of that of b.
 double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b);
-
-// One subspace for all rows of a room, with the fewest axes that take as much memory as `floats`; without
-// axes if these are more than kMostRank.
-Clusters oneSubspace(const TransferRoom &room, const std::vector<float> &rows,
-                     const std::vector<float> &scale, size_t floats, Workers &workers);
 
 // Prints tables: errors by rows and by clusters under band-limited skies and under `skies`, the energy that
 // the bands lose of the latter, and one subspace (PCA) against clusters (CPCA) at equal memory. Returns false
