@@ -1,5 +1,4 @@
 // The shipped program: look at the machine, read the options, play or dump.
-#include "base/for_tools.h"
 #include "base/maths.h"
 #include "doctor.h"
 #include "host/clock.h"
@@ -15,8 +14,6 @@
 #include "start/early.h"
 
 using namespace odraz;
-
-const bool odraz::kForTools = false;
 
 namespace {
 

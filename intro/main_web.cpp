@@ -4,7 +4,6 @@
 // that solves the hall's light, whose memory is then copied to these, and the one that makes music. The page
 // has an instance, too, for the film's clock and for the plan of which pictures are made: by the governor, as
 // player.h does.
-#include "base/for_tools.h"
 #include "host/web/gl.h"
 #include "inside.h"
 #include "output/output.h"
@@ -12,8 +11,6 @@
 #include "play/statistics.h"
 
 using namespace odraz;
-
-const bool odraz::kForTools = false;
 
 #define EXPORT(name) extern "C" __attribute__((export_name(#name), used))
 
@@ -101,13 +98,13 @@ struct Planned {
 double theNext; // the last time planned; the first one to plan at the start
 bool theBegun;
 
-// The fewest pixels across that are traced, in every scene. A browser takes twice the time of the film, and too
-// few pictures look worse than too few pixels.
+// The fewest pixels across that are traced, in every scene. A browser takes twice the time of the film, and
+// too few pictures look worse than too few pixels.
 constexpr int kLeastWidth = 480;
 
-// No in-betweens are made: each takes two thirds of the time of a traced picture, and every worker would trace
-// a picture of its neighbour again. So there are 60 traced pictures a second, or 30: the governor's pairs,
-// whose in-betweens take no time.
+// No in-betweens are made: each takes two thirds of the time of a traced picture, and every worker would
+// trace a picture of its neighbour again. So there are 60 traced pictures a second, or 30: the governor's
+// pairs, whose in-betweens take no time.
 Pace paceHere(int scene) {
     Pace p = paceOf(scene);
     p.leastWidth = min(p.leastWidth, kLeastWidth);
@@ -139,7 +136,9 @@ EXPORT(plan) const Planned *plan(double now, int workers) {
     return &thePlanned;
 }
 // One of that many workers took so many seconds for a picture.
-EXPORT(spent) void spent(double trace, int workers) { theGovernor.spent((float)trace / (float)workers, 0, 1); }
+EXPORT(spent) void spent(double trace, int workers) {
+    theGovernor.spent((float)trace / (float)workers, 0, 1);
+}
 
 // --- Statistics ---
 

@@ -1,6 +1,5 @@
 #include "play/player.h"
 
-#include "base/for_tools.h"
 #include "host/clock.h"
 #include "host/process.h"
 #include "host/threads.h"
@@ -44,7 +43,7 @@ struct Player {
                                                                    : options->qualityOr(QualityName::Play),
                             nullptr, m.size = governor.size());
         if (!m.size.width) m.size = {m.picture.width, m.picture.height};
-        if (kForTools) m.level = governor.level();
+        m.level = governor.level();
         m.samples = (float)samplesTaken(*intro) / (float)(m.size.width * m.size.height);
     }
     void between(Made &m, int earlier, int later, double share, int place) {
@@ -110,7 +109,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             ++s.shown;
             s.present.add(shown - before);
         }
-        if (kForTools && recorder)
+        if (recorder)
             recorder->record(recorder->context, m,
                              action == Queue::kShow ? theMusic.clock.at(nanoseconds()) : -1);
         if (m.trace > 0) {

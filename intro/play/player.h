@@ -9,7 +9,7 @@
 namespace odraz {
 
 // For tools: is called with each picture and the time of the film, in seconds, at which it came on the
-// screen, or -1 if it was skipped. The film has none, and leaves the calls out (base/for_tools.h).
+// screen, or -1 if it was skipped. The film has none.
 struct Recorder {
     void (*record)(void *context, const Made &made, double at);
     void *context;

@@ -15,8 +15,7 @@ struct Places {
     int round; // 0 .. 3: which parts of a shining area they sample from afar
 };
 
-// A part of a shining area: a parallelogram, or a triangle that repeats its last corner. The corners are
-// clockwise as seen from the side that shines.
+// A part of a shining area, a parallelogram. The corners are clockwise as seen from the side that shines.
 struct Part {
     Vec3 corner[4], middle;
     int round; // of the places that sample it from afar
@@ -45,29 +44,9 @@ struct Seen {
     Float8 factor;
 };
 
-// Divides a facet into parts that are as square as possible, a triangle into similar triangles. Returns how
-// many.
+// Divides a facet into parts that are as square as possible. Returns how many.
 int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
-    Vec3 q = f.corner(c, 0), u = f.corner(c, 1) - q, v = f.corner(c, f.triangle() ? 2 : 3) - q;
-    int count = 0;
-    auto add = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 middle, int round) {
-        parts[count++] = {{a, b, c, d}, middle, round & 3};
-    };
-    if (f.triangle()) {
-        int rows = 1;
-        while ((rows + 1) * (rows + 1) <= most) ++rows;
-        auto at = [&](int r, int i) { // on the r-th line from the first corner
-            return q + u * ((float)(r - i) / (float)rows) + (f.corner(c, 2) - q) * ((float)i / (float)rows);
-        };
-        for (int r = 0; r < rows; ++r)
-            for (int k = 0; k <= 2 * r; ++k) {
-                int i = k / 2;
-                Vec3 a = at(r, i), b = k & 1 ? at(r, i + 1) : at(r + 1, i + 1),
-                     d = k & 1 ? at(r + 1, i + 1) : at(r + 1, i);
-                add(a, b, d, d, (a + b + d) * (1 / 3.f), k + r);
-            }
-        return count;
-    }
+    Vec3 q = f.corner(c, 0), u = f.corner(c, 1) - q, v = f.corner(c, 3) - q;
     float ratio = length(u) / length(v);
     int across = 1;
     while (across * 2 <= most && (float)(across * across) < 0.5f * ratio * (float)most) across *= 2;
@@ -76,9 +55,9 @@ int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
     for (int k = 0; k < across * down; ++k) {
         int i = k % across, j = k / across;
         Vec3 a = q + u * (float)i + v * (float)j;
-        add(a, a + v, a + u + v, a + u, a + (u + v) * 0.5f, i + 2 * j);
+        parts[k] = {{a, a + v, a + u + v, a + u}, a + (u + v) * 0.5f, (i + 2 * j) & 3};
     }
-    return count;
+    return across * down;
 }
 
 struct Context {
@@ -86,7 +65,7 @@ struct Context {
     const Scene &scene;
     const LightBases &bases;
     int partCount;
-    Part parts[kMaxLampCells];
+    Part parts[kWindowParts];
 
     // The share of light that passes between the places and `to`; `d` gets the directions to `to`.
     Float8 clear(const Places &at, Vec3x8 to, Int8 active, Vec3x8 &d) {
@@ -144,7 +123,7 @@ struct Context {
 };
 
 void Context::add(const Places &at, Float8 *sums) {
-    Seen seen[kMaxLampCells];
+    Seen seen[kWindowParts];
     for (int w = 0; w < model.chartCount && bases.skyCount; ++w)
         if (model.charts[w].open)
             lookAtChart(at, w, kWindowParts, seen, [&](const Seen &s) {
@@ -153,13 +132,6 @@ void Context::add(const Places &at, Float8 *sums) {
                 bases.sky(bases.skies, s.d, sky);
                 for (int k = 0; k < bases.skyCount; ++k) sums[k] = fmadd(sky[k], s.factor, sums[k]);
             });
-    for (int g = 0; kForTools && g < bases.glowCount; ++g) {
-        const Glow &glow = bases.glows[g];
-        for (int i = look(at, glow.facet, glow.cells, seen) - 1; i >= 0; --i)
-            sums[0] = fmadd(seen[i].factor, glow.radiance.x, sums[0]),
-            sums[1] = fmadd(seen[i].factor, glow.radiance.y, sums[1]),
-            sums[2] = fmadd(seen[i].factor, glow.radiance.z, sums[2]);
-    }
     Vec3x8 d;
     for (int k = 0; k < bases.sunCount; ++k) {
         Vec3 sun = bases.suns[k];
@@ -194,12 +166,12 @@ void Context::add(const Places &at, Float8 *sums) {
 void findDirectLight(const Model &model, const Scene &scene, const LightBases &bases, Workers &workers,
                      float *const *direct, const Progress &progress) {
     int done = 0; // texels
-    parallelRanges(workers, model.freshCount, 64, [&](int first, int end, int worker) {
+    parallelRanges(workers, model.texelCount, 64, [&](int first, int end, int worker) {
         Context context = {model, scene, bases, 0, {}};
         for (int i = first; i < end; i += 8) {
             int count = min(end - i, 8), seen[8] = {};
-            Texels8 t = loadTexels(model, model.fresh + i, count);
-            for (int k = 0; k < count; ++k) seen[k] = model.texels[model.fresh[i + k]].visible;
+            Texels8 t = loadTexels(model, i, count);
+            for (int k = 0; k < count; ++k) seen[k] = model.texels[i + k].visible;
             Float8 sums[kMaxBases] = {};
             Float8 looked = {};
             for (int round = 0; round < 4; ++round) {
@@ -211,11 +183,11 @@ void findDirectLight(const Model &model, const Scene &scene, const LightBases &b
             Float8 inverse = 1.f / max(looked, 1.f);
             for (int k = 0; k < bases.count(); ++k) {
                 Float8 sum = sums[k] * inverse;
-                for (int t = 0; t < count; ++t) direct[k][model.fresh[i + t]] = sum[t];
+                for (int t = 0; t < count; ++t) direct[k][i + t] = sum[t];
             }
         }
         int texels = __atomic_add_fetch(&done, end - first, __ATOMIC_RELAXED);
-        if (worker == 0) progress((float)texels / (float)model.freshCount);
+        if (worker == 0) progress((float)texels / (float)model.texelCount);
     });
 }
 

@@ -16,7 +16,7 @@
 
 namespace odraz {
 
-// Adds direct light to the fresh texels: direct[k] is a plane with the share of basis k that arrives. The
+// Finds the direct light of all texels: direct[k] is a plane with the share of basis k that arrives. The
 // scene must hold the posed, finished model.
 void findDirectLight(const Model &model, const Scene &scene, const LightBases &bases, Workers &workers,
                      float *const *direct, const Progress &progress);

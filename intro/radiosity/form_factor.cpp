@@ -75,8 +75,8 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row) 
     return dark;
 }
 
-bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
-                     FormFactors &factors, const Progress &progress, int step) {
+bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &arena, FormFactors &factors,
+                     const Progress &progress) {
     int count = model.patchCount, rowFloats = (count + 7) & ~7;
     float *delta = arena.take<float>((size_t)(3 * h.px * h.px));
     float *sums = arena.take<float>((size_t)(3 * h.px * (h.px + 1)));
@@ -87,25 +87,21 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
     deltaFormFactors(h.px, delta);
     accumulateFormFactors(h.px, delta, sums);
 
-    int turns = kForTools ? h.turns : 1;
-    for (int i = 0, next = 0; i < count;) {
+    for (int i = 0; i < count;) {
         // Fill an atlas
         Eye eyes[kHemicubeBatch];
         int patchOf[kHemicubeBatch], batch = 0;
-        for (; i < count && (batch + 1) * turns <= h.batch;
-             ++i, next = (int)((unsigned)(next + step) % (unsigned)count)) {
-            const Patch &p = model.patches[next];
-            if (p.share == 0 || lit[next] != kReflects) continue;
-            for (int k = 0; k < turns; ++k)
-                eyes[batch * turns + k] =
-                    hemicubeEye(p.p, p.n, (uint32_t)next + h.turn + (uint32_t)k * 0x9e3779b9u);
-            patchOf[batch++] = next;
+        for (; i < count && batch < h.batch; ++i) {
+            const Patch &p = model.patches[i];
+            if (p.share == 0 || maxComponent(p.reflects) <= 0) continue;
+            eyes[batch] = hemicubeEye(p.p, p.n, (uint32_t)i);
+            patchOf[batch++] = i;
         }
-        drawHemicubes(h, model, eyes, batch * turns);
+        drawHemicubes(h, model, eyes, batch);
         parallelFor(workers, batch, [&](int k, int) {
             float *row = rows + (size_t)k * (size_t)rowFloats;
             for (int j = 0; j < rowFloats; ++j) row[j] = 0;
-            for (int j = 0; j < turns; ++j) sumHemicube(h, k * turns + j, sums, row);
+            sumHemicube(h, k, sums, row);
         });
         if (workers.aborted()) return false;
         // Keep what is not zero
@@ -117,9 +113,8 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
             for (int first = 0; first < rowFloats; first += 8)
                 for (int lanes = laneBits(load(row + first) > 0.f); lanes; lanes &= lanes - 1) {
                     int j = first + __builtin_ctz(lanes);
-                    if (lit[j] == kUnlit) continue;
                     if (link == end) return false;
-                    *link++ = {(uint32_t)j, row[j] / (float)turns};
+                    *link++ = {(uint32_t)j, row[j]};
                 }
             to.count = (int)(link - to.links);
             to.known = true;

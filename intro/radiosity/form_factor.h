@@ -18,7 +18,7 @@ struct Link {
 struct Row {
     const Link *links;
     int count;
-    bool known; // false if no hemicube was drawn: the patch has none, or drawing stopped before it
+    bool known; // false if no hemicube was drawn
 };
 
 struct FormFactors {
@@ -38,14 +38,9 @@ void accumulateFormFactors(int px, const float *delta, float *sums);
 // column, is a crack of rasterisation; it counts as its neighbour.
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
-// The role of a patch: it has none; it has a row and appears in the rows of others; or it only appears there.
-enum : uint8_t { kUnlit, kReflects, kShines };
-
-// Draws the hemicubes of all visible patches and keeps their rows; `lit` holds the role of each patch.
-// Patches are taken `step` apart, so that the rows found before a stop are spread over the model. `step` must
-// have no factor in common with the number of patches. False when the viewer left or the capacity for links
-// is too small; the rows found until then are complete.
-bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
-                     FormFactors &factors, const Progress &progress, int step = 1);
+// Draws the hemicubes of all visible patches that reflect, and keeps their rows. False when the viewer left
+// or the capacity for links is too small.
+bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &arena, FormFactors &factors,
+                     const Progress &progress);
 
 } // namespace odraz

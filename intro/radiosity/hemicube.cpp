@@ -84,12 +84,11 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         // are
         if (abs(height) <= scale && abs(dot(c.n, eye.frame.w)) > 0.9999f) continue;
         bool back = height < -scale;
-        if (back && model.noBacks()) continue;
+        if (back && !model.open) continue;
         // Into the hemicube's frame; what lies beyond one border of a face is not on it
         Vec3 local[4];
         uint32_t all = ~0u, some = 0;
-        int count = f.triangle() ? 3 : 4;
-        for (int k = 0; k < count; ++k) {
+        for (int k = 0; k < 4; ++k) {
             local[k] = eye.frame * (f.corner(c, k) - eye.p);
             uint32_t code = outsideFaces(local[k]);
             all &= code, some |= code;
@@ -100,14 +99,14 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         for (int side = -1; side < 4; ++side, all >>= 4, some >>= 4) {
             if (all & 15) continue;
             Corner corners[4];
-            for (int k = 0; k < count; ++k) {
+            for (int k = 0; k < 4; ++k) {
                 Vec3 p = local[k];
                 float x = side & 1 ? p.y : p.x, y = side & 1 ? -p.x : p.y, turn = side < 2 ? 1 : -1;
                 corners[k] = {turn * y, p.z, turn * x, f.u[k] * perU, f.v[k] * perV};
                 if (side == -1) corners[k].x = p.x, corners[k].y = p.y, corners[k].w = p.z;
             }
             float y = side == -1 ? 1 : (float)(2 + side);
-            layOut(out, corners, count, side == -1, some, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first,
+            layOut(out, corners, 4, side == -1, some, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first,
                    shape);
         }
     }
@@ -128,7 +127,6 @@ static void shapeAtlas(Hemicubes &h, int px) {
     h.lines = clamp(256 / px, 1, 4);
     if (px < 64 && px >= 32) h.lines = kHemicubeBatch / h.columns;
     h.batch = h.columns * h.lines;
-    h.turns = 1;
 }
 
 size_t hemicubeBytes(int px) {
@@ -140,7 +138,6 @@ size_t hemicubeBytes(int px) {
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h = {};
     h.gl = &gl;
-    if (kForTools && (px % 2 || px < 4 || px > kMaxHemicube)) return false;
     shapeAtlas(h, px);
     h.vertices = arena.take<float>((size_t)kVertices * kFloats);
     h.ids = arena.take<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));

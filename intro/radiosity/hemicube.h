@@ -36,8 +36,6 @@ struct Hemicubes {
     const Gl *gl;
     int px, columns, lines; // the picture holds columns x lines hemicubes
     int batch;              // columns * lines
-    uint32_t turn;          // a different number turns all hemicubes differently
-    int turns; // hemicubes for each patch, each turned differently; their mean counts: 1 .. batch
     GLuint framebuffer, vertexArray, buffer, program, images[2];
     bool clipControl;
     float *vertices;

@@ -4,13 +4,12 @@
 // Their order is the same everywhere: skies, then suns, then lamps. BasisOrder gives the number of a basis.
 #pragma once
 
-#include "base/for_tools.h"
 #include "base/vec3.h"
 
 namespace odraz {
 
 inline constexpr int kMaxSkies = 32, kMaxSuns = 32, kMaxLamps = 16,
-                     kMaxBases = kMaxSkies + kMaxSuns + kMaxLamps, kMaxLampCells = 256;
+                     kMaxBases = kMaxSkies + kMaxSuns + kMaxLamps;
 
 // How many bases there are of each kind; the number of each basis follows from that.
 struct BasisOrder {
@@ -31,28 +30,16 @@ struct Lamp {
     int chart;
 };
 
-// A facet that shines in its own colour. Its red, green and blue are added to the first three skies.
-struct Glow {
-    int facet;
-    int cells; // 1 .. kMaxLampCells
-    Rgb radiance;
-};
-
-// Bases have one colour, except glows; the picture multiplies in the colour later. Callers that set the
-// counts must check that they fit().
+// Bases have one colour; the picture multiplies in the colour later. Callers that set the counts must check
+// that they fit().
 struct LightBases : BasisOrder {
-    int glowCount;
     // Skies stand in all windows. They are functions of the unit direction and may be negative, except the
-    // first, which shows where light from the windows changes. Null: there are no such functions, and the
-    // only skies are the red, green and blue of the glows
+    // first, whose light decides how far that of the others is extrapolated
     void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
     const void *skies;
-    const Glow *glows;
     Vec3 suns[kMaxSuns]; // directions in world space; their light is parallel; irradiance / pi is 1 on what
                          // faces them
     Lamp lamps[kMaxLamps];
-
-    int functions() const { return sky || !kForTools ? skyCount : 0; }
 };
 
 } // namespace odraz

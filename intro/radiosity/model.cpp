@@ -1,14 +1,10 @@
-#include "radiosity/visible.h"
+#include "radiosity/model.h"
 
 #include <initializer_list>
 
 namespace odraz {
 
 int Model::addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int material, float cell, Kind kind) {
-    if (kForTools && chartCount == kMaxCharts) {
-        overflow = true;
-        return chartCount - 1;
-    }
     Chart &c = charts[chartCount];
     c = {};
     c.corner = corner;
@@ -29,10 +25,6 @@ int Model::addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int materia
 }
 
 void Model::addFacet(const float *u, const float *v) {
-    if (kForTools && facetCount == kMaxFacets) {
-        overflow = true;
-        return;
-    }
     Facet &f = facets[facetCount++];
     f.chart = chartCount - 1;
     for (int k = 0; k < 4; ++k) f.u[k] = u[k], f.v[k] = v[k];
@@ -84,9 +76,8 @@ static void place(const Model &model, int index, Patch &patch) {
     });
 }
 
-bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block, int levels) {
-    if (kForTools && overflow) return false;
-    texelCount = cellCount = patchCount = tieCount = freshCount = 0;
+bool Model::divide(Arena &arena, int block) {
+    texelCount = cellCount = patchCount = 0;
     for (int i = 0; i < chartCount; ++i) {
         // Charts hold whole patches: take the number of blocks nearest to the requested size, and the
         // number of cells that fills them
@@ -105,45 +96,40 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
         cellCount += c.across * c.down;
         patchCount += c.patchesAcross * c.patchesDown;
     }
-    // Room for a cell and all that it may be divided into. Ties: up to 4 for a cell with hidden corners
-    // (there are fewer of these than texels), and 2 for a texel that hangs
-    int growth = (4 << 2 * levels) / 3;
-    texelRoom = texelCount * growth, cellRoom = cellCount * growth, tieRoom = texelRoom * 6;
-    tableMask = 1;
-    while (tableMask < (uint32_t)texelRoom * 2 && levels) tableMask *= 2;
     patches = arena.take<Patch>((size_t)patchCount);
-    texels = arena.take<Texel>((size_t)texelRoom);
-    fresh = arena.take<int>((size_t)texelRoom);
-    cells = arena.take<Cell>((size_t)cellRoom);
-    ties = arena.take<Tie>((size_t)tieRoom);
-    table = arena.take<int>(tableMask--);
+    texels = arena.take<Texel>((size_t)texelCount);
+    cells = arena.take<Cell>((size_t)cellCount);
+    ties = arena.take<Tie>((size_t)texelCount * 4); // up to 4 for a cell with hidden corners
     if (arena.full) return false;
 
     for (int index = 0; index < chartCount; ++index) {
         const Chart &c = charts[index];
         for (int j = 0; j <= c.down; ++j)
-            for (int i = 0; i <= c.across; ++i) {
-                int t = c.texel(i, j);
-                texels[t] = {index, i * kSteps, j * kSteps, 0, 0, true, false};
-                fresh[freshCount++] = t;
-            }
+            for (int i = 0; i <= c.across; ++i) texels[c.texel(i, j)] = {index, i, j, 0, 0, false};
         float area = c.width * c.height / (float)(c.across * c.down);
         for (int j = 0; j < c.down; ++j)
             for (int i = 0; i < c.across; ++i) {
                 int t = c.texel(i, j), below = t + c.across + 1;
                 int patch = c.firstPatch + j * c.patchesDown / c.down * c.patchesAcross +
                             i * c.patchesAcross / c.across;
-                cells[c.firstCell + j * c.across + i] = {{t, t + 1, below, below + 1}, patch, index, area, 0};
+                cells[c.firstCell + j * c.across + i] = {{t, t + 1, below, below + 1}, patch, index, area};
             }
     }
-    findVisible(*this, scene, workers);
+    return true;
+}
+
+void Model::placePatches() {
     for (int i = 0; i < chartCount; ++i)
         for (int k = 0; k < charts[i].patchesAcross * charts[i].patchesDown; ++k) {
             Patch &p = patches[charts[i].firstPatch + k];
             p = {{}, charts[i].n, {}, 0, 0, i};
             place(*this, k, p);
         }
-    return true;
+    for (int i = 0; i < cellCount; ++i) {
+        int quarters = 0;
+        for (int k = 0; k < 4; ++k) quarters += quarterVisible(cells[i], k);
+        patches[cells[i].patch].area += cells[i].area * 0.25f * (float)quarters;
+    }
 }
 
 Shape Model::shapeOf(int facet) const {

@@ -1,15 +1,13 @@
-// What radiosity works on: one-sided polygons in planes, divided into patches and elements.
+// What radiosity works on: one-sided polygons in planes, divided into patches and cells, the elements.
 //
 // A chart is a rectangle of a plane with a grid of cells over it; facets are the parts of it that are
 // really there, rectangles or triangles (a wall with windows has several), so that light is continuous over
-// a whole wall. A patch is a block of cells: it carries a hemicube. The cells at the bottom of their
-// quadtrees are the elements; they carry the light, at their corners (elements.h). World units as in Scene;
-// any scale. A model has up to kMaxCharts charts and kMaxFacets facets: divide() fails for one that was
-// given more.
+// a whole wall. A patch is a block of cells: it carries a hemicube. Cells carry the light, at their corners,
+// the texels. World units as in Scene; any scale. There is room for kMaxCharts charts and kMaxFacets facets,
+// which callers must not exceed.
 #pragma once
 
 #include "base/arena.h"
-#include "base/for_tools.h"
 #include "base/parallel.h"
 #include "trace/scene/scene.h"
 
@@ -23,7 +21,7 @@ struct Facet {
     int chart;
     float u[4], v[4];
 
-    bool triangle() const { return kForTools && u[3] == u[2] && v[3] == v[2]; }
+    bool triangle() const { return u[3] == u[2] && v[3] == v[2]; }
     Vec3 corner(const Chart &c, int k) const { return c.at(u[k], v[k]); }
 };
 
@@ -32,18 +30,24 @@ struct Patch {
     Vec3 n;       // of its plane
     Rgb reflects; // share of the light that arrives; the solver's caller sets it
     float share;  // of its places that are visible, 0 .. 1; 0: it has no hemicube and no light
-    float area;   // of what is visible, once the elements are final
+    float area;   // of what is visible
     int chart;
 };
 
 // A corner of cells, where light is kept. It is sampled at four places around it, a quarter of the cells'
 // sides away along u (bit 0 of a place's number) and v (bit 1).
 struct Texel {
-    int chart, x, y; // in kSteps of an undivided cell
-    uint8_t level;   // of the smallest cell around it
+    int chart, x, y; // in cells
     uint8_t visible; // a bit for each place that is on a facet and not inside a solid
-    bool fresh;      // its visibility and direct light must still be found
+    uint8_t ties;    // of a hidden one to its neighbours
     bool filled;     // hidden, but with light from its neighbours
+};
+
+// A cell of a chart. Its corners are at (0, 0), (1, 0), (0, 1) and (1, 1), in this order.
+struct Cell {
+    int corner[4]; // texels
+    int patch, chart;
+    float area; // square world units
 };
 
 // Moves the light of a texel by `share` towards that of another. Ties are applied one after the other.
@@ -54,21 +58,14 @@ struct Tie {
 
 struct Model {
     int chartCount, facetCount;
-    bool overflow; // something did not fit
-    bool solid;    // no back is visible from where there is light: hemicubes leave backs out, which is faster
+    bool open; // backs are visible from where there is light: hemicubes draw them too, which is slower
 
-    bool noBacks() const { return !kForTools || solid; } // the film's hall is solid
-
-    // Made by divide(), refined by split()
+    // Made by divide()
     Patch *patches;
     Texel *texels;
     Cell *cells;
-    Tie *ties;
-    int *fresh; // numbers of the texels that are fresh
-    int patchCount, texelCount, cellCount, tieCount, freshCount;
-    int texelRoom, cellRoom, tieRoom;
-    int *table; // hash table of the texels inside divided cells, by their place
-    uint32_t tableMask;
+    Tie *ties; // made by tie()
+    int patchCount, texelCount, cellCount, tieCount;
 
     Chart charts[kMaxCharts];
     Facet facets[kMaxFacets];
@@ -99,10 +96,11 @@ struct Model {
         return texels[cell.corner[k]].visible >> (3 - k) & 1;
     }
 
-    // Divides all charts: patches have `block` x `block` cells where charts are large enough. Then finds what
-    // is hidden; `scene` must hold the posed, finished model. There is room to divide all cells `levels`
-    // times, up to kFinest. False when the arena is full or something did not fit into the model.
-    bool divide(const Scene &scene, Arena &arena, Workers &workers, int block, int levels);
+    // Divides all charts: patches have `block` x `block` cells where charts are large enough. False when the
+    // arena is full.
+    bool divide(Arena &arena, int block);
+    // Places the hemicubes of patches, and sums up their areas, once it is known what is visible (visible.h).
+    void placePatches();
 };
 
 } // namespace odraz

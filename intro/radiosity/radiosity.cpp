@@ -1,6 +1,5 @@
 #include "radiosity/radiosity.h"
 
-#include "base/for_tools.h"
 #include "radiosity/spread.h"
 #include "radiosity/ties.h"
 
@@ -15,27 +14,9 @@ static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
     return !arena.full;
 }
 
-void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
-                Workers &workers, const Progress &progress) {
-    const LightBases &bases = r.bases;
-    Measure measures[kMaxBases];
-    int count = 0;
-    for (int level = 0;; ++level) {
-        findDirectLight(model, scene, bases, workers, r.direct, level ? Progress{} : progress);
-        settleFresh(model);
-        if (!kForTools || level == settings.levels) break; // the film's hall has fine cells everywhere
-        // Measure the light on undivided cells: it decides which changes are large. Of skies that are
-        // functions, only the first one counts
-        for (int k = 0; k < bases.count() && level == 0; ++k)
-            if (k == 0 || k >= bases.functions())
-                count += measure(model, r.direct[k], settings.contrast, measures[count]);
-        refine(model, level, measures, count, settings.contrast);
-        findVisible(model, scene, workers);
-    }
-    tie(model);
-}
-
-bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers) {
+// Makes a system for bases of white light: the direct light of a patch is the mean of its texels. False when
+// the arena is full.
+static bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers) {
     System &s = r.system;
     int bases = r.bases.count();
     if (!makeSystem(s, arena, r.factors, model.patchCount, 3 * bases)) return false;
@@ -54,14 +35,16 @@ bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers
     return true;
 }
 
-void spreadLight(Radiosity &r, const Model &model, Workers &workers) {
+// Adds the indirect light of the system to the planes of its columns.
+static void spreadLight(Radiosity &r, const Model &model, Workers &workers) {
     const System &s = r.system;
     fillPatches(model, r.factors, s.columns, s.indirect, 0, model.patchCount);
     addToTexels(model, s.indirect, s.columns, r.bounced[0], 3 * r.bases.count(), workers,
-                3 * r.bases.functions());
+                3 * r.bases.skyCount);
 }
 
-void settleLight(Radiosity &r, const Model &model, Workers &workers) {
+// Adds direct light of the skies to their bounced light, and moves all planes as the ties say.
+static void settleLight(Radiosity &r, const Model &model, Workers &workers) {
     parallelFor(workers, r.bases.count(), [&](int k, int) {
         for (float *plane : r.bounced[k]) {
             for (int t = 0; t < model.texelCount && k < r.bases.skyCount; ++t) plane[t] += r.direct[k][t];
@@ -73,12 +56,11 @@ void settleLight(Radiosity &r, const Model &model, Workers &workers) {
 
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
                     Arena &arena, Workers &workers, const Progress &progress) {
-    if (!model.divide(scene, arena, workers, settings.block, settings.levels) ||
-        !takePlanes(r, arena, (size_t)model.texelRoom))
-        return false;
+    if (!model.divide(arena, settings.block) || !takePlanes(r, arena, (size_t)model.texelCount)) return false;
+    findVisible(model, scene, workers);
+    model.placePatches();
     progress(0.05f);
 
-    auto *lit = arena.take<uint8_t>((size_t)model.patchCount);
     r.factors.capacity = settings.links;
     r.factors.links = arena.take<Link>(settings.links);
     if (arena.full || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
@@ -86,12 +68,12 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
         Patch &p = model.patches[i];
         const Chart &c = model.charts[p.chart];
         if (!c.open) p.reflects = scene.mean[c.material];
-        lit[i] = maxComponent(p.reflects) > 0 ? kReflects : kShines;
     }
-    if (!findFormFactors(r.hemicubes, model, lit, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
+    if (!findFormFactors(r.hemicubes, model, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
         return false;
 
-    findDirect(r, model, scene, settings, workers, progress.part(0.635f, 0.92f));
+    findDirectLight(model, scene, r.bases, workers, r.direct, progress.part(0.635f, 0.92f));
+    tie(model);
     progress(0.92f);
     if (workers.aborted() || !fillSystem(r, model, arena, workers)) return false;
     solve(r.system, workers, settings.residual, settings.sweeps);

@@ -1,7 +1,5 @@
 #include "radiosity/solve.h"
 
-#include "base/for_tools.h"
-
 #include <initializer_list>
 
 namespace odraz {
@@ -25,7 +23,7 @@ Pair multiplyRow(const FormFactors &f, int patch, const float *values, int colum
     return sum;
 }
 
-int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &progress) {
+void solveBlock(System &s, int block, Workers &workers, float residual, int most) {
     int columns = s.columns;
     float *values = s.indirect + (size_t)block * (size_t)s.patches;
     // The light of the sources
@@ -37,8 +35,7 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
             put[k] += abs(source);
             store(values + i * kSolveBlock + 8 * k, source);
         }
-    int sweep = 1;
-    for (; sweep <= most; ++sweep) {
+    for (int sweep = 1; sweep <= most; ++sweep) {
         if (workers.aborted()) break;
         Float8 changed[2] = {};
         for (int i = 0; i < s.patches; ++i) {
@@ -52,18 +49,11 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
                 store(value, b);
             }
         }
-        if (kForTools && block == 0 && progress.report) {
-            float left = 0;
-            for (int k = 0; k < 16; ++k)
-                if (put[k / 8][k % 8] > 0) left = max(left, changed[k / 8][k % 8] / put[k / 8][k % 8]);
-            progress(left);
-        }
         if (all((changed[0] <= put[0] * residual) & (changed[1] <= put[1] * residual))) break;
     }
     for (int i = 0; i < s.patches; ++i)
         for (int k = 0; k < kSolveBlock; k += 8)
             store(s.radiosity + (size_t)i * (size_t)columns + block + k, load(values + i * kSolveBlock + k));
-    return min(sweep, most);
 }
 
 } // namespace
@@ -76,21 +66,9 @@ bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches
     return !arena.full;
 }
 
-int solve(System &s, Workers &workers, float residual, int most, const Progress &progress) {
-    int worst = 0;
-    parallelFor(workers, s.columns / kSolveBlock, [&](int block, int) {
-        int sweeps = solveBlock(s, block * kSolveBlock, workers, residual, most, progress);
-        for (int was = 0; kForTools && was < sweeps;)
-            if (__atomic_compare_exchange_n(&worst, &was, sweeps, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
-                break;
-    });
-    return worst;
-}
-
-void bounce(System &s, Workers &workers) {
-    findIndirect(s, workers);
-    for (size_t i = 0; i < (size_t)s.patches * (size_t)s.columns; ++i)
-        s.radiosity[i] = s.reflectance[i] * (s.direct[i] + s.indirect[i]);
+void solve(System &s, Workers &workers, float residual, int most) {
+    parallelFor(workers, s.columns / kSolveBlock,
+                [&](int block, int) { solveBlock(s, block * kSolveBlock, workers, residual, most); });
 }
 
 void findIndirect(const FormFactors &factors, int patches, int columns, const float *radiosity,

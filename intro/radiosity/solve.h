@@ -27,12 +27,8 @@ struct System {
 // Takes the memory, all zero; false when the arena is full.
 bool makeSystem(System &system, Arena &arena, const FormFactors &factors, int patches, int unknowns);
 
-// Solves and returns the number of sweeps, or `most` if those were not enough. `progress` gets the residual
-// after each sweep of the first block of right-hand sides.
-int solve(System &system, Workers &workers, float residual, int most, const Progress &progress = {});
-
-// Computes one bounce. Instead of solve(), call this once for each bounce.
-void bounce(System &system, Workers &workers);
+// Solves, in at most this number of sweeps.
+void solve(System &system, Workers &workers, float residual, int most);
 
 // Indirect light F B, from radiosities B of `columns` columns.
 void findIndirect(const FormFactors &factors, int patches, int columns, const float *radiosity,

@@ -6,7 +6,6 @@ void meansOfPatches(const Model &m, const float *plane, float *mean, int stride)
     for (int i = 0; i < m.patchCount; ++i) mean[(size_t)i * (size_t)stride] = 0;
     for (int i = 0; i < m.cellCount; ++i) {
         const Cell &cell = m.cells[i];
-        if (cell.divided()) continue;
         float sum = 0;
         for (int k = 0; k < 4; ++k)
             if (m.quarterVisible(cell, k)) sum += plane[cell.corner[k]];
@@ -24,7 +23,7 @@ void addToTexels(const Model &m, const float *values, int columns, float *const 
             const Chart &c = m.charts[t.chart];
             // The two middles between which it lies, and where it lies there
             auto place = [](int x, int size, int patches, int &first, int &next) {
-                float at = (float)x / (float)(size * kSteps) - 0.5f;
+                float at = (float)x / (float)size - 0.5f;
                 first = clamp((int)(at + 1) - 1, 0, max(patches - 2, 0));
                 next = min(first + 1, patches - 1);
                 return broadcast(patches > 1 ? at - (float)first : 0.f);

@@ -19,19 +19,16 @@ Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
 
 // Rays go in several directions, because one from inside a solid that stands against a wall may run along
 // the wall and hit its front. They start on two sides of the place, so that what touches a solid's edge
-// counts as inside. In a model whose backs may be seen, a place is inside if rays to all sides hit only
-// backs; rays upwards may hit fronts, because tubes have no lids.
-Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, const Places8 &places) {
-    Int8 some = {}, all = places.active;
-    for (int i = 0; i < (model.noBacks() ? 4 : any(all) ? 8 : 0); ++i) {
-        float side = i & 1 ? -0.08f : 0.08f, slant = i & 2 ? (model.noBacks() ? 0.004f : 0.5f) : 1;
+// counts as inside.
+Int8 insideSolid(const Scene &scene, const Texels8 &t, const Places8 &places) {
+    Int8 some = {};
+    for (int i = 0; i < 4; ++i) {
+        float side = i & 1 ? -0.08f : 0.08f, slant = i & 2 ? 0.004f : 1;
         float a = side * 10 * slant, b = side * 8 * slant;
-        Vec3x8 d = normalize(t.n + t.u * broadcast(i < 4 ? a : -b) + t.v * broadcast(i < 4 ? b : a));
-        Int8 sees = seesBack(scene, t.at(places.x + side, places.y + side), d, places.active);
-        some |= sees;
-        all &= sees;
+        Vec3x8 d = normalize(t.n + t.u * broadcast(a) + t.v * broadcast(b));
+        some |= seesBack(scene, t.at(places.x + side, places.y + side), d, places.active);
     }
-    return model.noBacks() ? some : all;
+    return some;
 }
 
 // Whether a place lies on a facet of its chart.
@@ -52,16 +49,15 @@ bool onFacet(const Model &model, const Chart &c, float u, float v) {
 
 } // namespace
 
-Texels8 loadTexels(const Model &model, const int *numbers, int count) {
+Texels8 loadTexels(const Model &model, int first, int count) {
     Texels8 t;
     for (int k = 0; k < 8; ++k) {
-        const Texel &texel = model.texels[numbers[min(k, count - 1)]];
+        const Texel &texel = model.texels[first + min(k, count - 1)];
         const Chart &c = model.charts[texel.chart];
-        float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
+        float du = c.width / (float)c.across, dv = c.height / (float)c.down;
         put(t.p, k, c.at((float)texel.x * du, (float)texel.y * dv));
         put(t.u, k, c.u), put(t.v, k, c.v), put(t.n, k, c.n);
-        float quarter = (float)kSteps / (float)(4 << texel.level);
-        t.du[k] = du * quarter, t.dv[k] = dv * quarter;
+        t.du[k] = du * 0.25f, t.dv[k] = dv * 0.25f;
         t.off[k] = c.off();
     }
     t.active = kLanes < count;
@@ -83,28 +79,25 @@ Places8 placesOf(const int *masks, int round) {
 }
 
 void findVisible(Model &model, const Scene &scene, Workers &workers) {
-    parallelRanges(workers, model.freshCount, 64, [&](int first, int end, int) {
+    parallelRanges(workers, model.texelCount, 64, [&](int first, int end, int) {
         for (int i = first; i < end; i += 8) {
             int count = min(end - i, 8), masks[8] = {}, visible[8] = {};
             for (int k = 0; k < 4 * count; ++k) {
-                const Texel &t = model.texels[model.fresh[i + k / 4]];
+                const Texel &t = model.texels[i + k / 4];
                 const Chart &c = model.charts[t.chart];
-                float quarter = (float)kSteps * 0.25f / (float)(1 << t.level);
-                float u = (float)t.x + (k & 1 ? quarter : -quarter),
-                      v = (float)t.y + (k & 2 ? quarter : -quarter);
-                masks[k / 4] |= onFacet(model, c, u * c.width / (float)(c.across * kSteps),
-                                        v * c.height / (float)(c.down * kSteps))
+                float u = (float)t.x + (k & 1 ? 0.25f : -0.25f), v = (float)t.y + (k & 2 ? 0.25f : -0.25f);
+                masks[k / 4] |= onFacet(model, c, u * c.width / (float)c.across, v * c.height / (float)c.down)
                                 << (k & 3);
             }
-            Texels8 t = loadTexels(model, model.fresh + i, count);
+            Texels8 t = loadTexels(model, i, count);
             for (int round = 0; round < 4; ++round) {
                 Places8 places = placesOf(masks, round);
                 if (!any(places.active)) break;
-                Int8 open = places.active & ~insideSolid(model, scene, t, places);
+                Int8 open = places.active & ~insideSolid(scene, t, places);
                 for (int k = 0; k < 8; ++k)
                     if (open[k]) visible[k] |= 1 << places.number[k];
             }
-            for (int k = 0; k < count; ++k) model.texels[model.fresh[i + k]].visible = (uint8_t)visible[k];
+            for (int k = 0; k < count; ++k) model.texels[i + k].visible = (uint8_t)visible[k];
         }
     });
 }

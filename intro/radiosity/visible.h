@@ -15,8 +15,8 @@ struct Texels8 {
     // A place just off the plane, moved aside by x and y quarters of a cell's sides.
     Vec3x8 at(Float8 x, Float8 y) const { return p + u * (du * x) + v * (dv * y) + n * off; }
 };
-// The `count` texels with the given numbers.
-Texels8 loadTexels(const Model &model, const int *numbers, int count);
+// The `count` texels from `first` on.
+Texels8 loadTexels(const Model &model, int first, int count);
 
 // One place of each of eight texels: number `round` (from 0) of those in its mask.
 struct Places8 {
@@ -26,7 +26,8 @@ struct Places8 {
 };
 Places8 placesOf(const int *masks, int round);
 
-// Finds which places of the fresh texels are visible: those on a facet and in no solid.
+// Finds which places of all texels are visible: those on a facet and in no solid. `scene` must hold the
+// posed, finished model; solids are closed, so that none of their backs is seen.
 void findVisible(Model &model, const Scene &scene, Workers &workers);
 
 } // namespace odraz

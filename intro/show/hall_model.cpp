@@ -105,7 +105,6 @@ void buildHall(Hall &hall) {
     // The sizes above are those of patches; cells are half as large
     for (int i = 0; i < hall.model.chartCount; ++i)
         hall.model.charts[i].across *= 2, hall.model.charts[i].down *= 2;
-    hall.model.solid = true;
 }
 
 } // namespace odraz

@@ -65,7 +65,6 @@ bool wire(Room &room, Arena &arena) {
     room.map.glossy = room.gloss.chart;
     room.map.glossAcross = room.gloss.across;
     room.map.glossDown = room.gloss.down;
-    room.map.cells = m.cells;
     return !arena.full;
 }
 

@@ -76,7 +76,7 @@ small_model() { # a square and a lamp over it
 seeds_for_rad() {
     local option
     small_model
-    for option in "--patch 1 --element 1" "--patch 0.5 --element 0.2" "--patch 1 --element 0.01 --adaptive"; do
+    for option in "--patch 1 --element 1" "--patch 0.5 --element 0.2" "--patch 1 --element 0.01"; do
         "$programs/radiosity" solve m.obj -o m.rad $option >/dev/null || return
         tail -c +27 m.rad >"seeds/${option//[^0-9a-z]/}"
     done

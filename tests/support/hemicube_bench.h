@@ -15,7 +15,7 @@ struct HemicubeBench : ModelBench {
 
     void open(int px, int block) {
         pose();
-        EXPECT_TRUE(model->divide(*scene, memory.arena, workers, block, 1));
+        divide(block);
         lens = std::make_unique<Lens>(px);
     }
     Hemicubes &hemicubes() { return lens->h; }

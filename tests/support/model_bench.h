@@ -1,9 +1,10 @@
 // A model with what dividing and solving it need.
 #pragma once
 
-#include "radiosity/model.h"
+#include "radiosity/visible.h"
 #include "tools/engine/heap_arena.h"
 
+#include <gtest/gtest.h>
 #include <memory>
 
 namespace odraz {
@@ -18,6 +19,12 @@ struct ModelBench {
     void pose() {
         model->pose(*scene);
         scene->finish();
+    }
+    // Divides it into patches of `block` by `block` cells.
+    void divide(int block) {
+        EXPECT_TRUE(model->divide(memory.arena, block));
+        findVisible(*model, *scene, workers);
+        model->placePatches();
     }
 };
 

@@ -43,8 +43,6 @@ inline Shape shapeOf(ShapeKind kind, const Vec3 &centre, const Vec3 &half) {
         return cylinder(centre, half.x, half.y, 0);
     case ShapeKind::Rect:
         return {.kind = ShapeKind::Rect, .centre = centre, .half = {half.x, 0, half.y}};
-    case ShapeKind::Triangle:
-        return triangle(centre, {half.x, 0, 0}, {0, 0, half.y}, {0, 1, 0});
     case ShapeKind::Count:
         break;
     }
@@ -65,7 +63,6 @@ inline float distanceFrom(const Shape &s, Vec3 p) {
         return length(Vec3{over(q.x, s.half.x), over(q.y, s.half.y), over(q.z, s.half.z)});
     case ShapeKind::Cylinder:
         return std::hypot(over(std::hypot(q.x, q.z), s.half.x), over(q.y, s.half.y));
-    case ShapeKind::Triangle:
     case ShapeKind::Count:
         break;
     }

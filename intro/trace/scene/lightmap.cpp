@@ -4,8 +4,6 @@ namespace odraz {
 
 static Float8 along(Vec3 axis, Vec3x8 p, float perUnit) { return dot(p, axis) * perUnit; }
 
-static Int8 gatherInts(const void *base, Int8 index) { return (Int8)gather((const float *)base, index); }
-
 // Bilinear between four values.
 template <class Corner>
 static Rgb8 bilinear(const float *const plane[3], Float8 x, Float8 y, Corner &&corner) {
@@ -41,19 +39,9 @@ Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
            y = clamp(along(c.v, q, (float)c.down / c.height), 0.f, (float)c.down);
     Int8 i = toInt(min(x, (float)c.across - 0.5f)), j = toInt(min(y, (float)c.down - 0.5f));
     x -= toFloat(i), y -= toFloat(j);
-    // Descend to the smallest cell
-    static_assert(sizeof(Cell) == 32);
-    Int8 cell = j * c.across + i + c.firstCell, corner = gatherInts(map.cells, cell * 8);
-    while (kForTools && any(corner < 0)) {
-        Int8 divided = corner < 0;
-        x = select(divided, x + x, x), y = select(divided, y + y, y);
-        Int8 right = divided & (x >= 1.f), below = divided & (y >= 1.f);
-        x -= select(right, 1.f, 0.f), y -= select(below, 1.f, 0.f);
-        cell = select(divided, ~corner - right - 2 * below, cell);
-        corner = gatherInts(map.cells, cell * 8);
-    }
+    Int8 corner = j * (c.across + 1) + i + c.firstTexel;
     Rgb8 light =
-        bilinear(map.plane, x, y, [&](int k) { return k ? gatherInts(map.cells, cell * 8 + k) : corner; });
+        bilinear(map.plane, x, y, [&](int k) { return corner + ((k & 1) + (k >> 1) * (c.across + 1)); });
     if (map.mosaic > 0) {
         const float *const plane[3] = {map.patch[0] + c.firstPatch, map.patch[1] + c.firstPatch,
                                        map.patch[2] + c.firstPatch};

@@ -1,19 +1,14 @@
 // Light stored on surfaces. Every chart is a rectangle with its own grid of cells, so that nothing is
-// interpolated across a chart's edges. Cells are divided as quadtrees where light varies.
+// interpolated across a chart's edges.
 //
 // "Light" is the tracer's diffuse light: irradiance / pi, so that radiance = albedo * light. The texels,
 // which hold its values, are at the corners of cells; neighbouring cells share them. Light is bilinear within
-// a cell. A texel in the middle of a larger neighbour's side has the value that the neighbour has there, so
-// light is continuous over the whole chart.
+// a cell.
 #pragma once
 
-#include "base/for_tools.h"
 #include "base/vec3.h"
 
 namespace odraz {
-
-inline constexpr int kFinest = 3; // how often a cell may be divided
-inline constexpr int kSteps = 1 << kFinest;
 
 struct Chart {
     Vec3 corner;                        // world; where u = v = 0
@@ -24,7 +19,7 @@ struct Chart {
     uint16_t material;
     bool open;                   // a window: hemicubes see it, rays pass through it
     int firstCell;               // in rows of `across`
-    int firstTexel;              // of the undivided grid's corners, in rows of across + 1
+    int firstTexel;              // of the cells' corners, in rows of across + 1
     int firstPatch;              // in rows of patchesAcross
     int firstFacet, facetsCount; // the parts of the rectangle that exist
 
@@ -37,20 +32,8 @@ struct Chart {
     Vec3 at(float s, float t) const { return fmadd(u, s, fmadd(v, t, corner)); } // s, t in world units
 };
 
-// A cell of a chart. Its corners are at (0, 0), (1, 0), (0, 1) and (1, 1), in this order. If it is divided,
-// corner[0] is ~ the index of the first of its four children, which are in the same order.
-struct Cell {
-    int corner[4]; // texels
-    int patch, chart;
-    float area; // square world units
-    int level;  // how many divisions led to it, 0 .. kFinest
-
-    bool divided() const { return kForTools && corner[0] < 0; }
-};
-
 struct Lightmap {
     const Chart *charts;
-    const Cell *cells;
     const float *plane[3]; // red, green, blue of every texel
     // A picture of the patches that is laid over the light. mosaic: its share, 0 .. 1; patch: the patches'
     // colours; sharpness: 1 interpolates between their middles, kFlat shows each patch in one colour

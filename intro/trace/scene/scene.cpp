@@ -42,7 +42,7 @@ void Scene::finish() {
     unboundedCount = occluderCount = glowingBallCount = 0;
     for (int i = 0; i < shapeCount; ++i) {
         Shape &s = shapes[i];
-        s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1 && !s.traits().askew;
+        s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1;
         if (!s.traits().bounded) {
             unbounded[next(unboundedCount, kMaxUnbounded, "kMaxUnbounded")] = (uint16_t)i;
             continue;

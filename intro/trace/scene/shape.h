@@ -5,7 +5,6 @@
 //   Box       |x| <= half.x, |y| <= half.y, |z| <= half.z
 //   Cylinder  x^2 + z^2 <= half.x^2, |y| <= half.y, capped at both ends
 //   Rect      in the local plane y = 0, |x| <= half.x, |z| <= half.z
-//   Triangle  x >= 0, z >= 0, x + z <= 1 in the local plane y = 0, whose frame is askew
 //
 // Sizes from 1e-4 to 1e6 and distances up to kFar are meant to work; nothing beyond kFar is ever hit. A new
 // kind needs an enumerator, a row of kShapeTraits, and its cases in surface.cpp.
@@ -18,7 +17,7 @@ namespace odraz {
 
 inline constexpr float kFar = 1e9f;
 
-enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Rect, Triangle, Count };
+enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Rect, Count };
 
 // The properties of a kind that other code depends on.
 struct ShapeTraits {
@@ -26,7 +25,6 @@ struct ShapeTraits {
     bool bounded : 1 = false; // has a box, and is in the tree; every ray tries the shapes without
     bool solid : 1 = false; // has an inside, which glass fills; rays also hit it from there. Others are flat
     bool oneSided : 1 = false; // hit only from y > 0, so that one can look into a room through its walls
-    bool askew : 1 = false;    // the frame is not a rotation
     bool extents : 1 = false;  // `half` is how far it extends along the axes of its frame
     // its solid texture is in world coordinates, so that it continues on neighbouring shapes
     bool joins : 1 = false;
@@ -38,7 +36,6 @@ inline constexpr ShapeTraits kShapeTraits[] = {
     {.kind = ShapeKind::Box, .bounded = true, .solid = true, .extents = true},
     {.kind = ShapeKind::Cylinder, .bounded = true, .solid = true, .extents = true},
     {.kind = ShapeKind::Rect, .bounded = true, .oneSided = true, .extents = true, .joins = true},
-    {.kind = ShapeKind::Triangle, .bounded = true, .oneSided = true, .askew = true, .joins = true},
 };
 static_assert(inOrder(kShapeTraits, &ShapeTraits::kind), "a row for every kind, in the enum's order");
 
@@ -80,7 +77,5 @@ struct Shape {
             .centre = middle,
             .half = {radius, halfHeight, radius}};
 }
-// With sides u and v from one corner, facing u x v; n is the unit vector of that direction.
-Shape triangle(const Vec3 &corner, const Vec3 &u, const Vec3 &v, const Vec3 &n);
 
 } // namespace odraz

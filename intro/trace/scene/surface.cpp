@@ -1,7 +1,5 @@
 #include "trace/scene/surface.h"
 
-#include "base/for_tools.h"
-
 #include <initializer_list>
 
 namespace odraz {
@@ -45,15 +43,6 @@ static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bot
     return select(inside, t, kInfinity);
 }
 
-// The same, by barycentric coordinates.
-static Float8 hitTriangle(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
-    Float8 t = hitPlane(o.y, d.y);
-    if (!bothSides) t = select(d.y < 0.f, t, kInfinity);
-    Float8 finite = select(t < kInfinity, t, 0.f);
-    Float8 x = fmadd(finite, d.x, o.x), z = fmadd(finite, d.z, o.z);
-    return select((min(x, z) >= -s.half.y) & (x + z <= 1 + s.half.y), t, kInfinity);
-}
-
 static Float8 hitCylinder(const Shape &s, const Vec3x8 &o, const Vec3x8 &d) {
     // In the plane across the axis, find the point nearest to it, then half the chord
     Float8 a = fmadd(d.x, d.x, d.z * d.z);
@@ -83,9 +72,6 @@ Float8 distance(const Shape &s, const Ray8 &ray, Flat flat) {
         return hitCylinder(s, o, d);
     case ShapeKind::Rect:
         return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitRect(s, o, d, flat == Flat::BothSides);
-    case ShapeKind::Triangle:
-        if (!kForTools) break;
-        return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitTriangle(s, o, d, flat == Flat::BothSides);
     case ShapeKind::Sphere:
     case ShapeKind::Count:
         break;
@@ -104,9 +90,6 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
     Vec3x8 q = s.frame * fromCentre, n = {};
     Int8 face = {};
     switch (s.kind) {
-    case ShapeKind::Triangle:
-        if (!kForTools) __builtin_unreachable();
-        return {p - s.frame.v * q.y, broadcast(s.frame.v), Int8{}};
     case ShapeKind::Box: {
         // The face is the one whose coordinate is nearest to its limit
         Vec3x8 over = {abs(q.x) - s.half.x, abs(q.y) - s.half.y, abs(q.z) - s.half.z};
@@ -151,16 +134,6 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
 [[gnu::cold]] Bounds boundsOf(const Shape &s) {
     Vec3 r = s.half;
     switch (s.kind) {
-    case ShapeKind::Triangle: {
-        if (!kForTools) __builtin_unreachable();
-        // Recover its sides from the rows of the frame, which measure along them
-        Vec3 u = cross(s.frame.w, s.frame.v), w = cross(s.frame.v, s.frame.u);
-        u *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(u, s.frame.u));
-        w *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(w, s.frame.w));
-        Bounds b = {s.centre, s.centre};
-        for (Vec3 p : {u, w}) include(b, {s.centre + p, s.centre + p});
-        return b;
-    }
     case ShapeKind::Box:
     case ShapeKind::Cylinder:
     case ShapeKind::Rect: {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/radiosity/divide/regions.h"
-#include "tools/radiosity/patches/patch_system.h"
+#include "tools/radiosity/rays/lamp_rays.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 
 #include <cmath>
@@ -32,10 +32,9 @@ inline void useMesh(const Mesh &mesh, bool clamp) {
     static auto model = std::make_unique<Model>();
     mustBeSound(mesh);
     model->chartCount = model->facetCount = 0;
-    model->overflow = false;
     Regions regions = joinRegions(mesh, mesh.size() / 10);
     fillModel(*model, regions);
-    findLamps(mesh, regions, *model, 16);
+    LampRays(mesh, regions, 16);
     static const ReflectancePicture picture({3, 2, 3, 8, std::vector<uint16_t>(18, 25700), {}});
     for (const auto &at : mesh.coordinates) {
         std::vector<TexturePoint> corners;

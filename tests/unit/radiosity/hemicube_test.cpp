@@ -105,11 +105,11 @@ TEST(Furnace, ComesOutEven) {
         addRoom(*b.model, {-2, -1.5f, -3}, {2, 1.5f, 3}, 0.5f);
         b.model->addBox({-0.5f, -1.5f, -0.5f}, {0.5f, 0.25f, 0.5f}, 0, 0.5f, Model::kUpright | Model::kTop);
         b.open(64, 1);
-        std::vector<uint8_t> lit((size_t)b.model->patchCount, 1);
+        for (int i = 0; i < b.model->patchCount; ++i) b.model->patches[i].reflects = {1, 1, 1};
         FormFactors f = {};
         f.capacity = 1 << 20;
         f.links = b.memory.arena.take<Link>(f.capacity);
-        ASSERT_TRUE(findFormFactors(b.hemicubes(), *b.model, lit.data(), b.workers, b.memory.arena, f, {}));
+        ASSERT_TRUE(findFormFactors(b.hemicubes(), *b.model, b.workers, b.memory.arena, f, {}));
         System s;
         ASSERT_TRUE(makeSystem(s, b.memory.arena, f, b.model->patchCount, 1));
         for (int i = 0; i < b.model->patchCount; ++i)
@@ -117,8 +117,7 @@ TEST(Furnace, ComesOutEven) {
                 s.direct[i * s.columns] += f.rows[i].links[k].share; // from a neighbour that emits 1
                 s.reflectance[i * s.columns] = rho;
             }
-        int sweeps = solve(s, b.workers, 1e-6f, 5000);
-        EXPECT_LT(sweeps, 5000);
+        solve(s, b.workers, 1e-6f, 5000);
         for (int i = 0; i < b.model->patchCount; ++i) {
             if (b.model->patches[i].share == 0) continue;
             double exact = 1 / (1 - (double)rho);

@@ -33,26 +33,10 @@ struct Facing {
 // B = rho + rho^2 B' and B' = rho B, for any number of right-hand sides.
 TEST(Solve, AsManyRightHandSidesAsThereIsRoomFor) {
     Facing f;
-    int sweeps = solve(f.s, f.workers, 1e-6f, 5000);
+    solve(f.s, f.workers, 1e-6f, 5000);
     for (int k = 0; k < Facing::kUnknowns; ++k) {
         double rho = (double)Facing::reflectance(k), exact = rho / (1 - rho * rho);
         ASSERT_NEAR((double)f.s.radiosity[k], exact, 1e-5 * exact + 1e-9) << k;
         ASSERT_NEAR((double)f.s.radiosity[f.s.columns + k], rho * exact, 1e-5 * exact + 1e-9) << k;
     }
-    EXPECT_GT(sweeps, 40); // needed by the highest reflectance
-    EXPECT_EQ(solve(f.s, f.workers, 1e-6f, 7), 7);
-}
-
-TEST(Solve, BouncesAddUpToTheSolution) {
-    Facing f;
-    bounce(f.s, f.workers);
-    for (int k = 0; k < Facing::kUnknowns; ++k) {
-        ASSERT_EQ(f.s.radiosity[k], Facing::reflectance(k)); // light from outside, reflected once
-        ASSERT_EQ(f.s.radiosity[f.s.columns + k], 0);
-    }
-    for (int n = 1; n < 400; ++n) bounce(f.s, f.workers);
-    Facing solved;
-    solve(solved.s, solved.workers, 1e-6f, 5000);
-    for (int i = 0; i < 2 * f.s.columns; ++i)
-        ASSERT_NEAR(f.s.radiosity[i], solved.s.radiosity[i], 1e-5f * solved.s.radiosity[i]) << i;
 }

@@ -204,11 +204,9 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
         c.across = c.down = 1;
         c.patchesAcross = c.patchesDown = 1;
     }
-    Cell cell = {};
-    for (int i = 0; i < 4; ++i) cell.corner[i] = i;
     const float light[4] = {1, 1, 1, 1};
     Lightmap map = {};
-    map.charts = charts, map.cells = &cell;
+    map.charts = charts;
     for (auto &plane : map.plane) plane = light;
 
     auto s = emptyScene();

@@ -13,7 +13,6 @@ namespace {
 
 struct Sheet {
     Chart chart = {};
-    std::vector<Cell> cells;
     std::vector<float> texels, patches;
     Lightmap map = {};
     // 6 x 4 cells over 3 x 1, standing upright somewhere; value(i, j) of each corner
@@ -24,23 +23,13 @@ struct Sheet {
         chart.across = 6, chart.down = 4;
         chart.patchesAcross = 2, chart.patchesDown = 2;
         chart.firstTexel = 5;
-        chart.firstCell = 7;
         chart.firstPatch = 100;
         texels.resize((size_t)(5 + chart.texels()), -99.f);
-        cells.resize(7 + 24);
         patches.resize(104, -99.f);
         for (int j = 0; j <= 4; ++j)
             for (int i = 0; i <= 6; ++i) texels[(size_t)chart.texel(i, j)] = value(i, j);
-        for (int j = 0; j < 4; ++j)
-            for (int i = 0; i < 6; ++i)
-                for (int k = 0; k < 4; ++k)
-                    cells[(size_t)(7 + j * 6 + i)].corner[k] = chart.texel(i + k % 2, j + k / 2);
         for (int k = 0; k < 4; ++k) patches[(size_t)(100 + k)] = (float)k;
-        point();
-    }
-    void point() {
         map.charts = &chart;
-        map.cells = cells.data();
         for (int k = 0; k < 3; ++k) map.plane[k] = texels.data(), map.patch[k] = patches.data();
     }
     float at(float s, float t) const { return lightAt(map, chart, broadcast(chart.at(s, t))).y[3]; }
@@ -50,18 +39,6 @@ struct Sheet {
         Int8 patch = patchAt(chart, broadcast(chart.at(s, t)), broadcast(d), broadcast(cosine),
                              broadcast(width), clear);
         return {patch[0], clear[0]};
-    }
-    // Divides a cell and sets its new corners: above, left, middle, right, below
-    void divide(size_t cell, const float (&values)[5]) {
-        const Cell c = cells[cell];
-        int first = (int)texels.size();
-        texels.insert(texels.end(), values, values + 5);
-        int t[9] = {c.corner[0], first,       c.corner[1], first + 1,  first + 2,
-                    first + 3,   c.corner[2], first + 4,   c.corner[3]};
-        cells[cell].corner[0] = ~(int)cells.size();
-        for (int k : {0, 1, 3, 4})
-            cells.push_back({{t[k], t[k + 1], t[k + 3], t[k + 4]}, 0, 0, 0, c.level + 1});
-        point();
     }
 };
 
@@ -77,26 +54,6 @@ TEST(Lightmap, IsBilinearBetweenCorners) {
     EXPECT_FLOAT_EQ(sheet.at(-1, -1), 0); // outside: the border, never another chart's texels
     EXPECT_FLOAT_EQ(sheet.at(9, 9), 64);
     EXPECT_FLOAT_EQ(sheet.at(std::nanf(""), 0.5f), sheet.at(0, 0)); // NaN gives a number
-}
-
-TEST(Lightmap, DividedCellsAreMetAtEveryLevel) {
-    Sheet sheet([](int, int) { return 0.f; });
-    sheet.divide(7 + 6 + 2, {0, 0, 8, 0, 0}); // a bump in the middle of cell (2, 1), [1, 1.5] x [0.25, 0.5]
-    EXPECT_FLOAT_EQ(sheet.at(1.25f, 0.375f), 8);
-    EXPECT_FLOAT_EQ(sheet.at(1.125f, 0.375f), 4);
-    EXPECT_FLOAT_EQ(sheet.at(1.125f, 0.3125f), 2);
-    EXPECT_FLOAT_EQ(sheet.at(1.375f, 0.4375f), 2);
-    EXPECT_FLOAT_EQ(sheet.at(1, 0.3f), 0);
-    EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.3f), 0);
-    EXPECT_FLOAT_EQ(sheet.at(0.9f, 0.3f), 0);
-    // Divide its last quarter again
-    sheet.divide(sheet.cells.size() - 1, {4, 4, 16, 0, 0});
-    EXPECT_FLOAT_EQ(sheet.at(1.375f, 0.4375f), 16);
-    EXPECT_FLOAT_EQ(sheet.at(1.25f, 0.375f), 8);
-    // Light is continuous: steps of a thousandth change little
-    for (float s = 0.9f; s < 1.6f; s += 0.01f)
-        for (float t = 0.2f; t < 0.55f; t += 0.001f)
-            EXPECT_LT(std::fabs(sheet.at(s, t) - sheet.at(s, t + 0.001f)), 0.3f) << s << ' ' << t;
 }
 
 TEST(Lightmap, OverItThePatchesAreAMosaic) {

@@ -34,16 +34,10 @@ Outline cut(const Outline &in, PlanePoint a, PlanePoint b) {
         });
 }
 
-int cellAt(const Cell *cells, const Chart &c, PlanePoint p) {
+int cellAt(const Chart &c, PlanePoint p) {
     float x = p.u / c.width * (float)c.across, y = p.v / c.height * (float)c.down;
     int i = std::min((int)x, c.across - 1), j = std::min((int)y, c.down - 1);
-    int cell = c.firstCell + j * c.across + i;
-    for (x -= (float)i, y -= (float)j; cells[cell].divided();) {
-        x *= 2, y *= 2;
-        cell = ~cells[cell].corner[0] + (x >= 1) + 2 * (y >= 1);
-        x -= (float)(x >= 1), y -= (float)(y >= 1);
-    }
-    return cell;
+    return c.firstCell + j * c.across + i;
 }
 
 } // namespace odraz::radiosity

@@ -18,10 +18,7 @@ double areaOf(const Outline &outline);
 // The part of the outline that lies to the left of the line from a to b.
 Outline cut(const Outline &outline, PlanePoint a, PlanePoint b);
 
-// The index in `cells` of the smallest cell at a point of a chart.
-int cellAt(const Cell *cells, const Chart &chart, PlanePoint p);
-inline const Cell &cellAt(const Model &model, const Chart &chart, PlanePoint p) {
-    return model.cells[cellAt(model.cells, chart, p)];
-}
+// The cell at a point of a chart.
+int cellAt(const Chart &chart, PlanePoint p);
 
 } // namespace odraz::radiosity

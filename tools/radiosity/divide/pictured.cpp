@@ -69,30 +69,22 @@ struct Sum {
     }
 };
 
-// Adds a triangle's part inside a cell to the undivided cells within it.
-void addTo(std::vector<Sum> &sums, std::span<const Cell> cells, int number, float u0, float v0, float u1,
-           float v1, const Placed &t, const ReflectancePicture &texture, bool clamp) {
-    const Cell &cell = cells[(size_t)number];
+// Adds a triangle's part inside a cell.
+void addTo(Sum &sum, float u0, float v0, float u1, float v1, const Placed &t,
+           const ReflectancePicture &texture, bool clamp) {
     Outline part = {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
     for (size_t k = 0; k < 3 && part.size() > 2; ++k) part = cut(part, t.corners[k], t.corners[(k + 1) % 3]);
     if (part.size() < 3) return;
-    if (cell.divided()) {
-        float u = (u0 + u1) / 2, v = (v0 + v1) / 2;
-        for (int k = 0; k < 4; ++k)
-            addTo(sums, cells, ~cell.corner[0] + k, k & 1 ? u : u0, k & 2 ? v : v0, k & 1 ? u1 : u,
-                  k & 2 ? v1 : v, t, texture, clamp);
-        return;
-    }
     double area = areaOf(part);
     if (!(area > 0)) return;
     std::vector<TexturePoint> shown;
     for (PlanePoint p : part) shown.push_back(t.coordinates(p));
-    sums[(size_t)number].add(area, texture.mean(shown, clamp));
+    sum.add(area, texture.mean(shown, clamp));
 }
 
 // Adds a triangle to the cells that it touches.
-void addTriangle(std::vector<Sum> &sums, std::span<const Cell> cells, const Chart &c, const Placed &t,
-                 const ReflectancePicture &texture, bool clamp) {
+void addTriangle(std::vector<Sum> &sums, const Chart &c, const Placed &t, const ReflectancePicture &texture,
+                 bool clamp) {
     if (t.flat()) return;
     auto [left, right] = std::minmax({t.corners[0].u, t.corners[1].u, t.corners[2].u});
     auto [low, high] = std::minmax({t.corners[0].v, t.corners[1].v, t.corners[2].v});
@@ -100,11 +92,11 @@ void addTriangle(std::vector<Sum> &sums, std::span<const Cell> cells, const Char
     auto first = [](float x, int count) { return std::clamp((int)x, 0, count - 1); };
     for (int y = first(low / tall, c.down); y <= first(high / tall, c.down); ++y)
         for (int x = first(left / wide, c.across); x <= first(right / wide, c.across); ++x)
-            addTo(sums, cells, c.firstCell + y * c.across + x, (float)x * wide, (float)y * tall,
+            addTo(sums[(size_t)(c.firstCell + y * c.across + x)], (float)x * wide, (float)y * tall,
                   (float)(x + 1) * wide, (float)(y + 1) * tall, t, texture, clamp);
 }
 
-// The pictures' colour in each undivided cell; empty if no picture can be read.
+// The pictures' colour in each cell; empty if no picture can be read.
 std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
                              std::span<const Cell> cells, std::vector<std::string> &notes) {
     // Read one picture at a time, to save memory
@@ -121,7 +113,7 @@ std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, 
             for (size_t i : triangles) {
                 const Chart &c = charts[(size_t)chartOf[i]];
                 const MeshPicture &picture = mesh.materials[(size_t)mesh.triangles[i].material].picture;
-                addTriangle(sums, cells, c, Placed(mesh, i, c, picture), texture, picture.clamp);
+                addTriangle(sums, c, Placed(mesh, i, c, picture), texture, picture.clamp);
             }
         } catch (const common::Refused &e) {
             notes.push_back(std::string(e.what()) + "; the material's colour is used");
@@ -138,10 +130,6 @@ void Pictured::find(const Mesh &mesh, const std::vector<int> &chartOf, std::span
     if (sums.empty()) return;
     std::vector<Sum> all(charts.size());
     for (size_t i = 0; i < sums.size(); ++i) all[(size_t)cells[i].chart].add(sums[i]);
-    // Add the sums of divided cells from their children
-    for (size_t i = sums.size(); i-- > 0;)
-        if (cells[i].divided())
-            for (size_t k = 0; k < 4; ++k) sums[i].add(sums[(size_t)~cells[i].corner[0] + k]);
     std::vector<const MeshMaterial *> material(charts.size());
     for (size_t i = 0; i < chartOf.size(); ++i)
         if (chartOf[i] >= 0)
@@ -172,7 +160,7 @@ void Pictured::toPatches(Model &m) const {
     for (size_t i = 0; i < ofCell.size(); ++i) {
         const Cell &c = m.cells[i];
         int seen = 0; // quarters
-        for (int k = 0; k < 4 && !c.divided(); ++k) seen += m.quarterVisible(c, k);
+        for (int k = 0; k < 4; ++k) seen += m.quarterVisible(c, k);
         if (seen) sums[(size_t)c.patch].add((double)c.area * seen, ofCell[i]);
     }
     for (int i = 0; i < m.patchCount; ++i)

@@ -11,8 +11,8 @@ namespace odraz::radiosity {
 struct Pictured {
     std::vector<Rgb> ofCell, ofChart; // both empty if no material has a readable picture
 
-    // Call it again whenever cells were divided. `chartOf` has the chart of each triangle of the mesh. Adds a
-    // note for a picture that cannot be read; its materials reflect Kd.
+    // `chartOf` has the chart of each triangle of the mesh. Adds a note for a picture that cannot be read;
+    // its materials reflect Kd.
     void find(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
               std::span<const Cell> cells, std::vector<std::string> &notes);
     // Sets each patch's reflectance to the mean of its cells.

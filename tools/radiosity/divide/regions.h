@@ -23,7 +23,4 @@ Regions joinRegions(const Mesh &mesh, double cell);
 // Copies the regions into an empty model. Throws ModelError if they do not fit.
 void fillModel(Model &model, const Regions &regions);
 
-// Adds all facets of a model to a scene, as its material 0.
-void poseFacets(const Model &model, Scene &scene);
-
 } // namespace odraz::radiosity

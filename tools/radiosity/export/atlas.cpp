@@ -22,13 +22,10 @@ int roundedUp(double x) { return ((int)std::ceil(x) + 3) / 4 * 4; } // for compr
 // Finds the number of texels of each chart.
 void measure(const Solution &b, Atlas &atlas) {
     const AtlasSettings &s = atlas.settings;
-    std::vector<int> level(b.charts.size()); // of its smallest cell
     std::vector<uint8_t> pictured(b.charts.size());
     for (size_t i = 0; i < b.cells.size(); ++i) {
         const Cell &c = b.cells[i];
-        if (c.divided()) continue;
         size_t chart = (size_t)c.chart;
-        level[chart] = std::max(level[chart], c.level);
         Rgb differs = b.reflectsOf((int)i) - b.reflects[chart];
         pictured[chart] |= dot(differs, differs) > 0;
     }
@@ -40,7 +37,7 @@ void measure(const Solution &b, Atlas &atlas) {
         p.within = p.pictured && (s.radiosity || p.exact);
         bool coarse = false;
         auto along = [&](float length, int cells) {
-            int own = (cells << level[i]) * (p.within ? 2 : 1);
+            int own = cells * (p.within ? 2 : 1);
             double asked = p.exact ? own : std::clamp(std::ceil((double)length * s.texels), 1., 1e6);
             int most = s.page - 2 * s.padding - !p.within;
             coarse |= asked > most;
@@ -180,7 +177,7 @@ private:
             float s = u + (((float)(k % across) + 0.5f) / (float)across - 0.5f) * wide,
                   t = v + (((float)(k / across) + 0.5f) / (float)down - 0.5f) * tall;
             if (s < 0 || t < 0 || s > c.width || t > c.height) continue;
-            int cell = cellAt(b.cells.data(), c, {s, t});
+            int cell = cellAt(c, {s, t});
             if (!atlas.there[(size_t)cell]) continue;
             sum += place.exact ? valueIn(cell, u, v) : valueIn(cell, s, t);
             ++found;

@@ -1,5 +1,8 @@
 #include "tools/radiosity/patches/odd_hemicube.h"
 
+#include "tools/radiosity/solution/memory.h"
+
+#include <numeric>
 #include <stdexcept>
 
 namespace odraz::radiosity {
@@ -33,7 +36,8 @@ std::vector<float> formFactorSums(int px) {
 }
 
 // The memory for the next even number of pixels is enough
-AnyHemicubes::AnyHemicubes(const Gl &gl, int px) : memory(bytesFor(px)), sums(formFactorSums(px)) {
+AnyHemicubes::AnyHemicubes(const Gl &gl, int px)
+    : memory(hemicubeBytes(px + px % 2)), sums(formFactorSums(px)) {
     if (!openHemicubes(h, gl, memory.arena, px + px % 2))
         throw std::runtime_error("this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)");
     h.px = px;
@@ -42,47 +46,46 @@ AnyHemicubes::AnyHemicubes(const Gl &gl, int px) : memory(bytesFor(px)), sums(fo
 const std::vector<std::vector<float>> &AnyHemicubes::rows(const Model &m, std::span<const Eye> eyes,
                                                           Workers &workers) {
     drawHemicubes(h, m, eyes.data(), (int)eyes.size());
-    found.resize(eyes.size() / (size_t)h.turns);
+    found.resize(eyes.size());
     parallelFor(workers, (int)found.size(), [&](int k, int) {
         found[(size_t)k].assign((size_t)m.patchCount, 0);
-        for (int j = 0; j < h.turns; ++j)
-            sumHemicube(h, k * h.turns + j, sums.data(), found[(size_t)k].data());
+        sumHemicube(h, k, sums.data(), found[(size_t)k].data());
     });
     return found;
 }
 
-bool findRowsFrom(AnyHemicubes &hemicubes, const Model &m, const uint8_t *lit, Workers &workers, Arena &arena,
-                  FormFactors &factors, const Progress &progress, int step, const EyeOf &eyeOf) {
-    const Hemicubes &h = hemicubes.h;
-    auto count = (size_t)m.patchCount, batch = (size_t)(h.batch / h.turns);
-    factors.rows = arena.take<Row>(count);
-    factors.used = 0;
-    if (arena.full) return false;
+bool findRows(AnyHemicubes &hemicubes, const Model &m, const std::vector<uint8_t> &lit, Workers &workers,
+              Rows &rows, size_t memory, const std::function<bool(float)> &progress, int each,
+              const EyeOf &eyeOf) {
+    auto count = (size_t)m.patchCount, batch = (size_t)(hemicubes.h.batch / each), links = (size_t)0;
+    auto step = (size_t)((double)count * 0.6180339) | 1;
+    while (std::gcd(step, count) != 1) step += 2;
     for (size_t i = 0, next = 0; i < count;) {
         std::vector<Eye> eyes;
         std::vector<size_t> patches;
-        for (; i < count && patches.size() < batch; ++i, next = (next + (size_t)step) % count) {
+        for (; i < count && patches.size() < batch; ++i, next = (next + step) % count) {
             const Patch &p = m.patches[next];
-            if (p.share == 0 || lit[next] != kReflects) continue;
-            for (int k = 0; k < h.turns; ++k)
-                eyes.push_back(eyeOf ? eyeOf((int)next, k)
+            if (p.share == 0 || !lit[next]) continue;
+            for (int k = 0; k < each; ++k)
+                eyes.push_back(eyeOf ? eyeOf(m, (int)next, k)
                                      : hemicubeEye(p.p, p.n, (uint32_t)next + (uint32_t)k * 0x9e3779b9u));
             patches.push_back(next);
         }
-        const auto &rows = hemicubes.rows(m, eyes, workers);
-        if (workers.aborted()) return false;
+        const auto &found = hemicubes.rows(m, eyes, workers);
         for (size_t k = 0; k < patches.size(); ++k) {
-            Row &to = factors.rows[patches[k]];
-            to.links = factors.links + factors.used;
+            std::vector<Link> &row = rows.of[patches[k]];
             for (size_t j = 0; j < count; ++j) {
-                if (rows[k][j] == 0 || lit[j] == kUnlit) continue;
-                if (factors.used == factors.capacity) return false;
-                factors.links[factors.used++] = {(uint32_t)j, rows[k][j] / (float)h.turns};
-                ++to.count;
+                float sum = 0;
+                for (size_t e = 0; e < (size_t)each; ++e) sum += found[k * (size_t)each + e][j];
+                if (sum > 0 && lit[j]) row.push_back({(uint32_t)j, sum / (float)each});
             }
-            to.known = true;
+            row.shrink_to_fit();
+            rows.known[patches[k]] = true;
+            links += row.size();
         }
-        progress((float)i / (float)count);
+        if (size_t bytes = links * sizeof(Link) / i * count; bytes > memory)
+            refuseMemory(bytes, memory, "larger patches or elements need less");
+        if (!progress((float)i / (float)count)) return false;
     }
     return true;
 }

@@ -9,6 +9,7 @@
 
 #include "radiosity/form_factor.h"
 #include "tools/engine/heap_arena.h"
+#include "tools/radiosity/solution/solve_settings.h"
 
 #include <functional>
 #include <span>
@@ -26,10 +27,9 @@ public:
     AnyHemicubes(const Gl &gl, int px);
     AnyHemicubes(const AnyHemicubes &) = delete;
     ~AnyHemicubes() { closeHemicubes(h); }
-    static size_t bytesFor(int px) { return hemicubeBytes(px + px % 2); }
 
-    // Draws the hemicubes of up to h.batch eyes, h.turns of them for a patch. Returns for each such patch the
-    // sum of its form factors to every patch of the model.
+    // Draws the hemicubes of up to h.batch eyes. Returns for each its form factors to every patch of the
+    // model.
     const std::vector<std::vector<float>> &rows(const Model &model, std::span<const Eye> eyes,
                                                 Workers &workers);
 
@@ -42,13 +42,26 @@ public:
     Hemicubes h;
 };
 
-// The eye of a patch's hemicube number k.
-using EyeOf = std::function<Eye(int patch, int k)>;
+// The form factors of all patches; one that is not known is hidden, or nothing needs it.
+struct Rows {
+    std::vector<std::vector<Link>> of; // each patch
+    std::vector<uint8_t> known;
 
-// As the film's findFormFactors(), for odd px too, and with hemicubes of patches at any place; without
-// `eyeOf` they stand in the middle.
-bool findRowsFrom(AnyHemicubes &hemicubes, const Model &model, const uint8_t *lit, Workers &workers,
-                  Arena &arena, FormFactors &factors, const Progress &progress, int step,
-                  const EyeOf &eyeOf = {});
+    explicit Rows(size_t patches) : of(patches), known(patches) {}
+    // The light that arrives at a patch from patches of these radiosities.
+    Rgb gather(int patch, const std::vector<Rgb> &radiosity) const {
+        Rgb sum = {};
+        for (const Link &link : of[(size_t)patch]) sum += radiosity[link.patch] * link.share;
+        return sum;
+    }
+};
+
+// Finds the rows of the visible patches that `lit` marks; the others are left out of them. A patch has `each`
+// hemicubes, which stand at `eyeOf` or, if that is null, in its middle, each turned differently; the mean
+// counts. Patches are taken in an order that spreads the first ones over the model. Calls progress(done)
+// after every picture, and stops if it returns false. Throws std::runtime_error if they need more memory.
+bool findRows(AnyHemicubes &hemicubes, const Model &model, const std::vector<uint8_t> &lit, Workers &workers,
+              Rows &rows, size_t memory, const std::function<bool(float done)> &progress, int each = 1,
+              const EyeOf &eyeOf = {});
 
 } // namespace odraz::radiosity

@@ -1,20 +1,25 @@
-#include "tools/radiosity/patches/patch_solver.h"
-
-#include "tools/radiosity/rays/light_grid.h"
+// The stages of a solution between patches.
+#include "tools/radiosity/patches/patch_system.h"
+#include "tools/radiosity/patches/shooting.h"
+#include "tools/radiosity/rays/lamp_rays.h"
 #include "tools/radiosity/solution/memory.h"
 
+#include "radiosity/solve.h"
+#include "radiosity/spread.h"
+
 #include <algorithm>
-#include <climits>
 #include <cmath>
-#include <stdexcept>
 
 namespace odraz::radiosity {
 
+namespace {
+
+constexpr int kMostSweeps = 10000;
+
 // Whether any patch sees the back of a surface; about 500 patches are checked. If none does, hemicubes need
 // not draw backs.
-static bool seesBacks(const Model &m, const Mesh &mesh) {
+bool seesBacks(const Model &m, const RayTree &tree) {
     static constexpr int kPlaces = 500, kAround = 96;
-    RayTree tree(cornersOf(mesh));
     for (int i = 0, every = std::max(1, m.patchCount / kPlaces); i < m.patchCount; i += every) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
@@ -28,106 +33,179 @@ static bool seesBacks(const Model &m, const Mesh &mesh) {
     return false;
 }
 
-void PatchSolver::run() {
-    report.whole = true;
-    divide();
-    task.lap(SolveStep::kDividing);
-    findDirectLight();
-    watch(nullptr);
-    task.lap(SolveStep::kDirectLight);
-    if (s.shots > 0) {
-        shootLight();
-    } else {
-        findRows();
-        task.lap(SolveStep::kFormFactors);
-        solveBounces();
-    }
-    fillSolution();
-    task.lap(SolveStep::kSolving);
-}
-
-Progress PatchSolver::progressOf(SolveStep which) {
-    step = which;
-    return {[](float done, void *own) {
-                auto &solver = *(PatchSolver *)own;
-                solver.task.show(solver.step, done);
-            },
-            this};
-}
-
-void PatchSolver::divide() {
-    Progress progress = progressOf(SolveStep::kDividing);
-    progress(0);
-    fillModel(m, task.regions);
-    findLights();
-    p.scene->add(Material{});
-    poseFacets(m, *p.scene);
-    p.scene->finish();
-    progress(0.5f);
-    int levels = s.adaptive ? kDivided : 0;
-    refuseTooMany(levels);
-    if (!m.divide(*p.scene, p.arena, task.workers, cellsOfPatch(), levels))
-        refuseMemory(p.arena, texelBytes((size_t)m.texelRoom));
-    m.solid = !seesBacks(m, task.mesh);
-    findPictured(report.notes);
-    for (int i = 0; i < m.patchCount; ++i)
-        m.patches[i].reflects = task.solution.reflects[(size_t)m.patches[i].chart];
-    task.pictured.toPatches(m);
-    report.patches = m.patchCount;
-    progress(1);
-}
-
-int PatchSolver::cellsOfPatch() const {
+// The number of cells along a side of a patch.
+int cellsOfPatch(const SolveTask &task) {
+    const SolveSettings &s = task.settings;
     // Hemicubes take longer in models of many polygons, so these get fewer
+    auto polygons = (double)task.regions.facets.size();
     double patch =
-        s.patch > 0 ? s.patch : areaOf(task.mesh) / std::clamp(6000. * 2000 / m.facetCount, 400., 6000.);
+        s.patch > 0 ? s.patch : areaOf(task.mesh) / std::clamp(6000. * 2000 / polygons, 400., 6000.);
     return (int)std::clamp(std::sqrt(patch) / cellSide(task.mesh, s) + 0.5, 1., (double)kMaxAcross);
 }
 
-void PatchSolver::findPictured(std::vector<std::string> &notes) {
-    task.findPictured({m.charts, (size_t)m.chartCount}, {m.cells, (size_t)m.cellCount}, notes);
-}
+class PatchSolver {
+public:
+    PatchSolver(SolveTask &task, PatchSystem &p, const Gl &gl)
+        : task(task), s(task.settings), report(task.report), p(p), m(*p.model), gl(gl),
+          tree(cornersOf(task.mesh)), grid(task.regions, tree, task.workers, cellsOfPatch(task)) {}
 
-size_t PatchSolver::texelBytes(size_t texels) {
-    return texels * (sizeof(Texel) + sizeof(Cell) + 6 * sizeof(Tie) + 16);
-}
+    void run() {
+        report.whole = true;
+        divide();
+        task.lap(SolveStep::kDividing);
+        findDirectLight();
+        task.lap(SolveStep::kDirectLight);
+        if (s.shots > 0) {
+            shootLight();
+        } else {
+            findRows();
+            task.lap(SolveStep::kFormFactors);
+            solve();
+        }
+        spread();
+        task.lap(SolveStep::kSolving);
+        p.cells = std::move(grid.cells), p.texels = std::move(grid.texels);
+    }
 
-void PatchSolver::refuseTooMany(int levels) {
-    double texels = 0;
-    for (int i = 0; i < m.chartCount; ++i) texels += m.charts[i].texels();
-    texels *= (4 << 2 * levels) / 3;
-    size_t least = texelBytes((size_t)(texels / 2));
-    if (least > s.memory) refuseMemory(p.arena, least);
-    if (texels * 1.5 > INT_MAX)
-        throw std::runtime_error("there are too many elements: make --element larger");
-}
+private:
+    SolveTask &task;
+    SolveSettings &s;
+    SolveReport &report;
+    PatchSystem &p;
+    Model &m;
+    const Gl &gl;
+    const RayTree tree;
+    LightGrid grid;
+    std::vector<Rgb> direct;  // of texels
+    std::vector<Rgb> arrives; // at patches, without that
 
-void PatchSolver::fillGeometry() {
-    Solution &to = task.solution;
-    to.charts.assign(m.charts, m.charts + m.chartCount);
-    to.facets.assign(m.facets, m.facets + m.facetCount);
-    to.cells.assign(m.cells, m.cells + m.cellCount);
-    to.texels.assign(m.texels, m.texels + m.texelCount);
-}
+    void divide() {
+        fillModel(m, task.regions);
+        m.cells = grid.cells.data(), m.cellCount = (int)grid.cells.size();
+        m.texels = grid.texels.data(), m.texelCount = (int)grid.texels.size();
+        const Chart &last = m.charts[m.chartCount - 1];
+        p.patches.resize((size_t)(last.firstPatch + last.patchesAcross * last.patchesDown));
+        m.patches = p.patches.data(), m.patchCount = report.patches = (int)p.patches.size();
+        m.placePatches();
+        m.open = seesBacks(m, tree);
+        task.findPictured(task.regions.charts, grid.cells, report.notes);
+        for (Patch &patch : p.patches) {
+            patch.reflects = task.solution.reflects[(size_t)patch.chart];
+            p.emits.push_back(s.analytic ? Rgb{} : task.solution.emits[(size_t)patch.chart]);
+        }
+        task.pictured.toPatches(m);
+        task.solution.charts = task.regions.charts, task.solution.facets = task.regions.facets;
+        task.solution.cells = grid.cells, task.solution.texels = grid.texels;
+        task.show(SolveStep::kDividing, 1);
+    }
 
-void PatchSolver::fillSolution() {
-    fillGeometry();
-    std::vector<Rgb> &light = task.solution.light;
-    light.resize((size_t)m.texelCount);
-    for (size_t t = 0; t < light.size(); ++t) light[t] = {p.light[0][t], p.light[1][t], p.light[2][t]};
-}
+    void findDirectLight() {
+        task.show(SolveStep::kDirectLight, 0);
+        LampRays lamps(task.mesh, task.regions, s.lampSamples);
+        if (!s.analytic) lamps.clear();
+        const std::vector<uint16_t> behind(grid.sites.size());
+        direct = directLight(lamps, s.surroundings, grid, behind, tree, task.workers);
+        if (s.surroundings.sky.width) {
+            std::vector<Rgb> sky = skyLight(s.surroundings.sky, grid, tree, task.workers);
+            for (size_t t = 0; t < sky.size(); ++t) direct[t] += sky[t];
+        }
+        p.direct.resize(p.patches.size());
+        for (const Cell &cell : grid.cells)
+            for (int k = 0; k < 4; ++k)
+                if (m.quarterVisible(cell, k))
+                    p.direct[(size_t)cell.patch] += direct[(size_t)cell.corner[k]] * (cell.area / 4);
+        for (size_t i = 0; i < p.patches.size(); ++i)
+            if (p.patches[i].area > 0) p.direct[i] = p.direct[i] * (1 / p.patches[i].area);
+        task.show(SolveStep::kDirectLight, 1);
+    }
 
-void PatchSolver::watch(const float *radiosity) {
-    if (!task.watched()) return;
-    fillGeometry();
-    task.solution.light = lightSoFar(radiosity);
-    s.watcher(task.solution, radiosity);
-}
+    void findRows() {
+        p.rows = Rows(p.patches.size());
+        if (s.each > 0) {
+            std::vector<uint8_t> lit;
+            for (size_t i = 0; i < p.patches.size(); ++i)
+                lit.push_back(maxComponent(p.patches[i].reflects) > 0 || maxComponent(p.emits[i]) > 0);
+            AnyHemicubes hemicubes(gl, s.hemicube);
+            auto progress = [&](float done) {
+                task.show(SolveStep::kFormFactors, done);
+                return !task.stopped();
+            };
+            report.whole = radiosity::findRows(hemicubes, m, lit, task.workers, p.rows, s.memory, progress,
+                                               s.each, s.eyeOf);
+        }
+        for (uint8_t known : p.rows.known) report.rows += known;
+    }
+
+    void solve() {
+        std::vector<Rgb> seen; // the light of lamps that hemicubes see
+        for (size_t i = 0; i < p.patches.size(); ++i) seen.push_back(p.rows.gather((int)i, p.emits));
+        for (size_t i = 0; i < seen.size(); ++i) p.direct[i] += seen[i];
+        const bool counted = s.bounces >= 0;
+        std::vector<Rgb> radiosity = counted ? std::vector<Rgb>(seen.size()) : p.reflectDirect();
+        if (!counted) report.residual = kInfinity;
+        while (report.whole && report.sweeps < (counted ? s.bounces : kMostSweeps) &&
+               (counted || report.residual > s.residual)) {
+            report.residual = p.sweep(radiosity, !counted);
+            ++report.sweeps;
+            float share =
+                counted ? (float)report.sweeps / (float)s.bounces : task.solvedShare(report.residual);
+            task.show(SolveStep::kSolving, share, counted ? -1 : report.residual);
+            report.whole = !task.stopped();
+        }
+        for (size_t i = 0; i < p.patches.size(); ++i)
+            arrives.push_back(p.rows.gather((int)i, radiosity) + seen[i]);
+    }
+
+    // Shoots light instead of solving with rows.
+    void shootLight() {
+        // A quarter of the shots is for the lamps; with the others each block of patches shoots about three
+        // times
+        Shooting shooting(m, blocksOfPatches(m, p.emits, std::max(s.shots / 4, 1)), p.emits, p.direct);
+        HemicubeShooter shooter(gl, m, s.hemicube);
+        for (int most; (most = s.shots - report.shots) > 0 && shooting.left() > (double)s.residual;) {
+            if (task.stopped()) report.whole = false;
+            int shot = report.whole ? shooter.shoot(shooting, most, task.workers) : 0;
+            if (shot == 0) break;
+            report.shots += shot;
+            task.show(SolveStep::kSolving, (float)report.shots / (float)s.shots, (float)shooting.left());
+        }
+        report.residual = (float)shooting.left();
+        Rgb ambient = shooting.ambient();
+        for (const Rgb &light : shooting.arrives()) arrives.push_back(light + ambient);
+        p.rows = Rows(p.patches.size());
+        for (size_t i = 0; i < p.patches.size(); ++i) p.rows.known[i] = p.patches[i].share > 0;
+    }
+
+    // From the patches to the texels: hidden patches and texels get their neighbours' light.
+    void spread() {
+        constexpr size_t kColumns = 8;
+        std::vector<Row> known;
+        std::vector<float> values;
+        for (size_t i = 0; i < arrives.size(); ++i) {
+            known.push_back({nullptr, 0, p.rows.known[i] != 0});
+            values.insert(values.end(), {arrives[i].x, arrives[i].y, arrives[i].z, 0, 0, 0, 0, 0});
+        }
+        fillPatches(m, {nullptr, known.data(), 0, 0}, kColumns, values.data(), 0, m.patchCount);
+        std::vector<float> planes[3];
+        float *to[3];
+        for (size_t k = 0; k < 3; ++k) planes[k].resize(direct.size() + 8), to[k] = planes[k].data();
+        addToTexels(m, values.data(), kColumns, to, 3, task.workers);
+        std::vector<Rgb> &light = task.solution.light = direct;
+        for (size_t t = 0; t < light.size(); ++t) light[t] += {to[0][t], to[1][t], to[2][t]};
+        grid.fill(light);
+    }
+};
+
+} // namespace
 
 std::unique_ptr<PatchSystem> solveByPatches(SolveTask &task, const Gl &gl) {
-    auto p = std::make_unique<PatchSystem>(task.settings.memory);
-    PatchSolver solver(task, *p, gl);
-    solver.run();
+    size_t texels = 0;
+    for (const Chart &c : task.regions.charts) texels += (size_t)c.texels();
+    if (size_t bytes = texels * 250; bytes > task.settings.memory)
+        refuseMemory(bytes, task.settings.memory, "larger elements need less");
+    task.show(SolveStep::kDividing, 0);
+    auto p = std::make_unique<PatchSystem>();
+    PatchSolver(task, *p, gl).run();
     if (task.progress) task.progress(nullptr, 1, task.report.residual);
     return p;
 }

@@ -1,47 +1,29 @@
 #include "tools/radiosity/patches/patch_system.h"
 
-#include "tools/radiosity/divide/facets.h"
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <sys/mman.h>
 
 namespace odraz::radiosity {
 
-void PatchSystem::Unmap::operator()(void *memory) const { munmap(memory, bytes); }
-
-PatchSystem::PatchSystem(size_t bytes) {
-    void *block =
-        mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    if (block == MAP_FAILED)
-        throw std::runtime_error("the system cannot reserve that much memory: lower --memory");
-    memory = {block, Unmap{bytes}};
-    arena = {(unsigned char *)block, bytes, 0};
-    model = std::make_unique<Model>();
-    scene = std::make_unique<Scene>();
+std::vector<Rgb> PatchSystem::reflectDirect() const {
+    std::vector<Rgb> all;
+    for (size_t i = 0; i < patches.size(); ++i) all.push_back(patches[i].reflects * direct[i]);
+    return all;
 }
 
-std::vector<float> PatchSystem::lampsSeen(const std::vector<Rgb> &emits, Workers &workers) const {
-    const System &s = radiosity.system;
-    std::vector<float> lamps((size_t)s.patches * (size_t)s.columns), seen(lamps.size());
-    for (int i = 0; i < s.patches; ++i) setColour(lamps.data(), i, emits[(size_t)model->patches[i].chart]);
-    findIndirect(radiosity.factors, s.patches, s.columns, lamps.data(), seen.data(), workers);
-    return seen;
-}
-
-std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Model &model, int samples) {
-    std::vector<Glow> glows;
-    double largest = 0;
-    for (int i = 0; i < model.facetCount; ++i) {
-        const auto &e = mesh.materials[(size_t)regions.material[(size_t)model.facets[i].chart]].emits;
-        if (e[0] + e[1] + e[2] == 0) continue;
-        glows.push_back({i, 1, {e[0], e[1], e[2]}});
-        largest = std::max(largest, areaOf(outlineOf(model.facets[i])));
+float PatchSystem::sweep(std::vector<Rgb> &b, bool atOnce) const {
+    Rgb put = {}, changed = {};
+    std::vector<Rgb> before;
+    if (!atOnce) before = b;
+    for (size_t i = 0; i < patches.size(); ++i) {
+        const Rgb &reflects = patches[i].reflects;
+        Rgb now = reflects * (direct[i] + rows.gather((int)i, atOnce ? b : before));
+        put += reflects * direct[i];
+        changed += {std::fabs(now.x - b[i].x), std::fabs(now.y - b[i].y), std::fabs(now.z - b[i].z)};
+        b[i] = now;
     }
-    for (Glow &g : glows)
-        g.cells = std::max(1, (int)std::lround(samples * areaOf(outlineOf(model.facets[g.facet])) / largest));
-    return glows;
+    auto share = [](float a, float of) { return of > 0 ? a / of : 0; };
+    return std::max({share(changed.x, put.x), share(changed.y, put.y), share(changed.z, put.z)});
 }
 
 } // namespace odraz::radiosity

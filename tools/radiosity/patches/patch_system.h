@@ -1,10 +1,10 @@
-// The system for solving between patches: the model and its radiosity as in the film's stages
-// (radiosity/radiosity.h), with the memory that they need. The bases are red, green and blue; each is
-// reflected only in its own channel.
+// A solution between patches: the model in the form that the film's hemicubes need, and light as the thesis
+// finds it, with a hemicube for each patch, a row of form factors, and sweeps over all patches.
 #pragma once
 
-#include "radiosity/radiosity.h"
 #include "tools/engine/machine.h"
+#include "tools/radiosity/patches/odd_hemicube.h"
+#include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/solution/solve_task.h"
 
 #include <memory>
@@ -12,43 +12,29 @@
 namespace odraz::radiosity {
 
 struct PatchSystem {
-    // Throws std::runtime_error if there is not enough memory.
-    explicit PatchSystem(size_t bytes);
-    PatchSystem(const PatchSystem &) = delete;
+    std::unique_ptr<Model> model = std::make_unique<Model>(); // of the lists below
+    std::vector<Cell> cells;
+    std::vector<Texel> texels;
+    std::vector<Patch> patches;
+    Rows rows{0};
+    // Of each patch
+    std::vector<Rgb> emits;  // for hemicubes: black if shadow rays find the light of lamps
+    std::vector<Rgb> direct; // the light that arrives without a bounce
 
-    struct Unmap {
-        size_t bytes;
-        void operator()(void *memory) const;
-    };
-    std::unique_ptr<void, Unmap> memory; // of the arena
-    Arena arena;
-    std::unique_ptr<Model> model;
-    std::unique_ptr<Scene> scene;
-    std::vector<Glow> glows; // facets that emit
-    Radiosity radiosity = {};
-    float *light[3] = {}; // planes of texels: all light that arrives, irradiance / pi
-
-    // A patch's colour in a matrix of the system, [patches][columns]: red in the red basis, and so on.
-    Rgb colourIn(const float *matrix, int patch) const {
-        const float *v = matrix + (size_t)patch * (size_t)radiosity.system.columns;
-        return {v[0], v[4], v[8]};
-    }
-    void setColour(float *matrix, int patch, const Rgb &c) const {
-        float *v = matrix + (size_t)patch * (size_t)radiosity.system.columns;
-        v[0] = c.x, v[4] = c.y, v[8] = c.z;
-    }
-    // The matrix of the light that rows bring from lamps. `emits`: the emission of charts.
-    std::vector<float> lampsSeen(const std::vector<Rgb> &emits, Workers &workers) const;
+    // What patches reflect of direct light alone.
+    std::vector<Rgb> reflectDirect() const;
+    // A sweep over all patches: B = rho (D + F B). `atOnce` uses new values in the same sweep (Gauss-Seidel);
+    // otherwise it is one bounce. Returns the residual: how much changed, as a share of reflectDirect(), in
+    // the colour in which that is most.
+    float sweep(std::vector<Rgb> &radiosity, bool atOnce) const;
 };
 
-// If lamps have more facets than this, hemicubes are the better way to find their light.
-inline constexpr size_t kManyLamps = 256;
-// The facets that emit, for direct light. The largest has `samples` parts, others fewer in proportion to
-// their area.
-std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Model &model, int samples);
+// The sky's light at all texels, by rays.
+std::vector<Rgb> skyLight(const SkyPicture &sky, const LightGrid &grid, const RayTree &tree,
+                          Workers &workers);
 
-// Solves a model between patches, with the stages that light the film's hall. Fills task.solution and
-// task.report. Returns the system, for programs that measure it. Throws std::runtime_error, ModelError.
+// Solves a model between patches. Fills task.solution and task.report. Returns the system, for programs that
+// measure it. Throws std::runtime_error, ModelError.
 std::unique_ptr<PatchSystem> solveByPatches(SolveTask &task, const Gl &gl);
 
 } // namespace odraz::radiosity

@@ -161,17 +161,14 @@ int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {
     return (int)shots.size();
 }
 
-Columns::Columns(const FormFactors &f, int patches) : first((size_t)patches + 1) {
-    for (int j = 0; j < patches; ++j)
-        for (int k = 0; k < f.rows[j].count; ++k) ++first[f.rows[j].links[k].patch + 1];
-    for (size_t i = 0; i < (size_t)patches; ++i) first[i + 1] += first[i];
+Columns::Columns(const Rows &rows) : first(rows.of.size() + 1) {
+    for (const std::vector<Link> &row : rows.of)
+        for (const Link &link : row) ++first[link.patch + 1];
+    for (size_t i = 0; i + 1 < first.size(); ++i) first[i + 1] += first[i];
     links.resize(first.back());
     std::vector<size_t> next(first.begin(), first.end() - 1);
-    for (int j = 0; j < patches; ++j)
-        for (int k = 0; k < f.rows[j].count; ++k) {
-            const Link &link = f.rows[j].links[k];
-            links[next[link.patch]++] = {(uint32_t)j, link.share};
-        }
+    for (size_t j = 0; j < rows.of.size(); ++j)
+        for (const Link &link : rows.of[j]) links[next[link.patch]++] = {(uint32_t)j, link.share};
 }
 
 } // namespace odraz::radiosity

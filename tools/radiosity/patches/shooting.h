@@ -82,7 +82,7 @@ struct Columns {
     std::vector<Link> links;
     std::vector<size_t> first;
 
-    Columns(const FormFactors &factors, int patches);
+    explicit Columns(const Rows &rows);
     std::span<const Link> of(int patch) const {
         size_t from = first[(size_t)patch];
         return {links.data() + from, first[(size_t)patch + 1] - from};

@@ -26,41 +26,50 @@ std::vector<RayTree::Corners> cornersOf(std::span<const Facet> facets, const Cha
     return all;
 }
 
-LightGrid::LightGrid(Regions &regions, const RayTree &tree, Workers &workers) : charts(regions.charts) {
-    divide();
+LightGrid::LightGrid(Regions &regions, const RayTree &tree, Workers &workers, int block)
+    : charts(regions.charts) {
+    divide(block);
     makeSites(regions, see(regions, tree, workers));
     orderHidden();
 }
 
-void LightGrid::divide() {
+void LightGrid::divide(int block) {
     size_t cellCount = 0, texelCount = 0;
+    int patchCount = 0;
+    // Charts hold whole patches: take the nearest number of these, and of cells that fills them
+    auto whole = [&](int16_t &count, int16_t &patches) {
+        int blocks = std::max((count + block / 2) / block, 1);
+        patches = (int16_t)blocks;
+        count = (int16_t)(std::max((count + blocks / 2) / blocks, 1) * blocks);
+    };
     for (Chart &c : charts) {
-        c.firstCell = (int)cellCount, c.firstTexel = (int)texelCount;
-        c.patchesAcross = c.across, c.patchesDown = c.down;
+        whole(c.across, c.patchesAcross), whole(c.down, c.patchesDown);
+        c.firstCell = (int)cellCount, c.firstTexel = (int)texelCount, c.firstPatch = patchCount;
         cellCount += (size_t)c.across * (size_t)c.down, texelCount += (size_t)c.texels();
+        if (texelCount > 0x7ffffff0)
+            throw std::runtime_error("there are too many elements: make --element larger");
+        patchCount += c.patchesAcross * c.patchesDown;
     }
-    if (texelCount > 0x7ffffff0)
-        throw std::runtime_error("there are too many elements: make --element larger");
     cells.resize(cellCount), texels.resize(texelCount);
     for (size_t index = 0; index < charts.size(); ++index) {
         const Chart &c = charts[index];
         for (int j = 0; j <= c.down; ++j)
             for (int i = 0; i <= c.across; ++i)
-                texels[(size_t)c.texel(i, j)] = {(int)index, i * kSteps, j * kSteps, 0, 0, false, false};
+                texels[(size_t)c.texel(i, j)] = {(int)index, i, j, 0, 0, false};
         float area = c.width * c.height / (float)(c.across * c.down);
         for (int j = 0; j < c.down; ++j)
             for (int i = 0; i < c.across; ++i) {
                 int t = c.texel(i, j), below = t + c.across + 1;
+                int patch = c.firstPatch + j / c.patchDown() * c.patchesAcross + i / c.patchAcross();
                 cells[(size_t)(c.firstCell + j * c.across + i)] = {
-                    {t, t + 1, below, below + 1}, 0, (int)index, area, 0};
+                    {t, t + 1, below, below + 1}, patch, (int)index, area};
             }
     }
 }
 
 Vec3 LightGrid::at(const Texel &t) const {
     const Chart &c = charts[(size_t)t.chart];
-    return c.at((float)t.x * c.width / (float)(c.across * kSteps),
-                (float)t.y * c.height / (float)(c.down * kSteps));
+    return c.at((float)t.x * c.width / (float)c.across, (float)t.y * c.height / (float)c.down);
 }
 
 LightGrid::Spot LightGrid::spotAt(int chart, const Vec3 &p) const {
@@ -86,10 +95,8 @@ float LightGrid::weigh(const Spot &spot, float (&weight)[4]) const {
 
 // A texel's place in the plane of its chart.
 static Vec3 placeAt(const Chart &c, const Texel &t, int number) {
-    float quarter = 0.25f * kSteps;
-    float x = (float)t.x + (number & 1 ? quarter : -quarter),
-          y = (float)t.y + (number & 2 ? quarter : -quarter);
-    return c.at(x * c.width / (float)(c.across * kSteps), y * c.height / (float)(c.down * kSteps));
+    float x = (float)t.x + (number & 1 ? 0.25f : -0.25f), y = (float)t.y + (number & 2 ? 0.25f : -0.25f);
+    return c.at(x * c.width / (float)c.across, y * c.height / (float)c.down);
 }
 
 // The height above a chart's plane at which the rays that look for its triangles start.
@@ -129,8 +136,7 @@ std::vector<float> LightGrid::see(const Regions &regions, const RayTree &tree, W
             Texel &t = texels[(size_t)i];
             const Chart &c = charts[(size_t)t.chart];
             for (int k = 0; k < 4; ++k) {
-                int x = t.x + (k & 1 ? 1 : -1), y = t.y + (k & 2 ? 1 : -1);
-                if (x < 0 || y < 0 || x > c.across * kSteps || y > c.down * kSteps) continue;
+                if ((k & 1 ? t.x == c.across : t.x == 0) || (k & 2 ? t.y == c.down : t.y == 0)) continue;
                 Vec3 p = placeAt(c, t, k);
                 float drop = land(regions, tree, t.chart, p);
                 if (drop == kNowhere || inside(tree, c, landed(regions, c, p, drop))) continue;
@@ -172,7 +178,9 @@ void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drop
         }
         if (small) end();
     }
-    // For the viewer, the patch of a cell is the site that sends out its rays
+}
+
+void LightGrid::takeSitesForPatches() {
     for (Cell &cell : cells)
         for (int t : cell.corner)
             if (siteOf[(size_t)t] != kNone) {

@@ -44,8 +44,11 @@ struct LightGrid {
     std::vector<Place> places; // of each site, and of each texel, in order
     std::vector<int> tied;     // hidden texels, in the order of filling
 
-    // Numbers the cells and texels of the charts, which the caller keeps.
-    LightGrid(Regions &regions, const RayTree &tree, Workers &workers);
+    // Numbers the cells, texels and patches of the charts, which the caller keeps. A patch has `block` by
+    // `block` cells where charts are large enough.
+    LightGrid(Regions &regions, const RayTree &tree, Workers &workers, int block = 1);
+    // For the viewer, without patches: makes the patch of a cell the site that sends out its rays.
+    void takeSitesForPatches();
 
     Vec3 at(const Texel &t) const;
     // The cell at a point of a chart, and the position in it, 0 .. 1.
@@ -61,7 +64,7 @@ struct LightGrid {
 
 private:
     std::vector<uint16_t> ring; // of a hidden texel: its distance from known ones, 1 ..; else 0
-    void divide();
+    void divide(int block);
     // Finds the visible places of the texels. Returns, for each of a texel's four places, how far below the
     // start of its ray it lies.
     std::vector<float> see(const Regions &regions, const RayTree &tree, Workers &workers);

@@ -221,6 +221,7 @@ void solveByRays(SolveTask &task) {
         refuseMemory(bytes, task.settings.memory, "larger elements or fewer rays need less");
     if (task.settings.needs) task.settings.needs(bytes);
     LightGrid grid(task.regions, tree, task.workers);
+    grid.takeSitesForPatches();
     report.sites = (int)grid.sites.size();
     task.findPictured(task.regions.charts, grid.cells, report.notes);
     task.show(SolveStep::kDividing, 1);

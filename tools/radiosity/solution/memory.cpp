@@ -10,8 +10,4 @@ void refuseMemory(size_t bytes, size_t most, const char *remedy) {
                              std::to_string(most >> 20) + " of --memory: " + remedy);
 }
 
-void refuseMemory(const Arena &arena, size_t more) {
-    refuseMemory(arena.used + more, arena.size, "larger patches or elements need less");
-}
-
 } // namespace odraz::radiosity

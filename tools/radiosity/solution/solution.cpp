@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr char kMagic[] = "odraz radiosity 3\n";
+constexpr char kMagic[] = "odraz radiosity 4\n";
 
 } // namespace
 
@@ -54,15 +54,15 @@ Rgb Solution::reflectsOf(int cell) const {
 }
 
 Rgb Solution::bilinear(const std::vector<Rgb> &of, int cell, float u, float v) const {
-    // Position within the cell, in steps of the finest cells
+    // The position within the cell
     const Chart &c = charts[(size_t)cells[(size_t)cell].chart];
     const int *corner = cells[(size_t)cell].corner;
     const Texel &low = texels[(size_t)corner[0]], &high = texels[(size_t)corner[3]];
     auto share = [](float x, int low, int high) {
         return std::clamp((x - (float)low) / (float)(high - low), 0.f, 1.f);
     };
-    float x = share(u / c.width * (float)(c.across * kSteps), low.x, high.x),
-          y = share(v / c.height * (float)(c.down * kSteps), low.y, high.y);
+    float x = share(u / c.width * (float)c.across, low.x, high.x),
+          y = share(v / c.height * (float)c.down, low.y, high.y);
     auto l = [&](int k) { return of[(size_t)corner[k]]; };
     return lerp(lerp(l(0), l(1), x), lerp(l(2), l(3), x), y);
 }
@@ -78,7 +78,7 @@ Solution::Spot Solution::spotAt(int chart, const Vec3 &p) const {
     const Chart &c = charts[(size_t)chart];
     float u = std::clamp(dot(p - c.corner, c.u), 0.f, c.width),
           v = std::clamp(dot(p - c.corner, c.v), 0.f, c.height);
-    return {cellAt(cells.data(), c, {u, v}), u, v};
+    return {cellAt(c, {u, v}), u, v};
 }
 
 Rgb Solution::lightAt(int chart, const Vec3 &p) const {

@@ -43,8 +43,7 @@ struct Solution {
     // The bytes of a file whose part after the checksum is `body`.
     static std::string withChecksum(const std::string &body);
 
-    // Visits the convex outline of every element's part on each facet. If a neighbour is divided more finely,
-    // its corners on the common side are points of the outline too.
+    // Visits the convex outline of every element's part on each facet.
     void forPieces(
         const std::function<void(int chart, int cell, const std::vector<SolutionPoint> &)> &visit) const;
 

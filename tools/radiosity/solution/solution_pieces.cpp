@@ -17,7 +17,7 @@ size_t Solution::elements() const {
 
 namespace {
 
-// Lists the facets that may lie in each undivided cell, so that not every cell searches all facets.
+// Lists the facets that may lie in each cell, so that not every cell searches all facets.
 class FacetsByCell {
 public:
     FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets) : charts(charts) {
@@ -74,44 +74,16 @@ private:
 
 void Solution::forPieces(
     const std::function<void(int, int, const std::vector<SolutionPoint> &)> &visit) const {
-    // Sort texels by place, to find those on the sides of larger cells
-    struct Key {
-        int chart, x, y;
-        bool operator<(const Key &b) const {
-            return chart != b.chart ? chart < b.chart : y != b.y ? y < b.y : x < b.x;
-        }
-    };
-    std::vector<Key> known;
-    bool divided = std::any_of(cells.begin(), cells.end(), [](const Cell &c) { return c.divided(); });
-    if (divided) {
-        for (const Texel &t : texels) known.push_back({t.chart, t.x, t.y});
-        std::sort(known.begin(), known.end());
-    }
     FacetsByCell byCell(charts, facets);
     std::vector<SolutionPoint> piece;
     for (size_t i = 0; i < cells.size(); ++i) {
         const Cell &cell = cells[i];
-        if (cell.divided()) continue;
         const Chart &c = charts[(size_t)cell.chart];
         const Texel &low = texels[(size_t)cell.corner[0]], &high = texels[(size_t)cell.corner[3]];
-        float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
-        // Its outline, counter-clockwise, with the texels on its sides
-        Outline outline;
-        auto side = [&](int x0, int y0, int x1, int y1) {
-            int steps = std::max(std::abs(x1 - x0), std::abs(y1 - y0));
-            for (int k = 0; k < steps; ++k) {
-                int x = x0 + (x1 - x0) * k / steps, y = y0 + (y1 - y0) * k / steps;
-                if (k == 0 ||
-                    (divided && std::binary_search(known.begin(), known.end(), Key{cell.chart, x, y})))
-                    outline.push_back({(float)x * du, (float)y * dv});
-            }
-        };
-        side(low.x, low.y, high.x, low.y);
-        side(high.x, low.y, high.x, high.y);
-        side(high.x, high.y, low.x, high.y);
-        side(low.x, high.y, low.x, low.y);
-        for (int f : byCell.of(cell.chart, low.x / kSteps, low.y / kSteps)) {
-            Outline left = outline, facet = outlineOf(facets[(size_t)f]);
+        float du = c.width / (float)c.across, dv = c.height / (float)c.down, u0 = (float)low.x * du,
+              v0 = (float)low.y * dv, u1 = (float)high.x * du, v1 = (float)high.y * dv;
+        for (int f : byCell.of(cell.chart, low.x, low.y)) {
+            Outline left = {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}}, facet = outlineOf(facets[(size_t)f]);
             for (size_t k = 0; k < facet.size() && left.size() > 2; ++k)
                 left = cut(left, facet[k], facet[(k + 1) % facet.size()]);
             if (left.size() < 3 || !(areaOf(left) > 1e-5 * (double)cell.area)) continue;

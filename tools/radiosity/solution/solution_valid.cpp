@@ -31,11 +31,8 @@ bool valid(const Facet &f, const Solution &b) {
     return good;
 }
 
-// Children must come after their parents, so that every descent ends.
-bool valid(const Cell &c, size_t number, const Solution &b) {
-    if (!within(c.chart, 1, b.charts.size()) || !moderate(c.area) || c.level < 0 || c.level > kFinest)
-        return false;
-    if (c.divided()) return ~c.corner[0] > (int64_t)number && within(~c.corner[0], 4, b.cells.size());
+bool valid(const Cell &c, const Solution &b) {
+    if (!within(c.chart, 1, b.charts.size()) || !moderate(c.area)) return false;
     for (int corner : c.corner)
         if (!within(corner, 1, b.texels.size()) || b.texels[(size_t)corner].chart != c.chart) return false;
     const Texel &low = b.texels[(size_t)c.corner[0]], &high = b.texels[(size_t)c.corner[3]];
@@ -45,7 +42,7 @@ bool valid(const Cell &c, size_t number, const Solution &b) {
 bool valid(const Texel &t, const Solution &b) {
     if (!within(t.chart, 1, b.charts.size())) return false;
     const Chart &c = b.charts[(size_t)t.chart];
-    return t.x >= 0 && t.y >= 0 && t.x <= c.across * kSteps && t.y <= c.down * kSteps;
+    return t.x >= 0 && t.y >= 0 && t.x <= c.across && t.y <= c.down;
 }
 
 } // namespace
@@ -55,7 +52,6 @@ bool valid(const Solution &b) {
     auto finite = [&](const std::vector<Rgb> &list) {
         return all(list, [](const Rgb &c) { return moderate(c); });
     };
-    size_t number = 0;
     return moderate(b.place) && !b.charts.empty() && b.light.size() == b.texels.size() &&
            b.reflects.size() == b.charts.size() && b.emits.size() == b.charts.size() && finite(b.light) &&
            finite(b.reflects) && finite(b.emits) && finite(b.cellReflects) &&
@@ -63,7 +59,7 @@ bool valid(const Solution &b) {
            all(b.charts, [&](const Chart &c) { return valid(c, b); }) &&
            all(b.facets, [&](const Facet &f) { return valid(f, b); }) &&
            all(b.texels, [&](const Texel &t) { return valid(t, b); }) &&
-           all(b.cells, [&](const Cell &c) { return valid(c, number++, b); });
+           all(b.cells, [&](const Cell &c) { return valid(c, b); });
 }
 
 } // namespace odraz::radiosity

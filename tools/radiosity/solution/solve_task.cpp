@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 double cellSide(const Mesh &mesh, const SolveSettings &s) {
     // Final rays are for quality, so elements are smaller
     double element = s.element > 0 ? s.element : areaOf(mesh) / (s.finalRays > 0 ? 120000 : 30000);
-    return std::sqrt(element) * (s.adaptive && s.way == Way::kPatches ? 1 << kDivided : 1);
+    return std::sqrt(element);
 }
 
 void refuseResumed() {

@@ -28,8 +28,7 @@ struct SolveReport {
     size_t raysFromSite = 0; // the mean
     // Between patches
     int patches = 0;
-    int shots = 0;    // if above 0, `residual` is the share of light not yet shot
-    size_t lamps = 0; // facets that emit
+    int shots = 0; // if above 0, `residual` is the share of light not yet shot
 };
 
 struct SolveTask {
@@ -66,10 +65,7 @@ private:
     double firstResidual = 0; // its logarithm; 0: none yet
 };
 
-// The number of times that adaptive solutions divide cells.
-inline constexpr int kDivided = 2;
-static_assert(kDivided <= kFinest);
-// The side of an undivided cell, in the model's units.
+// The side of a cell, in the model's units.
 double cellSide(const Mesh &mesh, const SolveSettings &settings);
 
 // Throws std::runtime_error: SolveSettings::resumed does not belong to this model.

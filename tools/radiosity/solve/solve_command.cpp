@@ -18,7 +18,7 @@ struct SolveJob {
     // Reads the words after `solve`. Throws Refused.
     explicit SolveJob(std::vector<std::string> words) : line("radiosity solve", std::move(words)) {
         line.about("Computes the light in a model and writes it to OUT, a solution for the other commands.\n"
-                   "Ctrl-C stops early: it writes the light found so far, and OUT.state.");
+                   "Ctrl-C stops early: it writes the light found so far and, by rays, OUT.state.");
         line.argument("MODEL", model,
                       "a Wavefront OBJ or glTF. Polygons are lit on the side from which their points run "
                       "counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke, map_Ke)",
@@ -26,7 +26,7 @@ struct SolveJob {
         line.option("-o", "OUT", out, "the file of the solution");
         line.option("--resume", "OUT.state", resume,
                     "continue a stopped solution with its options, to the same bytes; takes no other option");
-        line.option("--keep-every", "S", keepEvery, {0.01, 1e9}, "write OUT.state every S seconds");
+        line.option("--keep-every", "S", keepEvery, {0.01, 1e9}, "by rays: write OUT.state every S seconds");
         options.addTo(line, SolveOptions::For::kSolve);
         line.parse();
         if (!resume.empty()) return;
@@ -84,7 +84,6 @@ void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &se
     if (!byRays) std::printf(" (%d hemicubes)", r.rows + r.shots);
     std::printf(", direct light %.2f, solving %.2f\n", seconds(SolveStep::kDirectLight),
                 seconds(SolveStep::kSolving));
-    if (r.lamps > kManyLamps) std::printf("%zu lamps: seen by hemicubes\n", r.lamps);
     if (r.shots > 0)
         std::printf("%d shots, %.2g %% of the light is not shot%s\n", r.shots, 100 * (double)r.residual,
                     r.whole ? "" : ": stopped");
@@ -124,7 +123,7 @@ public:
         solved.solution.save(job.out);
         if (solved.report.whole) std::remove(stateFile().c_str());
         printReport(mesh, solved, job.options.settings);
-        if (!solved.report.whole && job.options.settings.shots == 0)
+        if (!solved.report.whole && !solved.patches)
             std::printf("to continue: radiosity solve --resume %s\n", stateFile().c_str());
     }
 

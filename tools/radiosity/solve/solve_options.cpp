@@ -1,8 +1,5 @@
 #include "tools/radiosity/solve/solve_options.h"
 
-#include "radiosity/light_bases.h"
-
-#include <algorithm>
 #include <cstdio>
 
 namespace odraz::radiosity {
@@ -63,7 +60,7 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
     line.option("--residual", "R", s.residual, {1e-7, 1},
                 std::string(anyMethod ? "without --bounces: " : "") +
                     "stop when a sweep changes less than this share of the light");
-    line.option("--lamp-samples", "N", s.lampSamples, {1, kMaxLampCells}, "shadow rays to the largest lamp");
+    line.option("--lamp-samples", "N", s.lampSamples, {1, 256}, "shadow rays to the largest lamp");
     line.option("--memory", "MB", megabytes, {1, 1e6}, "refuse a solution that needs more memory");
     if (anyMethod) {
         line.group(kByPatches);
@@ -72,12 +69,8 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
             "--patch", "AREA", s.patch, {1e-18, 1e30},
             "area of a patch, which has one hemicube; by default a 6000th of the model's, or larger if it "
             "has more than 2,000 polygons");
-        line.flag("--adaptive", s.adaptive,
-                  "start with elements of 16 times the area and divide them where light changes");
-        line.option(
-            "--direct", {"hemicube", "analytic"}, s.analytic,
-            "find the light of lamps by shadow rays, or by hemicubes; with more than 256 lamps always by "
-            "hemicubes");
+        line.option("--direct", {"hemicube", "analytic"}, s.analytic,
+                    "find the light of lamps by shadow rays, or by hemicubes");
         line.option(
             "--shots", "N", s.shots, {1, 100000000},
             "shoot light, from the brightest patches first, by at most N hemicubes, instead of finding all "
@@ -125,10 +118,6 @@ void SolveOptions::finish(const common::CommandLine &line) {
         if (!(l[3] > 0)) throw common::Refused("--lamp: its size must be above 0");
         to.lamps.push_back(ballLamp({l[0], l[1], l[2]}, l[3] / 2, lightOf("--lamp", &l[4])));
     }
-    if (to.suns.size() > kMaxSuns || to.lamps.size() > kMaxLamps)
-        throw common::Refused("at most " + std::to_string(kMaxSuns) +
-                              " suns, including those of a sky's picture, and " + std::to_string(kMaxLamps) +
-                              " lamps");
 }
 
 void SolveOptions::addLights(const Mesh &mesh, Surroundings &to, std::vector<std::string> &notes) const {

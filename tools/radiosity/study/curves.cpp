@@ -16,13 +16,11 @@ constexpr double kDone = 1e-4; // percent: a curve ends below this error
 } // namespace
 
 Converging::Converging(Study &study, Solved &solved)
-    : study(study), patches(*solved.patches), model(*patches.model), solution(solved.solution),
-      rowSeconds(solved.report.seconds[(int)SolveStep::kFormFactors]), converged((size_t)model.patchCount) {
-    System &s = patches.radiosity.system;
-    odraz::solve(s, study.workers, 1e-6f, 300);
-    for (int i = 0; i < model.patchCount; ++i) {
-        Rgb b = converged[(size_t)i] = patches.colourIn(s.radiosity, i);
-        double light = (double)luminance(b), a = (double)model.patches[i].area;
+    : study(study), patches(*solved.patches), model(*patches.model),
+      rowSeconds(solved.report.seconds[(int)SolveStep::kFormFactors]), converged(patches.reflectDirect()) {
+    for (int sweeps = 0; sweeps < 300 && patches.sweep(converged, true) > 1e-6f;) ++sweeps;
+    for (size_t i = 0; i < converged.size(); ++i) {
+        double light = (double)luminance(converged[i]), a = (double)patches.patches[i].area;
         all += light * light * a, power += light * a;
     }
 }
@@ -40,40 +38,19 @@ Step Converging::stepOf(int number, double seconds, const std::function<Rgb(int)
     return {number, seconds, all > 0 ? 100 * std::sqrt(error / all) : 0, gained};
 }
 
-Curve Converging::gathering() {
-    Curve curve = {"gathering (in the next pass)", {}};
-    System &s = patches.radiosity.system;
-    std::fill_n(s.radiosity, (size_t)s.patches * (size_t)s.columns, 0.f);
+Curve Converging::passes(bool atOnce) {
+    Curve curve = {atOnce ? "Gauss-Seidel (at once)" : "gathering (in the next pass)", {}};
+    std::vector<Rgb> light(patches.patches.size());
     double seconds = rowSeconds, before = 0;
     for (int pass = 1; pass <= kMostPasses; ++pass) {
         study.check();
         Stopwatch watch;
-        bounce(s, study.workers);
+        patches.sweep(light, atOnce);
         seconds += watch.processor();
         curve.steps.push_back(stepOf(
-            pass, seconds, [&](int i) { return patches.colourIn(s.radiosity, i); }, before));
+            pass, seconds, [&](int i) { return light[(size_t)i]; }, before));
         if (curve.steps.back().error < kDone) break;
     }
-    return curve;
-}
-
-Curve Converging::atOnce() {
-    Curve curve = {"Gauss-Seidel (at once)", {}};
-    System &s = patches.radiosity.system;
-    double seconds = rowSeconds, before = 0;
-    Stopwatch watch;
-    auto record = [&] {
-        seconds += watch.processor();
-        const float *values = s.indirect; // where solve() stores them
-        curve.steps.push_back(stepOf((int)curve.steps.size() + 1, seconds,
-                                     [&](int i) { return patches.colourIn(values, i); }, before));
-        watch = {};
-    };
-    odraz::solve(s, study.workers, 1e-7f, kMostPasses,
-                 {[](float, void *context) { (*(decltype(record) *)context)(); }, &record});
-    auto done =
-        std::find_if(curve.steps.begin(), curve.steps.end(), [](const Step &s) { return s.error < kDone; });
-    if (done != curve.steps.end()) curve.steps.erase(done + 1, curve.steps.end());
     return curve;
 }
 
@@ -102,12 +79,9 @@ void Converging::shoot(Curve &curve, Shooting &shooting, double seconds, int fir
 
 Curve Converging::shootingRows() {
     Curve curve = {"shooting over the rows", {}};
-    const System &s = patches.radiosity.system;
-    std::vector<Rgb> direct, none((size_t)model.patchCount);
-    for (int i = 0; i < model.patchCount; ++i) direct.push_back(patches.colourIn(s.direct, i));
     Stopwatch watch;
-    Columns columns(patches.radiosity.factors, model.patchCount);
-    Shooting shooting(model, patchesAlone(model), none, direct);
+    Columns columns(patches.rows);
+    Shooting shooting(model, patchesAlone(model), std::vector<Rgb>(patches.patches.size()), patches.direct);
     int64_t left = 60 * (int64_t)model.patchCount;
     shoot(curve, shooting, rowSeconds + watch.processor(), 64, 1e-6, [&] {
         if (left <= 0) return 0;
@@ -125,20 +99,17 @@ Curve Converging::shootingRows() {
 
 Curve Converging::shooting(int px, bool blocks) {
     Curve curve = {blocks ? "shooting by hemicubes, blocks" : "shooting by hemicubes, single patches", {}};
-    std::vector<Rgb> emits, direct;
     // Light from the lamps, which the rows brought, is shot here; only light from outside is direct
-    const System &s = patches.radiosity.system;
-    std::vector<float> seen = patches.lampsSeen(solution.emits, study.workers);
+    std::vector<Rgb> direct;
     for (int i = 0; i < model.patchCount; ++i) {
-        emits.push_back(solution.emits[(size_t)model.patches[i].chart]);
-        Rgb arrives = patches.colourIn(s.direct, i) - patches.colourIn(seen.data(), i);
+        Rgb arrives = patches.direct[(size_t)i] - patches.rows.gather(i, patches.emits);
         direct.push_back({std::max(arrives.x, 0.f), std::max(arrives.y, 0.f), std::max(arrives.z, 0.f)});
     }
     int left = blocks ? model.patchCount / 2 : 2 * model.patchCount;
     // There are few enough blocks for each to shoot several times
-    Shooters shooters =
-        blocks ? blocksOfPatches(model, emits, std::max(model.patchCount / 8, 1)) : patchesAlone(model);
-    Shooting shooting(model, std::move(shooters), emits, direct);
+    Shooters shooters = blocks ? blocksOfPatches(model, patches.emits, std::max(model.patchCount / 8, 1))
+                               : patchesAlone(model);
+    Shooting shooting(model, std::move(shooters), patches.emits, direct);
     HemicubeShooter shooter(study.gl, model, px);
     shoot(curve, shooting, 0, 16, 1e-4, [&] {
         int shots = left > 0 ? shooter.shoot(shooting, shooter.batch(), study.workers) : 0;

@@ -25,10 +25,8 @@ public:
     // `solved`: by hemicubes that see the lamps, with rows.
     Converging(Study &study, Solved &solved);
 
-    // Passes that use the light of the pass before (Jacobi).
-    Curve gathering();
-    // Passes that use new light at once (Gauss-Seidel).
-    Curve atOnce();
+    // Passes that use the light of the pass before (Jacobi), or new light at once (Gauss-Seidel).
+    Curve passes(bool atOnce);
     // Shots by the form factors of the rows.
     Curve shootingRows();
     // Shots by hemicubes, without rows, as `solve --shots` does: lamps first. Single patches shoot twice as
@@ -39,9 +37,8 @@ public:
 
 private:
     Study &study;
-    PatchSystem &patches;
+    const PatchSystem &patches;
     const Model &model;
-    const Solution &solution;
     double rowSeconds;
     std::vector<Rgb> converged;
     double all = 0, power = 0;

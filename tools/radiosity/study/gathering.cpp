@@ -52,7 +52,7 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
         if (i == last) continue;
         last = i;
         patches.push_back(i);
-        outside.push_back(luminance(divided.patches->colourIn(divided.patches->radiosity.system.direct, i)));
+        outside.push_back(luminance(divided.patches->direct[(size_t)i]));
         expected.push_back(luminance(reference.lightAt(model.patches[i].chart, model.patches[i].p)));
     }
 }

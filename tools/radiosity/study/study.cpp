@@ -145,12 +145,7 @@ Solved Study::gather(int patches, int px) {
 
 Solved Study::divide(int patches) {
     SolveSettings s = thesis(patches, 16);
-    s.bounces = 0;
-    s.findRows = [](const Model &m, const Scene &, const uint8_t *, Workers &, Arena &arena,
-                    FormFactors &factors, const Progress &) {
-        factors.rows = arena.take<Row>((size_t)m.patchCount);
-        return true;
-    };
+    s.bounces = s.each = 0;
     return solve(s);
 }
 

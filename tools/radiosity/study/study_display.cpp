@@ -1,7 +1,6 @@
 // Flat and interpolated, middle and corners; linear, constant and logarithmic mapping: side by side.
 #include "tools/common/statistics.h"
 #include "tools/radiosity/export/render.h"
-#include "tools/radiosity/patches/row_finder.h"
 #include "tools/radiosity/study/gathering.h"
 
 #include <algorithm>
@@ -17,14 +16,13 @@ Solution flatOf(const Solution &from, const Model &model) {
     std::vector<Rgb> mean((size_t)model.patchCount);
     std::vector<float> area(mean.size());
     for (const Cell &c : from.cells) {
-        if (c.divided() || c.area <= 0) continue;
+        if (c.area <= 0) continue;
         Rgb sum = {};
         for (int corner : c.corner) sum += from.light[(size_t)corner];
         mean[(size_t)c.patch] += sum * (c.area / 4), area[(size_t)c.patch] += c.area;
     }
     flat.texels.clear(), flat.light.clear();
     for (Cell &c : flat.cells) {
-        if (c.divided()) continue;
         auto patch = (size_t)c.patch;
         for (int &corner : c.corner) {
             flat.texels.push_back(from.texels[(size_t)corner]);
@@ -86,7 +84,7 @@ public:
     Solution solve(int px) {
         SolveSettings s = study.thesis(1500, px);
         Solved middle = study.solve(s);
-        s.findRows = atCorners(px);
+        s.each = 4, s.eyeOf = cornerEye;
         Solved corners = study.solve(s);
         show("in the middle", "middle", middle);
         show("at four corners", "corners", corners);
@@ -112,14 +110,6 @@ private:
         "display",
         {"hemicubes", "shown", "patches", "processor_s", "rms_percent", "median_percent"},
         {"hemicubes", "light within a patch", "patches", "processor, s", "error (rms), %", "median, %"}};
-
-    RowFinder atCorners(int px) const {
-        return [this, px](const Model &m, const Scene &scene, const uint8_t *lit, Workers &workers,
-                          Arena &arena, FormFactors &factors, const Progress &progress) {
-            EyeOf eyes = [&m](int patch, int k) { return cornerEye(m, patch, k); };
-            return rowsByHemicubes(study.gl, px, 4, eyes)(m, scene, lit, workers, arena, factors, progress);
-        };
-    }
 
     void show(const std::string &where, const std::string &file, const Solved &b) {
         auto one = [&](const Solution &solution, const char *how) {

@@ -119,7 +119,8 @@ void studyMethods(Study &study) {
     Solved base = study.gather(study.settings.quick ? 1500 : 3000, px);
     Converging converging(study, base);
     if (converging.dark()) return page.text("No light is reflected: there is nothing to compare.");
-    std::vector<Curve> curves = {converging.gathering(), converging.atOnce(), converging.shootingRows()};
+    std::vector<Curve> curves = {converging.passes(false), converging.passes(true),
+                                 converging.shootingRows()};
     for (bool blocks : {false, true}) curves.push_back(converging.shooting(px, blocks));
     page.text(
         std::to_string(base.report.patches) + " patches with hemicubes of " + std::to_string(px) +

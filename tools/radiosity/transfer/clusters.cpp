@@ -111,8 +111,7 @@ std::vector<int> blocksOf(const Solution &model, int count) {
     std::array<float, 3> lo = {kInfinity, kInfinity, kInfinity}, hi = {-kInfinity, -kInfinity, -kInfinity};
     for (const Texel &t : model.texels) {
         const Chart &c = model.charts[(size_t)t.chart];
-        Vec3 p = c.at((float)t.x * c.width / (float)(c.across * kSteps),
-                      (float)t.y * c.height / (float)(c.down * kSteps));
+        Vec3 p = c.at((float)t.x * c.width / (float)c.across, (float)t.y * c.height / (float)c.down);
         at.push_back({p.x, p.y, p.z, c.n.x, c.n.y, c.n.z});
         for (size_t k = 0; k < 3; ++k)
             lo[k] = std::min(lo[k], at.back()[k]), hi[k] = std::max(hi[k], at.back()[k]);

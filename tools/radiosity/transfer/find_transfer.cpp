@@ -29,6 +29,7 @@ public:
         show("dividing", 0);
         RayTree tree(cornersOf(mesh));
         LightGrid grid(task.regions, tree, workers);
+        grid.takeSitesForPatches();
         task.findPictured(task.regions.charts, grid.cells, report.notes);
         task.solution.charts = task.regions.charts, task.solution.facets = task.regions.facets;
         task.solution.cells = grid.cells, task.solution.texels = grid.texels;
@@ -146,7 +147,7 @@ private:
         addBands(columns, rays);
         for (size_t k = 0; k < lamps.size(); ++k) addLamp(k, columns, rays, grid, tree);
         show("solving", 0);
-        report.sweeps = columns.solve(s.solve.residual, workers);
+        columns.solve(s.solve.residual, workers);
     }
 
     void noteClosed() {

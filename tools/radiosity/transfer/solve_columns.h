@@ -23,8 +23,8 @@ public:
     float *source(size_t site) { return &sources[site * (size_t)system.columns]; }
     float *direct(size_t site) { return system.direct + site * (size_t)system.columns; }
 
-    // Solves until a sweep changes the light by less than the residual. Returns the number of sweeps.
-    int solve(float residual, Workers &workers);
+    // Solves until a sweep changes the light by less than the residual.
+    void solve(float residual, Workers &workers);
 
     // After solve(): the light that arrives along the sites' rays, without `direct`; and the light that a
     // site reflects, as radiance.

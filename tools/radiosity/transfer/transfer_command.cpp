@@ -73,8 +73,8 @@ void printReport(const Mesh &mesh, const TransferRoom &room, const TransferRepor
                 room.clusters.rank, (double)room.clusters.floats(room.clusters.rank) * 4e-6,
                 (double)(room.texels() * (size_t)(3 * room.bases())) * 4e-6);
     if (!room.gloss.empty()) std::printf("gloss in %d squares\n", r.squares);
-    std::printf("processor seconds: rays %.2f, solving %.2f (%d sweeps), clusters %.2f, gloss %.2f\n",
-                r.seconds[0], r.seconds[1], r.sweeps, r.seconds[2], r.seconds[3]);
+    std::printf("processor seconds: rays %.2f, solving %.2f, clusters %.2f, gloss %.2f\n", r.seconds[0],
+                r.seconds[1], r.seconds[2], r.seconds[3]);
 }
 
 } // namespace

@@ -13,7 +13,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr char kMagic[] = "odraz transfer 2\n";
+constexpr char kMagic[] = "odraz transfer 3\n";
 
 bool finite(const std::vector<float> &list) {
     return std::all_of(list.begin(), list.end(), [](float x) { return std::fabs(x) < 1e18f; });

@@ -1,7 +1,5 @@
 // Light shown during solving: it starts with direct light, grows, and ends with the solution.
-#include "tests/support/headless_gl.h"
 #include "tests/support/light.h"
-#include "tests/support/sanitized.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/radiosity/solve/solve.h"
@@ -24,54 +22,43 @@ struct Watched {
     int directs = 0;
 };
 
-Watched watch(const char *kind, SolveSettings s) {
+Watched watch(const char *kind, SolveSettings s = {}) {
     Watched watched;
     s.watcher = [&](const Solution &soFar, bool bounced) {
         watched.directs += !bounced;
         watched.light.push_back(soFar.light);
     };
     Workers workers = serialWorkers();
-    watched.end = solveModel(generatedMesh(kind, 0), s, headlessGl(), workers, &kNever, {}).solution.light;
+    watched.end = solveModel(generatedMesh(kind, 0), s, {}, workers, &kNever, {}).solution.light;
     return watched;
 }
 
 } // namespace
 
 TEST(LightSoFar, BeginsDirectAndEndsAsTheSolution) {
-    for (bool analytic : {true, false})
-        for (bool adaptive : {false, true}) {
-            if (kSanitized && analytic == adaptive) continue;
-            SolveSettings s;
-            s.analytic = analytic;
-            s.adaptive = adaptive;
-            s.way = analytic && !adaptive ? Way::kRays : Way::kPatches;
-            Watched g = watch("cube", s);
-            ASSERT_GT(g.light.size(), 5u);
-            EXPECT_EQ(g.directs, 1);
-            for (size_t i = 0; i < g.light.size(); ++i) {
-                ASSERT_EQ(g.light[i].size(), g.end.size());
-                // Hidden corners may get darker while visible ones get brighter
-                if (i > 0) {
-                    EXPECT_GT(sumOf(g.light[i]), sumOf(g.light[i - 1]) * 0.99999) << i;
-                }
-            }
-            EXPECT_LT(sumOf(g.light[0]), 0.8 * sumOf(g.end));
-            EXPECT_LT(apart(g.light.back(), g.end), 1e-3);
-            EXPECT_GT(apart(g.light[1], g.end), 1e-2);
+    Watched g = watch("cube");
+    ASSERT_GT(g.light.size(), 5u);
+    EXPECT_EQ(g.directs, 1);
+    for (size_t i = 0; i < g.light.size(); ++i) {
+        ASSERT_EQ(g.light[i].size(), g.end.size());
+        // Hidden corners may get darker while visible ones get brighter
+        if (i > 0) {
+            EXPECT_GT(sumOf(g.light[i]), sumOf(g.light[i - 1]) * 0.99999) << i;
         }
+    }
+    EXPECT_LT(sumOf(g.light[0]), 0.8 * sumOf(g.end));
+    EXPECT_LT(apart(g.light.back(), g.end), 1e-3);
+    EXPECT_GT(apart(g.light[1], g.end), 1e-2);
 }
 
 TEST(LightSoFar, ShowsDirectLightAloneFirst) {
-    for (Way way : {Way::kRays, Way::kPatches}) {
-        SolveSettings s;
-        s.way = way;
-        s.bounces = 0;
-        Watched none = watch("corner", s);
-        s.bounces = 3;
-        Watched three = watch("corner", s);
-        ASSERT_EQ(three.light.size(), 4u);
-        // Without a bounce, direct light remains
-        EXPECT_LT(apart(three.light[0], none.end), 1e-6);
-        EXPECT_LT(apart(three.light[3], three.end), 1e-6);
-    }
+    SolveSettings s;
+    s.bounces = 0;
+    Watched none = watch("corner", s);
+    s.bounces = 3;
+    Watched three = watch("corner", s);
+    ASSERT_EQ(three.light.size(), 4u);
+    // Without a bounce, direct light remains
+    EXPECT_LT(apart(three.light[0], none.end), 1e-6);
+    EXPECT_LT(apart(three.light[3], three.end), 1e-6);
 }

@@ -6,10 +6,8 @@
 #include "tests/support/model_bench.h"
 #include "tests/support/squares.h"
 #include "tools/engine/heap_arena.h"
-#include "tools/radiosity/patches/odd_hemicube.h"
+#include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/patches/shooting.h"
-
-#include "radiosity/solve.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -21,25 +19,18 @@ using namespace odraz::radiosity;
 
 namespace {
 
-// Sets a colour in a patch's columns.
-void set(float *plane, const System &s, size_t patch, const Rgb &c) {
-    float *to = plane + patch * (size_t)s.columns;
-    to[0] = c.x, to[1] = c.y, to[2] = c.z;
-}
-
 // A system of a few patches with random rows, of one colour in three channels.
 struct Few {
     int count;
-    std::unique_ptr<Model> model = std::make_unique<Model>();
-    std::vector<Patch> patches;
-    std::vector<std::vector<Link>> links;
-    std::vector<Row> rows;
-    FormFactors factors = {};
-    std::vector<Rgb> direct;
+    PatchSystem system;
+    std::vector<Patch> &patches = system.patches;
+    std::vector<Rgb> &direct = system.direct;
+    std::unique_ptr<Model> &model = system.model;
 
     // As in a closed room, rows sum to 1, and area times form factor is the same both ways
-    Few(int patchCount, float reflects, float light, unsigned seed)
-        : count(patchCount), patches((size_t)count), links((size_t)count), rows((size_t)count) {
+    Few(int patchCount, float reflects, float light, unsigned seed) : count(patchCount) {
+        patches.resize((size_t)count), system.rows = Rows((size_t)count);
+        std::vector<std::vector<Link>> &links = system.rows.of;
         Dice dice(seed);
         for (size_t i = 0; i < patches.size(); ++i) {
             patches[i].share = 1;
@@ -56,9 +47,7 @@ struct Few {
             for (const Link &link : links[i]) sum += link.share;
             for (Link &link : links[i]) link.share /= sum;
             patches[i].area = links[i].empty() ? 1 : sum;
-            rows[i] = {links[i].data(), (int)links[i].size(), true};
         }
-        factors.rows = rows.data();
         model->patches = patches.data(), model->patchCount = count;
     }
 
@@ -69,7 +58,7 @@ struct Few {
         for (size_t i = 0; i < n; ++i) {
             double rho = (double)(patches[i].reflects.*channel);
             m[i][i] += 1;
-            for (const Link &link : links[i]) m[i][link.patch] -= rho * (double)link.share;
+            for (const Link &link : system.rows.of[i]) m[i][link.patch] -= rho * (double)link.share;
             m[i][n] = rho * (double)(direct[i].*channel);
         }
         for (size_t c = 0; c < n; ++c)
@@ -83,17 +72,9 @@ struct Few {
         return b;
     }
 
-    void fill(System &s, Arena &arena) const {
-        ASSERT_TRUE(makeSystem(s, arena, factors, count, 3));
-        for (size_t i = 0; i < (size_t)count; ++i) {
-            set(s.reflectance, s, i, patches[i].reflects);
-            set(s.direct, s, i, direct[i]);
-        }
-    }
-
     // Shoots until less than the residual is left; the number of shots
     int shoot(Shooting &shooting, double residual) const {
-        Columns columns(factors, count);
+        Columns columns(system.rows);
         int shots = 0;
         for (; shooting.left() > residual && shots < 1000000; ++shots) {
             int k = shooting.brightest(1)[0];
@@ -110,12 +91,9 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
     for (float reflects : {0.f, 0.3f, 0.8f, 0.98f})
         for (int count : {2, 3, 20, 90}) {
             Few few(count, reflects, 10, (uint32_t)count);
-            HeapArena memory((size_t)1 << 20);
-            System once, next;
-            few.fill(once, memory.arena), few.fill(next, memory.arena);
-            Workers workers = serialWorkers();
-            solve(once, workers, 1e-6f, 10000);
-            for (int pass = 0; pass < (reflects > 0.9f ? 1000 : 100); ++pass) bounce(next, workers);
+            std::vector<Rgb> once = few.system.reflectDirect(), next((size_t)count);
+            for (int sweeps = 0; few.system.sweep(once, true) > 1e-6f && sweeps < 10000;) ++sweeps;
+            for (int pass = 0; pass < (reflects > 0.9f ? 1000 : 100); ++pass) few.system.sweep(next, false);
             Shooting shooting(*few.model, patchesAlone(*few.model), std::vector<Rgb>((size_t)count),
                               few.direct);
             EXPECT_DOUBLE_EQ(shooting.left(), reflects > 0 ? 1 : 0);
@@ -128,10 +106,10 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
                 for (double b : exact) most = std::max(most, b);
                 for (int i = 0; i < count; ++i) {
                     double b = exact[(size_t)i], off = 1e-4 * most + 1e-9;
-                    size_t at = (size_t)i * (size_t)once.columns + (size_t)c;
-                    for (float got :
-                         {shooting.radiosity(i).*channels[c], once.radiosity[at], next.radiosity[at]})
+                    for (const Rgb &found : {shooting.radiosity(i), once[(size_t)i], next[(size_t)i]}) {
+                        float got = found.*channels[c];
                         ASSERT_NEAR((double)got, b, off) << reflects << ' ' << count << ' ' << i;
+                    }
                 }
             }
         }
@@ -205,7 +183,7 @@ TEST(OddHemicube, FormFactorsOfUnitSquares) {
             ModelBench b;
             squares.addTo(*b.model);
             b.pose();
-            ASSERT_TRUE(b.model->divide(*b.scene, b.memory.arena, b.workers, 1, 0));
+            b.divide(1);
             AnyHemicubes hemicubes(headlessGl(), px);
             std::vector<float> sums = formFactorSums(px);
             double sum = 0;

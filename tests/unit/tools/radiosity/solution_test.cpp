@@ -16,7 +16,7 @@ using namespace odraz::radiosity;
 
 namespace {
 
-// A solution made by hand: two charts of two by one cells, the first cell divided; each chart has a facet.
+// A solution made by hand: two charts of two by one cells; each chart has a facet.
 Solution small() {
     Solution b;
     for (int k = 0; k < 2; ++k) {
@@ -28,23 +28,14 @@ Solution small() {
         b.charts.push_back(c);
         b.facets.push_back({k, {0, 2, 2, 0}, {0, 0, 1, 1}});
         for (int y = 0; y < 2; ++y)
-            for (int x = 0; x < 3; ++x) b.texels.push_back({k, x * kSteps, y * kSteps, 0, 15, false, false});
+            for (int x = 0; x < 3; ++x) b.texels.push_back({k, x, y, 15, 0, false});
         b.reflects.push_back({0.5f, 0.5f, 0.5f}), b.emits.push_back({0, 0, (float)k});
     }
     auto cell = [](int k, int x) {
         int at = 6 * k + x;
-        return Cell{{at, at + 1, at + 3, at + 4}, 0, k, 1, 0};
+        return Cell{{at, at + 1, at + 3, at + 4}, 0, k, 1};
     };
     for (int i = 0; i < 4; ++i) b.cells.push_back(cell(i / 2, i % 2));
-    b.cells[0].corner[0] = ~4;
-    int mid = (int)b.texels.size(), half = kSteps / 2;
-    for (auto [x, y] : {std::pair{half, 0}, {0, half}, {half, half}, {kSteps, half}, {half, kSteps}})
-        b.texels.push_back({0, x, y, 1, 15, false, false});
-    for (auto corner : {std::array{0, mid, mid + 1, mid + 2},
-                        {mid, 1, mid + 2, mid + 3},
-                        {mid + 1, mid + 2, 3, mid + 4},
-                        {mid + 2, mid + 3, mid + 4, 4}})
-        b.cells.push_back({{corner[0], corner[1], corner[2], corner[3]}, 0, 0, 0.25f, 1});
     b.light.assign(b.texels.size(), Rgb{1, 2, 3});
     return b;
 }
@@ -98,9 +89,8 @@ TEST_F(SolutionFile, OfOthersIsRefused) {
         [](Solution &b) { std::memset((void *)&b.charts[0].open, 7, 1); },
         [](Solution &b) { b.facets[1].chart = 2; },
         [](Solution &b) { b.facets[1].u[2] = INFINITY; },
-        [](Solution &b) { b.cells[0].corner[0] = ~0; }, // its own child
-        [](Solution &b) { b.cells[0].corner[0] = ~6; },
-        [](Solution &b) { b.cells[1].corner[3] = 17; },
+        [](Solution &b) { b.cells[0].corner[0] = -1; },
+        [](Solution &b) { b.cells[1].corner[3] = 12; },
         [](Solution &b) { b.cells[1].corner[3] = b.cells[1].corner[0]; },
         [](Solution &b) { b.cells[2].corner[1] = 1; }, // of another chart
         [](Solution &b) { b.cells[3].chart = -1; },
