@@ -41,7 +41,7 @@ struct Floor {
 // beyond the fourth.
 TEST(Day, IsWithinOnePerCentOfSolutionsForItsLight) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    for (const DayError &e : dayErrors({0, 1, 2, 3, 4, 5, 6}, {kBands}, headlessGl(), serial)) {
+    for (const DayError &e : dayErrors({0, 1, 2, 3, 4, 5, 6}, headlessGl(), serial)) {
         std::printf("hour %g: %.2f %% of the lightmap, %.2f %% of all light\n", (double)e.hour, e.lightmap,
                     e.whole);
         EXPECT_LT(e.whole, 1) << e.hour;

@@ -102,7 +102,7 @@ void overTheDay(const Gl &gl, Workers &workers) {
                 "|---|---|---|---|\n");
     std::vector<float> all;
     for (int i = 0; i < 2 * kNight - 1; ++i) all.push_back((float)i * 0.5f + (i % 2 ? 0.125f : 0));
-    for (const DayError &e : dayErrors(all, {kBands}, gl, workers))
+    for (const DayError &e : dayErrors(all, gl, workers))
         std::printf("| %.3f | %s | %.2f | %.2f |\n", (double)e.hour,
                     std::fmod(e.hour, 0.25f) == 0 ? "a sun was solved there" : "between two suns", e.lightmap,
                     e.whole);

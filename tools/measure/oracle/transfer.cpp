@@ -42,13 +42,12 @@ DayError errorOf(const TexelPlanes &got, const TexelPlanes &exact, const float *
             error += (g - e) * (g - e), base += e * e;
         }
     }
-    return {0, 0, 100 * std::sqrt(error / base), 100 * std::sqrt(whole / wholeBase)};
+    return {0, 100 * std::sqrt(error / base), 100 * std::sqrt(whole / wholeBase)};
 }
 
 } // namespace
 
-std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
-                                Workers &workers) {
+std::vector<DayError> dayErrors(const std::vector<float> &hours, const Gl &gl, Workers &workers) {
     constexpr size_t kMost = 10; // skies at once
     SolvedHall relit(kHallSettings, gl, workers);
     const Model &m = relit.hall->model;
@@ -68,14 +67,9 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vect
             own.bounced[sky] = {1, 0, 0}, own.bounced[sky + 1] = {0, 1, 0}, own.bounced[sky + 2] = {0, 0, 1};
             own.bounced[sun] = days[i].sunlight - days[i].sky.near * kNearGlow;
             relight(very.hall->radiosity, very.hall->model, own, exact.plane);
-            for (int used : bands) {
-                LightVector light = lightVector({hours[first + i], {}, {}, 1});
-                for (int k = used * used; k < kSh; ++k) light.bounced[k] = {};
-                relight(relit.hall->radiosity, m, light, got.plane);
-                DayError e = errorOf(got, exact, very.hall->radiosity.direct[sun], m.texelCount, days[i]);
-                e.hour = hours[first + i], e.bands = used;
-                all.push_back(e);
-            }
+            relight(relit.hall->radiosity, m, lightVector({hours[first + i], {}, {}, 1}), got.plane);
+            all.push_back(errorOf(got, exact, very.hall->radiosity.direct[sun], m.texelCount, days[i]));
+            all.back().hour = hours[first + i];
         }
     }
     return all;

@@ -11,10 +11,8 @@ namespace odraz::measure {
 // the same form factors.
 struct DayError {
     float hour;
-    int bands;              // how many bands of the sky are used
     double lightmap, whole; // rms, percent: of the light in the lightmap; of all light, the sun's included
 };
-std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
-                                Workers &workers);
+std::vector<DayError> dayErrors(const std::vector<float> &hours, const Gl &gl, Workers &workers);
 
 } // namespace odraz::measure

@@ -5,7 +5,6 @@
 #include "tools/radiosity/read/reflectance_picture.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace odraz::radiosity {

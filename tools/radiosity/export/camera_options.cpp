@@ -3,7 +3,6 @@
 #include "tools/common/text.h"
 #include "trace/picture/frame.h"
 
-#include <cmath>
 #include <cstdio>
 
 namespace odraz::radiosity {

@@ -3,8 +3,6 @@
 
 #include "tools/radiosity/rays/light_grid.h"
 
-#include <algorithm>
-
 namespace odraz::radiosity {
 
 // A k-d tree over the sites; the node of a range is its middle item.

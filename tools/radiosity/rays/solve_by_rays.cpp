@@ -7,8 +7,6 @@
 #include "tools/radiosity/solution/memory.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 namespace odraz::radiosity {
 

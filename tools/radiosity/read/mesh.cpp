@@ -3,7 +3,6 @@
 #include "tools/picture/picture_file.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace odraz::radiosity {
 

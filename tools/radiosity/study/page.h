@@ -5,7 +5,6 @@
 #include "tools/common/new_folder.h"
 #include "tools/picture/plot.h"
 
-#include <cstdio>
 #include <string>
 #include <vector>
 

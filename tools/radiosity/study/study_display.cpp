@@ -4,7 +4,6 @@
 #include "tools/radiosity/study/gathering.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace odraz::radiosity {
 

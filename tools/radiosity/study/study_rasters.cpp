@@ -2,7 +2,6 @@
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/study/gathering.h"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 

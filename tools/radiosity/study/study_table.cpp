@@ -2,7 +2,6 @@
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace odraz::radiosity {
 

@@ -4,7 +4,6 @@
 #include "tools/picture/picture.h"
 #include "tools/radiosity/transfer/bands.h"
 
-#include <functional>
 #include <string>
 
 namespace odraz::radiosity {

@@ -6,8 +6,6 @@
 
 #include "tools/radiosity/solution/solution.h"
 
-#include <memory>
-
 namespace odraz::radiosity {
 
 struct ViewPoint {
