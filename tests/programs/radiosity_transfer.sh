@@ -69,10 +69,12 @@ check "a table of its light" "$radiosity" export hills.prt --csv hills.csv --sky
 check "... holds no more than the sky and the lamp give" table hills.csv 'if ($9 < 0 || $9 > 50) ++off' 'lines >= 800 && off + 0 == 0'
 
 # Ctrl-C while it compares: the room is there
-behind "$radiosity" transfer room.obj -o stopped.prt --element 0.004 --rays 128 --check
-stopped_at '^processor seconds' out
-check "Ctrl-C ends it with status 1" test $? = 1
-check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is incomplete; stopped.prt is saved" ]'
+interrupted() { # tried again where it had compared everything
+    behind "$radiosity" transfer room.obj -o stopped.prt --element 0.004 --rays 128 --check
+    stopped_at '^processor seconds' out
+    [ $? = 1 ] && [ "$(cat err)" = "radiosity: interrupted: the check is incomplete; stopped.prt is saved" ]
+}
+check "Ctrl-C ends it with status 1 and one line" await interrupted
 check "... which is true" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
 check "a material that is not there" refuses 2 "no polygon has the material gold" "$radiosity" transfer room.obj -o x.prt "${fine[@]}" --glossy gold
