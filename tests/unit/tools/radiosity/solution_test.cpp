@@ -40,6 +40,8 @@ Solution small() {
     return b;
 }
 
+} // namespace
+
 class SolutionFile : public testing::Test {
 protected:
     common::TemporaryFolder folder;
@@ -64,8 +66,6 @@ protected:
         return wrong.empty();
     }
 };
-
-} // namespace
 
 TEST_F(SolutionFile, ComesBackAsItWas) { EXPECT_TRUE(taken(small())); }
 
