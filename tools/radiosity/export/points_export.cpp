@@ -29,10 +29,10 @@ struct Shown {
     float operator()(float x) const { return pictures::srgbOfLinear(x * scale); }
 };
 
-struct Corners {
+struct LitCorners {
     std::vector<SolutionPoint> points;
     std::vector<std::vector<size_t>> faces;
-    explicit Corners(const Solution &solution) {
+    explicit LitCorners(const Solution &solution) {
         solution.forPieces([&](int, int, const std::vector<SolutionPoint> &piece) {
             std::vector<size_t> face;
             for (const SolutionPoint &p : piece) {
@@ -110,7 +110,7 @@ void exportCsv(const Solution &solution, const std::string &path) {
 
 void exportPolygons(const Solution &solution, const std::string &path, bool ply) {
     Shown shown(solution);
-    Corners corners(solution);
+    LitCorners corners(solution);
     const char *type = length(solution.place) > 0 ? "double" : "float";
     std::string text;
     common::append(

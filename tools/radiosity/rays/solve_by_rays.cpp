@@ -16,7 +16,7 @@ constexpr float kFirst = 0.25f; // the first rays' share of the time of all rays
 // The relative error allowed for a site's light from its own and its neighbours' rays
 constexpr float kError = 0.014f;
 constexpr float kFinalShared = 0.1f; // as kShared, after the final gather
-constexpr int kMostSweeps = 10000;
+constexpr int kMostRaySweeps = 10000;
 
 // The bytes that a solution needs, computed before any are allocated.
 size_t memoryFor(const SolveTask &task) {
@@ -167,7 +167,7 @@ private:
             return !task.stopped();
         };
         report.sweeps = system.solve(directAtSites, reflects, counted, s.residual,
-                                     counted ? s.bounces : kMostSweeps, task.workers, afterSweep);
+                                     counted ? s.bounces : kMostRaySweeps, task.workers, afterSweep);
         bool done = counted ? report.sweeps == s.bounces : report.residual <= s.residual;
         if (report.whole && !done && task.stopped()) {
             report.whole = false;

@@ -18,8 +18,8 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-constexpr const char *kKeywords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke"};
-enum Keyword { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap };
+constexpr const char *kMaterialWords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke"};
+enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap };
 
 // Whether a keyword names a picture.
 bool isMap(std::string_view word) {
@@ -140,7 +140,7 @@ struct Reader {
         TextLines lines(path);
         const size_t before = materials.size();
         while (lines.next()) {
-            const int keyword = lines.keyword(kKeywords);
+            const int keyword = lines.keyword(kMaterialWords);
             const std::string rest(lines.rest);
             if (keyword == kNew) {
                 begin(rest);

@@ -134,7 +134,7 @@ private:
 };
 
 // The number of letters to change, add or remove between two names; capitals do not count (Levenshtein).
-size_t difference(const std::string &a, const std::string &b) {
+size_t lettersOff(const std::string &a, const std::string &b) {
     std::vector<size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), (size_t)0);
     for (size_t i = 0; i < a.size(); ++i) {
@@ -158,7 +158,7 @@ void noteUnknown(const std::string &path, const ObjContent &content, const std::
         const std::string &name = content.asked[i];
         if (found[i] >= 0 || !used[i] || name.empty() || ++count > kMost) continue;
         auto nearest = std::min_element(materials.begin(), materials.end(), [&](auto &a, auto &b) {
-            return difference(name, a.name) < difference(name, b.name);
+            return lettersOff(name, a.name) < lettersOff(name, b.name);
         });
         notes.push_back(path + ": no material file has " + name + ": it reflects 0.7" +
                         (nearest == materials.end() ? "" : "; the nearest name is " + nearest->name));

@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace odraz::radiosity {
 
 namespace {
 
-constexpr double kPiD = 3.14159265358979;
 constexpr int kSkyWidth = 128,
               kSkyHeight = 64;   // rows of the picture that rays sample: a pixel is about as wide as a ray's
                                  // share of the directions
@@ -69,8 +69,8 @@ Rgb SkyPicture::radiance(const Vec3 &d) const {
     if (!width) return {};
     if (width == 1) return pixels[0];
     Vec3 q = upright(d, upIsZ);
-    float u = (0.5f + std::atan2(q.x, -q.z) / (2 * (float)kPiD)) * (float)width - 0.5f,
-          v = std::acos(std::clamp(q.y, -1.f, 1.f)) / (float)kPiD * (float)height - 0.5f;
+    float u = (0.5f + std::atan2(q.x, -q.z) / (2 * (float)std::numbers::pi)) * (float)width - 0.5f,
+          v = std::acos(std::clamp(q.y, -1.f, 1.f)) / (float)std::numbers::pi * (float)height - 0.5f;
     float left = std::floor(u), above = std::floor(v), s = u - left, t = v - above;
     auto at = [&](int i, int j) {
         return pixels[(size_t)std::clamp(j, 0, height - 1) * (size_t)width + (size_t)((i + width) % width)];
@@ -83,7 +83,7 @@ Rgb SkyPicture::radiance(const Vec3 &d) const {
 SkyPicture evenSky(const Rgb &radiance) { return {1, 1, {radiance}, false}; }
 
 Vec3 sunTowards(double elevation, double azimuth, bool upIsZ) {
-    double up = elevation * kPiD / 180, around = azimuth * kPiD / 180;
+    double up = elevation * std::numbers::pi / 180, around = azimuth * std::numbers::pi / 180;
     Vec3 towards = {(float)(std::cos(up) * std::sin(around)), (float)std::sin(up),
                     (float)(-std::cos(up) * std::cos(around))};
     return asInModel(towards, upIsZ);
@@ -105,7 +105,7 @@ public:
             for (int i = 0; i < width; ++i) {
                 Rgb light = pixel(i, j);
                 double much = totalOf(light), kept = much > limit ? limit / much : 1;
-                if (kept < 1) addGlint(i, j, light * (float)((1 - kept) * solidAngle(j) / kPiD));
+                if (kept < 1) addGlint(i, j, light * (float)((1 - kept) * solidAngle(j) / std::numbers::pi));
                 spread(i, j, light * (float)kept);
             }
         for (size_t k = 0; k < weight.size(); ++k)
@@ -126,17 +126,20 @@ private:
         return {std::max(red, 0.f), std::max(green, 0.f), std::max(blue, 0.f)};
     }
     double solidAngle(int j) const { // of a pixel in row j
-        return 2 * kPiD / width * (std::cos(kPiD * j / height) - std::cos(kPiD * (j + 1) / height));
+        return 2 * std::numbers::pi / width *
+               (std::cos(std::numbers::pi * j / height) - std::cos(std::numbers::pi * (j + 1) / height));
     }
     double meanBrightness() const {
         double mean = 0;
         for (int j = 0; j < height; ++j)
-            for (int i = 0; i < width; ++i) mean += totalOf(pixel(i, j)) * solidAngle(j) / (4 * kPiD);
+            for (int i = 0; i < width; ++i)
+                mean += totalOf(pixel(i, j)) * solidAngle(j) / (4 * std::numbers::pi);
         return mean;
     }
 
     void addGlint(int i, int j, const Rgb &light) {
-        double around = 2 * kPiD * ((i + 0.5) / width - 0.5), down = kPiD * (j + 0.5) / height;
+        double around = 2 * std::numbers::pi * ((i + 0.5) / width - 0.5),
+               down = std::numbers::pi * (j + 0.5) / height;
         glints.push_back(
             {std::sin(down) * std::sin(around), std::cos(down), -std::sin(down) * std::cos(around), light});
     }

@@ -6,7 +6,7 @@
 
 namespace odraz::radiosity {
 
-static constexpr char kMagic[] = "odraz radiosity state 5\n";
+static constexpr char kStateMagic[] = "odraz radiosity state 5\n";
 
 void Kept::save(const std::string &path) const {
     std::string body;
@@ -14,13 +14,13 @@ void Kept::save(const std::string &path) const {
     put(body, std::vector<uint64_t>{model, words.size()});
     for (const std::string &word : words) put(body, word);
     // Rows are used in place, so align them for their items
-    put(body, std::string(8 - (sizeof kMagic - 1 + body.size()) % 8, '\0'), rows);
-    common::writeWhole(path, withChecksum(kMagic, body));
+    put(body, std::string(8 - (sizeof kStateMagic - 1 + body.size()) % 8, '\0'), rows);
+    common::writeWhole(path, withChecksum(kStateMagic, body));
 }
 
 Kept::Kept(const std::string &path) : file(common::readWholeFile(path)) {
     std::string_view all = file.view(), padding;
-    size_t at = bodyOf(all, kMagic);
+    size_t at = bodyOf(all, kStateMagic);
     if (!at) throw common::Refused(path + ": is not a state of 'radiosity solve' of this version");
     std::vector<uint64_t> head;
     bool good = at != std::string::npos && get(all, at, head) && head.size() == 2;

@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr char kMagic[] = "odraz radiosity 4\n";
+constexpr char kSolutionMagic[] = "odraz radiosity 4\n";
 
 } // namespace
 
@@ -38,11 +38,13 @@ void Solution::save(const std::string &path) const {
     common::writeWhole(path, withChecksum(body));
 }
 
-std::string Solution::withChecksum(const std::string &body) { return radiosity::withChecksum(kMagic, body); }
+std::string Solution::withChecksum(const std::string &body) {
+    return radiosity::withChecksum(kSolutionMagic, body);
+}
 
 Solution::Solution(const std::string &path) {
     std::string all = common::readWhole(path);
-    size_t at = bodyOf(all, kMagic);
+    size_t at = bodyOf(all, kSolutionMagic);
     if (!at) throw std::runtime_error(path + ": was not written by 'radiosity solve'");
     bool good = at != std::string::npos && get(all, at) && at == all.size();
     if (!good)

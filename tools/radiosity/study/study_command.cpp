@@ -13,7 +13,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-int stop = 0; // becomes 1 with Ctrl-C
+int stopStudy = 0; // becomes 1 with Ctrl-C
 
 struct Job {
     StudySettings settings;
@@ -102,7 +102,7 @@ int runStudy(common::CommandLine &line) {
         mesh = readModel(job.settings.model, job.options.read, notes);
         job.options.addLights(mesh, job.settings.solve.surroundings, notes);
     }
-    stopAt(stop, {SIGINT, SIGTERM});
+    stopAt(stopStudy, {SIGINT, SIGTERM});
     Gl gl = openGl();
     Workers workers = allProcessors();
     ProgressBar bar(job.options.progress);
@@ -112,7 +112,7 @@ int runStudy(common::CommandLine &line) {
     if (job.table41) chapters = kTable41;
     int works = 0;
     for (const Chapter &c : chapters) works += job.settings.quick ? c.quickWorks : c.works;
-    Study study(job.settings, mesh, gl, workers, &stop, page, bar, works);
+    Study study(job.settings, mesh, gl, workers, &stopStudy, page, bar, works);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
     bool whole = writeChapters(study, chapters);
     writeSummary(study);

@@ -8,7 +8,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kMostSweeps = 1000;
+constexpr int kMostColumnSweeps = 1000;
 
 size_t paddedColumns(int lights) {
     return (size_t)(3 * lights + kSolveBlock - 1) / (size_t)kSolveBlock * (size_t)kSolveBlock;
@@ -57,7 +57,7 @@ ColumnSystem::ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflec
 
 void ColumnSystem::solve(float residual, Workers &workers) {
     for (size_t k = 0; k < sources.size(); ++k) system.direct[k] += sources[k];
-    odraz::solve(system, workers, residual, kMostSweeps);
+    odraz::solve(system, workers, residual, kMostColumnSweeps);
     findIndirect(system, workers);
     for (size_t k = 0; k < sources.size(); ++k) sources[k] += system.indirect[k];
 }

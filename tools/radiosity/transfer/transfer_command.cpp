@@ -12,7 +12,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-int stop = 0; // becomes 1 with Ctrl-C
+int stopChecking = 0; // becomes 1 with Ctrl-C
 
 struct Job {
     std::string model, out;
@@ -98,8 +98,8 @@ int runTransfer(common::CommandLine &line) {
     printReport(mesh, room, report);
     std::fflush(stdout);
     if (!job.check) return 0;
-    stopAt(stop, {SIGINT, SIGTERM});
-    if (!printCheck(mesh, job.settings, room, (int)report.raysFromSite, job.skies, workers, &stop)) {
+    stopAt(stopChecking, {SIGINT, SIGTERM});
+    if (!printCheck(mesh, job.settings, room, (int)report.raysFromSite, job.skies, workers, &stopChecking)) {
         std::fflush(stdout);
         throw std::runtime_error("interrupted: the check is incomplete; " + job.out + " is saved");
     }

@@ -13,7 +13,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr char kMagic[] = "odraz transfer 3\n";
+constexpr char kTransferMagic[] = "odraz transfer 3\n";
 
 bool finite(const std::vector<float> &list) {
     return std::all_of(list.begin(), list.end(), [](float x) { return std::fabs(x) < 1e18f; });
@@ -107,7 +107,7 @@ std::vector<float> TransferRoom::rows() const {
 }
 
 std::string TransferRoom::withChecksum(const std::string &body) {
-    return radiosity::withChecksum(kMagic, body);
+    return radiosity::withChecksum(kTransferMagic, body);
 }
 
 void TransferRoom::save(const std::string &path) const {
@@ -123,7 +123,7 @@ void TransferRoom::save(const std::string &path) const {
 
 bool TransferRoom::is(const std::string &path) {
     try {
-        return common::readStart(path, sizeof kMagic - 1) == kMagic;
+        return common::readStart(path, sizeof kTransferMagic - 1) == kTransferMagic;
     } catch (const common::Refused &) {
         return false; // read() reports why
     }
@@ -131,7 +131,7 @@ bool TransferRoom::is(const std::string &path) {
 
 TransferRoom TransferRoom::read(const std::string &path) {
     std::string all = common::readWhole(path);
-    size_t at = bodyOf(all, kMagic);
+    size_t at = bodyOf(all, kTransferMagic);
     if (!at) throw std::runtime_error(path + ": was not written by 'radiosity transfer'");
     TransferRoom room;
     if (at == std::string::npos || !getRoom(all, at, room))
