@@ -1,6 +1,6 @@
 #include "tools/radiosity/patches/odd_hemicube.h"
 
-#include "tools/radiosity/solution/memory.h"
+#include "tools/radiosity/solution/solve_task.h"
 
 #include <numeric>
 #include <stdexcept>

@@ -2,7 +2,6 @@
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/patches/shooting.h"
 #include "tools/radiosity/rays/lamp_rays.h"
-#include "tools/radiosity/solution/memory.h"
 
 #include "radiosity/solve.h"
 #include "radiosity/spread.h"

@@ -4,7 +4,7 @@
 #include "tools/radiosity/rays/lamp_rays.h"
 #include "tools/radiosity/rays/ray_system.h"
 #include "tools/radiosity/solution/arrays.h"
-#include "tools/radiosity/solution/memory.h"
+#include "tools/radiosity/solution/solve_task.h"
 
 #include <algorithm>
 

@@ -18,6 +18,11 @@ void refuseResumed() {
     throw std::runtime_error("the saved state is damaged or belongs to another model: solve it again");
 }
 
+void refuseMemory(size_t bytes, size_t most, const char *remedy) {
+    throw std::runtime_error("needs about " + std::to_string(bytes >> 20) + " MB, more than the " +
+                             std::to_string(most >> 20) + " of --memory: " + remedy);
+}
+
 SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,
                      const SolveProgress &progress)
     : mesh(mesh), settings(settings), workers(workers), stop(stop), progress(progress) {

@@ -70,5 +70,7 @@ double cellSide(const Mesh &mesh, const SolveSettings &settings);
 
 // Throws std::runtime_error: SolveSettings::resumed does not belong to this model.
 [[noreturn]] void refuseResumed();
+// The same if `bytes` are needed and `most` are allowed; `remedy` names the option to change.
+[[noreturn]] void refuseMemory(size_t bytes, size_t most, const char *remedy);
 
 } // namespace odraz::radiosity

@@ -2,7 +2,6 @@
 
 #include "tools/common/clock.h"
 #include "tools/radiosity/rays/lamp_rays.h"
-#include "tools/radiosity/solution/memory.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/transfer/lamp_sources.h"
 #include "tools/radiosity/transfer/solve_columns.h"

@@ -1,6 +1,6 @@
 #include "tools/radiosity/transfer/solve_columns.h"
 
-#include "tools/radiosity/solution/memory.h"
+#include "tools/radiosity/solution/solve_task.h"
 
 #include <algorithm>
 
