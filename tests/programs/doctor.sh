@@ -36,10 +36,8 @@ device 'hw card 31'
 check "without a device" finds 1 "sound" "silence$" "$odraz" --doctor
 device null
 check "without libasound.so.2" finds 1 "sound" "^no libasound.so.2" env LD_LIBRARY_PATH="$(lacking libasound.so.2)" "$odraz" --doctor
-for missing in libX11.so.6 libGL.so.1; do
-    check "without $missing" finds 1 "OpenGL" "^$missing is missing: install" env LD_LIBRARY_PATH="$(lacking $missing)" "$odraz" --doctor
-    check "... all else is listed too" lists "$all"
-done
+check "without libGL.so.1" finds 1 "OpenGL" "^libGL.so.1 is missing: install" env LD_LIBRARY_PATH="$(lacking libGL.so.1)" "$odraz" --doctor
+check "... all else is listed too" lists "$all"
 check "without libEGL.so.1" finds 1 "OpenGL for --dump" "^no headless OpenGL 3.3: install" env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --doctor
 check "without a driver" finds 1 "OpenGL" "^no OpenGL 3.3 on this display: install" env LIBGL_DRIVERS_PATH=/none "$odraz" --doctor
 check "... of which Mesa may print more here" grep -q 'swrast' "$WORK/err"
@@ -48,5 +46,4 @@ if can_be_unwritten; then
     check "where written memory may not be executed" finds 1 "write and run" "^MemoryDenyWriteExecute" "${UNWRITTEN[@]}" "$odraz" --doctor
 fi
 check "on a full disk" refuses 1 "no space left" bash -c "exec '$odraz' --doctor >/dev/full"
-check "on a closed stdout" refuses 1 "it is closed" bash -c "exec '$odraz' --doctor >&-"
 finish
