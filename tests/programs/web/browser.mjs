@@ -13,6 +13,7 @@ const chromium = async (url, profile, gl = ['--use-angle=swiftshader', '--enable
   const child = spawn('chromium', ['--headless=new', '--no-sandbox', '--user-data-dir=' + profile, '--no-first-run',
     '--remote-debugging-pipe', '--disable-background-networking', ...gl, '--autoplay-policy=user-gesture-required',
     `--window-size=${kWidth},${kHeight}`, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] })
+  process.on('exit', () => child.kill())
   const waiting = new Map, errors = []
   const told = details => details.exception?.description ?? details.text
   let rest = '', id = 0, session
@@ -64,6 +65,7 @@ const firefox = async (url, profile) => {
   writeFileSync(profile + '/user.js', Object.entries(prefs).map(([k, v]) => `user_pref("${k}", ${v});\n`).join(''))
   const words = ['--no-remote', '--marionette', '--profile', profile, '--width', kWidth, '--height', kHeight]
   const child = spawn('firefox-esr', words, { stdio: ['ignore', 'pipe', 'pipe'] })
+  process.on('exit', () => child.kill())
   const errors = []
   let said = '', port
   for (const out of [child.stdout, child.stderr]) out.on('data', d => {
@@ -93,7 +95,8 @@ const firefox = async (url, profile) => {
     socket.write(Buffer.byteLength(text) + ':' + text)
   })
   const act = (type, actions) => call('WebDriver:PerformActions', { actions: [{ type, id: type, actions }] })
-  await call('WebDriver:NewSession', { capabilities: { alwaysMatch: { timeouts: { script: 3600000 } } } })
+  await call('WebDriver:NewSession')
+  await call('WebDriver:SetTimeouts', { script: 3600000, pageLoad: 3600000 })
   await call('WebDriver:Navigate', { url })
   return {
     child, errors,
