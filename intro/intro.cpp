@@ -79,7 +79,7 @@ CameraKey cameraAt(double seconds) {
 static Picture finish(Intro &intro, const Posed &now, const View &view, double seconds, float exposure,
                       const Frame &planes, uint8_t *rgba) {
     Frame frame = planes;
-    if (now.entry->letter) {
+    if (now.scene().letter) {
         // Draw on a copy: the traced planes are still needed for in-betweens
         for (int k = 0; k < 3; ++k) frame.plane[k] = intro.frame.plane[k];
         parallelFor(*intro.workers, frame.height, [&](int y, int) {
@@ -87,7 +87,7 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
             for (int k = 0; k < 3 && frame.plane[k] != planes.plane[k]; ++k)
                 __builtin_memcpy(frame.plane[k] + row, planes.plane[k] + row, (size_t)frame.stride * 4);
         });
-        now.entry->letter(now.input, view, frame);
+        now.scene().letter(now.input, view, frame);
     }
     bool fewer = frame.width != intro.width || frame.height != intro.height;
     frame.rgba = fewer ? intro.fewer + kPictureMargin : rgba;
@@ -110,7 +110,7 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, 
     Posed posed = poseAt(film, seconds, camera);
     resize(now.frame, traced.width ? traced.width : intro.width, traced.width ? traced.height : intro.height);
     now.view = posed.view(now.frame.width, now.frame.height);
-    s.shot = momentAt(kFilm, seconds * kRowsPerSecond).shot;
+    s.shot = posed.shot;
     s.seconds = seconds;
     s.quality = quality;
     traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, now.frame);
@@ -127,9 +127,8 @@ Picture between(Intro &intro, int earlier, int later, double share, int place) {
     Posed posed = poseAt(intro.film, seconds);
     now.view = posed.view(frame.width, frame.height);
     // Beside a cut, the picture of its own shot is used for both
-    const Shot *shot = momentAt(kFilm, seconds * kRowsPerSecond).shot;
-    if (a->shot != shot) a = b;
-    if (b->shot != shot) b = a;
+    if (a->shot != posed.shot) a = b;
+    if (b->shot != posed.shot) b = a;
     const Quality &quality = b->quality;
     if (min(frame.width, frame.height) > 1)
         traceBetween(intro.between, intro.tracer, *intro.workers, a->traced, b->traced, (float)share,

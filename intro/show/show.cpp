@@ -4,11 +4,11 @@ namespace odraz {
 
 Posed poseAt(const Film &film, double seconds, const CameraKey *camera) {
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
-    Posed now = {&kScenes[m.shot->scene],
+    Posed now = {m.shot,
                  {m.storyRow, camera ? *camera : pose(m.shot->path, m.storyRow), film.hall, film.facts},
                  m.fade};
     film.scene->clear();
-    now.entry->pose(now.input, *film.scene);
+    now.scene().pose(now.input, *film.scene);
     film.scene->finish();
     return now;
 }

@@ -51,10 +51,11 @@ struct Film {
 
 // What is shown at a time.
 struct Posed {
-    const SceneEntry *entry;
+    const Shot *shot;
     SceneInput input;
     float fade; // 0 black .. 1 full
 
+    const SceneEntry &scene() const { return kScenes[shot->scene]; }
     View view(int width, int height) const {
         const CameraKey &c = input.camera;
         return lookAt(c.eye, c.target, c.roll, c.fov, width, height);
