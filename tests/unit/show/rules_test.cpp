@@ -82,7 +82,7 @@ TEST(Rules, TheCameraIsNeverInsideAThing) {
         Vec3 eye = now.input.camera.eye;
         for (int i = 0; i < scene->shapeCount; ++i)
             EXPECT_GE(distanceFrom(scene->shapes[i], eye), 0.1f)
-                << "at " << t << " s in shape " << i << " of " << now.entry->name;
+                << "at " << t << " s in shape " << i << " of " << now.scene().name;
     }
 }
 

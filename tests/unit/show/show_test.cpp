@@ -135,9 +135,9 @@ TEST(Film, BallsDoNotRollThroughThings) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
                 if (!a.isBall() || b.kind == ShapeKind::Plane) continue;
                 // At the door they do pass through its wall
-                if (now.entry->id == kOdraz && b.kind == ShapeKind::Rect && b.centre.z < -8.99f) continue;
+                if (now.scene().id == kOdraz && b.kind == ShapeKind::Rect && b.centre.z < -8.99f) continue;
                 EXPECT_GT(distanceFrom(b, a.centre) - a.half.x, -1e-3f)
-                    << "at " << t << " s: shapes " << i << " and " << j << " of " << now.entry->name;
+                    << "at " << t << " s: shapes " << i << " and " << j << " of " << now.scene().name;
             }
     }
 }
