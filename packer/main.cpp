@@ -107,14 +107,14 @@ void packProgram(const Options &o) {
     const PackedKind &kind = any ? kLoader : o.pe ? kPe : kElf;
     Program program = common::inFile(o.in, [&] {
         checkCopy(o.in, file);
-        checkNames(o.names);
+        checkSafeName(o.safeName);
         return any ? readAnyProgram(file) : readProgram(file, o.pe ? kWindows : kLinux);
     });
     if (o.plain) return common::inFile(o.in, [&] { writeBytes(o.out, kind.writePlain(program), mode); });
     ForReports given(o);
     ModelParameters parameters = findParameters(o, program);
     auto [packed, stretches] = common::inFile(o.in, [&] {
-        return std::pair(makePacked(kind, program, parameters, o.names),
+        return std::pair(makePacked(kind, program, parameters, o.safeName),
                          attribute(file, given.map, given.symbols, program));
     });
 

@@ -99,10 +99,8 @@ Options parseOptions(common::CommandLine &line) {
     line.option("--model", "FILE", o.modelFile,
                 "start with the contexts in FILE instead of the default ones");
     line.option("--save-model", "FILE", o.saveModel, "write the contexts that were used to FILE");
-    line.option("--name", "NAME", o.names.program,
-                "the packed program's name in its messages, if it cannot start; up to 10 letters");
     line.option(
-        "--safe-name", "NAME", o.names.safe,
+        "--safe-name", "NAME", o.safeName,
         "the name of the same program, not packed, for users whose system does not let written memory "
         "run; up to 14 letters");
     line.group("What each part costs");

@@ -16,8 +16,7 @@ struct Options {
     std::optional<long> budget;           // bytes, or kNoBudget
     double seconds = 0;                   // of search
     std::optional<ModelParameters> model; // contexts to start with
-    Names names;
-    std::string modelFile, saveModel, map, symbols, rooms, report, html, text, than;
+    std::string safeName, modelFile, saveModel, map, symbols, rooms, report, html, text, than;
 };
 
 // Reads the model, too. Throws common::Refused for options that do not go together, and for outputs that

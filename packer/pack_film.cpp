@@ -23,11 +23,10 @@ void packFilm(char **words) {
                 map = words[6], symbols = words[7], reportPath = words[8];
     long budget = std::atol(words[5]);
     bool pe = how == "pe";
-    Names names = {"", safeName};
-    checkNames(names);
+    checkSafeName(safeName);
     Bytes file = readBytes(in);
     Program program = readProgram(file, pe ? kWindows : kLinux);
-    PackedFile packed = makePacked(pe ? kPe : kElf, program, readParameters(model), names);
+    PackedFile packed = makePacked(pe ? kPe : kElf, program, readParameters(model), safeName);
     auto stretches = attribute(file, common::readWhole(map), common::readWhole(symbols), program);
     Report report = makeReport(stretches, packed.bits, packed.bytes.size(), packed.overhead);
     std::fputs(printReport(report).c_str(), stdout);

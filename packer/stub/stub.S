@@ -22,7 +22,7 @@ start:
     // Nothing is trusted before it is checked, so the file's beginning is computed from this code's own address
     lea edi, [rip + start - FRONT]
     check_file
-damaged: // the texts are here so that a truncated file still has them; each is 23 bytes long, as in messages.h
+damaged: // the texts are here so that a truncated file still has them; each is 23 bytes long
     call refuse
     .ascii "damaged: get it afresh\n"
 no_memory:

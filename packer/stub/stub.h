@@ -16,10 +16,6 @@ extern "C" void stubDecode(const uint8_t *header, uint8_t *image, void *memory);
 extern "C" void stubDecodeWindows(const uint8_t *header, uint8_t *image, void *memory);
 extern "C" void stubDecodeLoader(const uint8_t *header, uint8_t *image, void *memory);
 
-// Places in stub_loader.S: its beginning, and the instruction that takes the name by which the program was
-// called.
-extern "C" const uint8_t stubLoaderStart[], stubLoaderName[];
-
 extern "C" const uint32_t kStubMemory; // bytes in front of the slots
 inline uint32_t stubMemory(const ModelParameters &parameters, uint32_t size) {
     return kStubMemory + (uint32_t)memoryBehindModel(parameters, size);

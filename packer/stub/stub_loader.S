@@ -29,9 +29,7 @@
 .set AT_ENTRY, 9
 
 .section .stub, "ax"
-.globl stubLoaderStart
 start:
-stubLoaderStart:
     movq xmm15, rsp
     lea rbx, [rip + payload_header]
 
@@ -45,8 +43,6 @@ no_memory:
     .asciz ": not enough free memory\n"
 refuse: // "NAME: text"
     movq rax, xmm15
-.globl stubLoaderName
-stubLoaderName: // four bytes, which messages.cpp replaces if the texts contain a name
     mov rsi, [rax + 8]
     call print
     pop rsi

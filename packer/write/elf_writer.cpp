@@ -95,17 +95,17 @@ Front makeFront(uint64_t base, uint64_t entry, const uint32_t *slots) {
     return f;
 }
 
-NamedStub elfStub() { return {kStub, sizeof kStub, kMessages, 0}; }
+NamedStub elfStub() { return {kStub, sizeof kStub, kMayNotRun}; }
 
 Bytes writeElf(const Program &program, const ModelParameters &parameters, const Bytes &payload,
-               const Names &names) {
+               const std::string &safeName) {
     uint32_t base = program.base - kBelow;
     size_t size = fileSize(kElf, parameters, payload);
     need(size <= kBelow, "too large: it would be more than 2 MiB, packed");
     Front f = makeFront(base, base + sizeof f, program.slots);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
-    return assemble(f, elfStub().with(names), program, parameters, payload, size);
+    return assemble(f, elfStub().with(safeName), program, parameters, payload, size);
 }
 
 Packed openElf(const Bytes &file) {
@@ -142,9 +142,7 @@ const PackedKind kElf = {sizeof(Front), elfStub, stubDecode, writeElf, openElf, 
 
 namespace {
 
-NamedStub loaderStub() {
-    return {kStubLoader, sizeof kStubLoader, kLoaderMessages, (size_t)(stubLoaderName - stubLoaderStart)};
-}
+NamedStub loaderStub() { return {kStubLoader, sizeof kStubLoader, kLoaderMayNotRun}; }
 
 LoaderFront makeLoaderFront(const Program &program, size_t size) {
     // Alignment and stack are those of the program's own headers, which are part of it
@@ -168,9 +166,9 @@ LoaderFront makeLoaderFront(const Program &program, size_t size) {
 }
 
 Bytes writeLoader(const Program &program, const ModelParameters &parameters, const Bytes &payload,
-                  const Names &names) {
+                  const std::string &safeName) {
     size_t size = fileSize(kLoader, parameters, payload);
-    return assemble(makeLoaderFront(program, size), loaderStub().with(names), program, parameters, payload,
+    return assemble(makeLoaderFront(program, size), loaderStub().with(safeName), program, parameters, payload,
                     size);
 }
 

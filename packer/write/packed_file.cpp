@@ -35,10 +35,10 @@ Program readPacked(const PackedKind &kind, const Bytes &file) {
 }
 
 PackedFile makePacked(const PackedKind &kind, const Program &program, const ModelParameters &parameters,
-                      const Names &names) {
+                      const std::string &safeName) {
     Workspace workspace;
     Encoded encoded = encode(program.bytes, program.layout(), parameters, workspace);
-    PackedFile file = {kind.write(program, parameters, encoded.payload, names), overhead(kind, parameters),
+    PackedFile file = {kind.write(program, parameters, encoded.payload, safeName), overhead(kind, parameters),
                        std::move(encoded.bits), 0};
     std::clock_t began = std::clock();
     bool same = decodeWithStub(kind, file.bytes) == program.bytes;

@@ -9,11 +9,11 @@ namespace pack {
 // A kind of packed file.
 struct PackedKind {
     size_t stubAt;          // in the file; the payload section follows the stub
-    NamedStub (*stub)();    // with its usual messages
+    NamedStub (*stub)();    // with its usual message
     StubDecode &stubDecode; // the decoder in it
     // `payload` encodes `program.bytes`. Throws common::Refused.
     Bytes (*write)(const Program &program, const ModelParameters &parameters, const Bytes &payload,
-                   const Names &names);
+                   const std::string &safeName);
     // Takes a packed file apart, but does not decode it. The file may come from any source. Throws
     // common::Refused.
     Packed (*open)(const Bytes &file);
@@ -52,6 +52,6 @@ struct PackedFile {
 };
 // Throws common::Refused, and std::runtime_error if a decoder fails.
 PackedFile makePacked(const PackedKind &kind, const Program &program, const ModelParameters &parameters,
-                      const Names &names);
+                      const std::string &safeName);
 
 } // namespace pack

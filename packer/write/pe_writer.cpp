@@ -110,41 +110,27 @@ PeStart makeStart(const Program &program) {
     return s;
 }
 
-PeMessages makeMessages(const Names &names) {
-    PeMessages t = {{}, {}, {}, "user32", "MessageBoxA"};
-    char *places[] = {[Message::kDamaged] = t.damaged,
-                      [Message::kNoMemory] = t.noMemory,
-                      [Message::kMayNotRun] = t.mayNotRun};
-    for (const Message &message : kMessages)
-        std::strcpy(places[message.what], withNames(message, names).c_str());
+PeMessages makeMessages(const std::string &safeName) {
+    PeMessages t = {{}, "damaged: get it afresh\n", "not enough free memory\n", "user32", "MessageBoxA"};
+    std::strcpy(t.mayNotRun, mayNotRun(kMayNotRun, safeName).c_str());
     return t;
 }
 
-// The names that the messages were made with, if the messages are whole; else perhaps others.
-Names namesIn(const PeMessages &messages) {
-    // Of "use NAME instead" and "NAME is damaged"
-    auto between = [](const char(&text)[24], const std::string &before, const char *behind) {
-        std::string line(text, sizeof text);
-        size_t from = before.size(), to = line.find(behind, from);
-        return line.compare(0, from, before) || to == line.npos ? "" : line.substr(from, to - from);
-    };
-    Names names = {between(messages.damaged, "", " is damaged"), between(messages.mayNotRun, "use ", " ")};
-    try {
-        checkNames(names);
-    } catch (const common::Refused &) {
-        return {};
-    }
-    return names;
+// The name that the messages were made with, if they are whole; else perhaps another.
+std::string safeNameIn(const PeMessages &messages) {
+    std::string line(messages.mayNotRun, sizeof messages.mayNotRun);
+    std::string name = line.starts_with("use ") ? line.substr(4, line.find(' ', 4) - 4) : "";
+    return isSafeName(name) ? name : "";
 }
 
 // The headers of a packed file of `size` bytes.
-PeFront makeFront(const Program &program, uint32_t size, const Names &names) {
+PeFront makeFront(const Program &program, uint32_t size, const std::string &safeName) {
     uint32_t base = (program.base - kFirst - (uint32_t)wholePages(size)) & ~(kPeBaseAlign - 1),
              programAt = program.base - base;
     PeFront f = {makeHeader(base, 2),
                  {{".text", programAt - kFirst, kFirst, size - kPeFileAlign, kPeFileAlign, {}, kPeCode},
                   {".data", (uint32_t)wholePages(program.span), programAt, 0, 0, {}, kPeZeros}},
-                 makeMessages(names)};
+                 makeMessages(safeName)};
     f.header.entry = kFirst + (uint32_t)(kStubAt - kStartAt);
     f.header.imageSize = programAt + f.sections[1].memorySize;
     f.header.directories[kPeImports] = {kFirst + (uint32_t)offsetof(PeStart, library), 2 * sizeof(PeImports)};
@@ -153,10 +139,10 @@ PeFront makeFront(const Program &program, uint32_t size, const Names &names) {
 }
 
 Bytes write(const Program &program, const ModelParameters &parameters, const Bytes &payload,
-            const Names &names) {
+            const std::string &safeName) {
     uint32_t size = fileWhole(overhead(kPe, parameters) + payload.size());
     need(size <= kBelow - 2 * kPeBaseAlign, "too large: it would be nearly 2 MiB, packed");
-    PeFront f = makeFront(program, size, names);
+    PeFront f = makeFront(program, size, safeName);
     PeStart start = makeStart(program);
     Bytes out(kPayloadSectionAt);
     std::memcpy(out.data(), &f, sizeof f);
@@ -179,7 +165,7 @@ Packed open(const Bytes &file) {
     if (start.slots[kPeProgram1] != start.slots[kPeLoadLibrary])
         std::swap(program.slots[0], program.slots[1]);
     // Headers and slots are not in the check: the loader reads them
-    PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words), namesIn(f.messages));
+    PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words), safeNameIn(f.messages));
     PeStart slots = makeStart(program);
     need(!std::memcmp(&f, &front, sizeof f) && !std::memcmp(&start, &slots, sizeof start), kDamaged);
     return packed;
