@@ -12,7 +12,7 @@ open_room hall
 check "transfer" prints 'lamps 1 lamp, 2 spot' "$radiosity" transfer hall.obj -o hall.prt --rays 32 --element 0.04 --glossy red --rank 8 --clusters 40
 at=(--size 240x150 --eye 0,1.5,7 --at 0,1.5,0)
 render() { "$radiosity" render hall.prt -o "$1" "${at[@]}" --sky "$sky" "${@:2}" >out; }
-view() { "$radiosity" view hall.prt --relight "$sky" "${at[@]}" "$@" >printed 2>err; }
+view() { "$radiosity" view hall.prt --sky "$sky" "${at[@]}" "$@" >printed 2>err; }
 for more in "" "--turn 70 --tilt 40 --bands 2 --lamps 2=3" "--clusters 20 --rank 3 --lamps none"; do
     check "a picture $more" view $more --screenshot view.png
     render render.png $more
@@ -26,7 +26,7 @@ view --screenshot clusters.png --rank 8
 view --screenshot axes.png --rank 7
 view --screenshot turned.png --turn 50
 for other in one bands turned; do check "$other.png is another picture" eval "! like $other.png plain.png 46"; done
-check "a window" begin "$radiosity" view hall.prt --relight "$sky" "${at[@]}"
+check "a window" begin "$radiosity" view hall.prt --sky "$sky" "${at[@]}"
 check "... has the keyboard" await focused
 check "... prints its keys" await grep -q '1 .. 9 0 lamps' out
 check "... shows the picture" await shows plain.png
@@ -80,7 +80,7 @@ on_key shift+3 "Shift and 3: the thirteenth, which was off" titled 'lamps 1 2 12
 on_key c "key C prints strengths" grep -qE -- '--lamps 1,2=3,12=9,13$' out
 on_key 'shift+4 shift+9' "Shift and numbers of no lamp do nothing" titled 'lamps 1 2 12 13 '
 check "ESC ends it" escapes
-check "a turn of the sky" prints '^[0-9.]+ pictures a second of 240 x 150' "$radiosity" view hall.prt --relight "$sky" "${at[@]}" --spin 1
+check "a turn of the sky" prints '^[0-9.]+ pictures a second of 240 x 150' "$radiosity" view hall.prt --sky "$sky" "${at[@]}" --spin 1
 check "--spin for what cannot be relit" refuses 2 "--spin is for a room" "$radiosity" view hall.obj --spin 1
 check "more clusters than texels" refuses 2 "--clusters: the room has" "$radiosity" render hall.prt -o x.png --clusters 4000
 finish

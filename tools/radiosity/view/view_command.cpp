@@ -49,7 +49,6 @@ void readJob(common::CommandLine &line, Job &job) {
     line.option("--sky", "R,G,B|FILE", job.sky, "the light from outside, of a room or of a model");
     job.camera.addTo(line);
     job.relight.addTo(line, false);
-    line.option("--relight", "FILE", job.sky, "the same as --sky");
     line.option("--spin", "S", job.view.spin, {0.1, 3600},
                 "turn the sky once in S seconds, print the pictures a second, then exit");
     job.solve.addTo(line, SolveOptions::For::kView);
