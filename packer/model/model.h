@@ -1,6 +1,6 @@
 // The model: it predicts the next bit from the bits that followed the same contexts before.
 //
-// A context is a choice of fields (fields.h); their values are hashed. Together with the bits of the byte so
+// A context is a choice of fields (x86.h); their values are hashed. Together with the bits of the byte so
 // far, the hash selects a slot, which gives three adaptive probabilities: the slot's own; one selected by the
 // last bits seen in the slot; and one selected by the last byte seen there. The latter two are shared by all
 // slots of the context in one phase of the parser. Each probability p is an input as ln(p / (1 - p)), and the

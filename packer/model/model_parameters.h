@@ -6,7 +6,7 @@
 //     code-weights opcode       what selects a set of weights
 //     data-weights -            nothing but what every context sees
 //
-// Code may use all fields but column and byte5, data those up to target (kMayUse in fields.h).
+// Code may use all fields but column and byte5, data those up to target (kMayUse in x86.h).
 #pragma once
 
 #include "packer/model/model.h"

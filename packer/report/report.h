@@ -64,8 +64,8 @@ Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits
 // As text: the object files by their cost, and the twenty costliest symbols.
 std::string printReport(const Report &report);
 
-// As JSON (report_json.cpp), one part a line, ordered by name, costs in whole bits, which add up like those
-// of the report.
+// As JSON (without a library, because the film's build has none), one part a line, ordered by name, costs in
+// whole bits, which add up like those of the report.
 std::string printJson(const Report &report);
 
 // Gives an earlier report the rooms of a later one, so that they can be compared: an object is where it is

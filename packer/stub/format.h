@@ -1,5 +1,5 @@
 // The packed file. To write another decoder, you need this page, decoder.h, model.h, surroundings.h,
-// fields.h, x86.h and opcodes.h.
+// x86.h and opcodes.h.
 //
 // THE FILE is an executable (ELF, x86-64, ET_EXEC) whose parts follow each other without gaps; numbers are
 // little-endian:

@@ -1,10 +1,41 @@
 // Packed files of all kinds: writes, checks, opens and unpacks them.
 #pragma once
 
+#include "packer/model/encoder.h"
+#include "packer/read/program.h"
 #include "packer/write/messages.h"
-#include "packer/write/payload_section.h"
 
 namespace pack {
+
+// --- The payload section: all that follows the stub, on any system (format.h) ---
+
+// A packed file taken apart: the program without its bytes, and how to decode them.
+struct Packed {
+    Program program;
+    Layout layout;
+    ModelParameters parameters;
+    Bytes payload;
+    uint32_t words; // of the file that the check covers
+};
+
+// Bytes of the section that are not payload.
+size_t payloadSectionOverhead(const ModelParameters &parameters);
+
+// Appends the section to what comes before, so that `out` has `size` bytes, and checksum() of those from
+// `checkedFrom` on is 0.
+void appendPayloadSection(Bytes &out, const Program &program, const ModelParameters &parameters,
+                          const Bytes &payload, size_t checkedFrom, size_t size);
+
+// Takes apart the section that begins at `from` in the file; its program takes `span` bytes of memory. Throws
+// common::Refused if the section is damaged. The program's slots are in order of address; the caller
+// assigns them to functions.
+Packed openPayloadSection(const Bytes &file, size_t at, size_t checkedFrom, uint64_t span);
+
+// Decodes the section at `at` with a stub's own code: stubDecode or stubDecodeWindows of stub.h.
+using StubDecode = void(const uint8_t *header, uint8_t *image, void *memory);
+Bytes decodePayloadSection(const Bytes &file, size_t at, StubDecode &decode);
+
+// --- The whole file ---
 
 // A kind of packed file.
 struct PackedKind {
