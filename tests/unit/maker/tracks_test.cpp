@@ -161,22 +161,6 @@ TEST_F(Fixture, HasKeysSetByHand) {
     EXPECT_EQ(kPath.poses[0].eye.y, 2);
 }
 
-TEST_F(Fixture, StepsAreUndone) {
-    EXPECT_FALSE(tracks.undo());
-    tracks.setView(4, &kView);
-    CameraKey second = {0, {9, 7, 6}, {5, 4, 3}, 0, 0};
-    tracks.setView(4, &second);
-    EXPECT_TRUE(tracks.undo());
-    EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
-    EXPECT_TRUE(tracks.undo());
-    EXPECT_FALSE(tracks.undo());
-    EXPECT_EQ(tracks.unsaved(), 0);
-    tracks.show();
-    EXPECT_EQ(kPath.count, 2);
-    EXPECT_TRUE(tracks.redo());
-    EXPECT_EQ(tracks.unsaved(), 1);
-}
-
 TEST_F(Fixture, WhatAnEditorHasIsNotSaved) {
     tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}, {8, {3, kSmooth}}});
     tracks.show();

@@ -341,17 +341,6 @@ TEST(Governor, ShowsThirtyWhereThePenaltyIsLess) {
     EXPECT_LE(seen(all, 10, 20).changes, 2);
 }
 
-// A machine twice as fast never traces coarser.
-TEST(Governor, IsNeverCoarserOnAFasterMachine) {
-    auto coarsenessOf = [](double cores) {
-        Player player(withScreen(cores), 10, always(kUsual), kSomePairs);
-        player.play();
-        return player.governor.coarseness + (player.governor.cadence != Governor::kSixty);
-    };
-    for (double cores = 0.5; cores <= 16; cores *= 2)
-        EXPECT_LE(coarsenessOf(cores * 2), coarsenessOf(cores) + 0.01f) << cores;
-}
-
 // On a screen far too large for the machine the film must not begin as a slide show.
 TEST(Governor, FindsItsWayDownQuickly) {
     auto all =

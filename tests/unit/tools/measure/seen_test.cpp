@@ -2,7 +2,6 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
-#include "tools/common/whole_file.h"
 #include "tools/measure/seen/simulated.h"
 #include "tools/measure/seen/viewer.h"
 
@@ -144,27 +143,6 @@ TEST(Viewer, SeesTheSameWithAndWithoutWhatItKeeps) {
     EXPECT_TRUE(first == again);
     EXPECT_EQ(a.srgb, b.srgb);
     EXPECT_EQ(a.flip, b.flip);
-}
-
-// A machine that is twice as fast is never seen to do worse.
-TEST(Viewer, SeesFasterMachinesDoBetter) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    Costs costs(common::readWhole(kCostsFile));
-    constexpr double kLength = 0.4; // in shorter ones it counts when the pictures fall
-    Viewer viewer(128, 72, 28, 53);
-    for (double from : {28., 52.5}) {
-        double lastPsnr = 0, lastFlip = 1;
-        for (double giga : {8, 16, 32, 64}) {
-            std::vector<Shown> list =
-                simulate([&](const Pictured &p) { return costs.of(p); }, {giga * 1e9, 4, 1280, 720}, 16, 54);
-            for (Shown &s : list) s.width = 128, s.height = 72;
-            Seen seen = seenOf(viewer, list, from, from + kLength);
-            // All have as many pixels here, so what a machine spends on more of them does not show
-            EXPECT_GT(seen.srgbPsnr(), lastPsnr - 0.3) << giga << " at " << from;
-            EXPECT_LT(seen.meanFlip(), lastFlip + 0.002) << giga << " at " << from;
-            lastPsnr = seen.srgbPsnr(), lastFlip = seen.meanFlip();
-        }
-    }
 }
 
 } // namespace

@@ -38,19 +38,6 @@ TEST(Simulated, ListsAreWellFormed) {
     }
 }
 
-TEST(Simulated, WithoutLimitAllIsTracedAsWellAsCanBe) {
-    std::vector<Shown> list = simulate([](const Pictured &) { return Cost{}; }, {1e30, 8, 1280, 720}, 0, 10);
-    int traced = 0, between = 0;
-    for (const Shown &s : list) {
-        EXPECT_GE(s.at, 0);
-        EXPECT_NEAR(s.at, s.time + 0.5 / 60, 1e-6);
-        ++(s.between ? between : traced);
-    }
-    EXPECT_EQ(traced + between, 600);
-    EXPECT_LE(between, 3) << "until the governor has noticed";
-    EXPECT_EQ(list.back().level, Governor::kFinest);
-}
-
 // The sixtieths of a second between those two that in-betweens are made from, and how many are made of each,
 // where the penalties of all other cadences are high.
 struct Charged {
