@@ -26,21 +26,11 @@ check "dump the hall with one thread, its own and OpenGL's" hall hall1 LP_NUM_TH
 check "... with many" hall hall7 LP_NUM_THREADS=7 --threads 5
 check "... the same" cmp "$WORK/hall1" "$WORK/hall7"
 
-for cut in "39.7 39.9" "39.9 39.912345" "39.912345 40.3"; do
-    check "dump a shard" dump shards --fps 30000/1001 --from ${cut% *} --to ${cut#* } --quality play --threads 2
-done
-check "shards join to the same pictures" cmp <(sums "$WORK/one") <(sums "$WORK/shards")
-
 "$odraz" --dump - --size 203x117 "${interval[@]}" >"$WORK/stream"
 check "dump a stream" test $? = 0 -a -s "$WORK/stream"
 check "the stream is the files, one after the other" cmp "$WORK/stream" <(cat "$WORK"/one/*.ppm)
 "$BUILD/odraz" --dump - --size 203x117 "${interval[@]}" >"$WORK/packed"
 check "the packed film draws the same" cmp "$WORK/stream" "$WORK/packed"
-
-# Frame 980 at 25 a second is frame 1960 at 50: the same time, the same picture
-check "dump at 25" dump r25 --fps 25 --from 39.2 --to 39.24
-check "dump at 50" dump r50 --fps 50 --from 39.2 --to 39.21
-check "rates agree on a time" cmp "$WORK/r25/frame-000980.ppm" "$WORK/r50/frame-001960.ppm"
 
 # As it is played, with every other frame made from its neighbours: the same rules hold, across a cut (40 s) and to the
 # end

@@ -50,7 +50,6 @@ echo 'map_Kd paint.tga' >>columns.mtl
 paint '\0200'
 check "a model with a picture, stopped" stopped INT form "${rays[@]}"
 check "... shows what was written" eval '"$radiosity" export part.rad --csv part.csv && table part.csv "a += \$8" "lines > 1000"'
-check "--resume with more" refuses 2 "takes no other option" "$radiosity" solve columns.obj --resume part.rad.state
 head -c 100000 part.rad.state >cut.state
 check "a state cut short" refuses 2 "is damaged" "$radiosity" solve --resume cut.state
 paint '\0300'

@@ -29,8 +29,6 @@ cp room.mtl whole.mtl
 picture() { # picture NAME SED OPTION...: of a solution with altered lamps
     sed "$2" whole.mtl >room.mtl && solved fresh room.obj "${fine[@]}" "${@:3}" && "$radiosity" render fresh.rad -o "$1" "${at[@]}" >out
 }
-check "an even sky" eval "lit even.png --sky 2,3,4 --lamps none && picture fresh.png '/^Ke/d' --sky 2,3,4"
-check "... is the solution's" like even.png fresh.png 50
 check "an environment" eval "lit east.png --sky east.hdr --lamps none && picture fresh.png '/^Ke/d' --sky east.hdr"
 check "... is much like the solution for all of it" like east.png fresh.png 35
 check "... and what the bands lose is printed" grep -qE 'east.hdr: 5 bands hold 9[0-9.]* % of its energy and lose [0-9.]* %$' <(lit east.png --sky east.hdr --lamps none; cat out)
@@ -39,9 +37,7 @@ check "... is that lamp's light alone" like spot.png fresh.png 45
 check "... and the same by its number" cmp spot.png number.png
 check "a sky that is turned" lit turned.png --sky ahead.hdr --turn 90 --lamps none
 check "... is the one to which it was turned" like turned.png east.png 50
-check "... not the other" eval '! like turned.png even.png 40'
-check "clusters" eval 'lit clusters.png --sky east.hdr --lamps none --rank 24 && lit few.png --sky east.hdr --lamps none --rank 1'
-check "... look like rows; few axes less so" eval 'like clusters.png east.png 45 && ! like few.png east.png 45'
+check "... not the other" eval 'lit ahead.png --sky ahead.hdr --lamps none && ! like turned.png ahead.png 40'
 light() { "$radiosity" export room.prt --csv light.csv "$@" >out && awk -F, 'FNR > 1 { s += $9 * $8 } END { print s }' light.csv; }
 check "a lamp at twice its strength is twice its light" eval 'awk "BEGIN { d = $(light --lamps lamp=2) / $(light --lamps lamp); exit !(d > 1.9999 && d < 2.0001) }"'
 check "an atlas" eval '"$radiosity" export room.prt --atlas atlas --sky 1,1,1 >out && test -s atlas/light-0.hdr'
@@ -77,9 +73,7 @@ interrupted() { # tried again where it had compared everything
 check "Ctrl-C ends it with status 1 and one line" await interrupted
 check "... which is true" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
-check "a material that is not there" refuses 2 "no polygon has the material gold" "$radiosity" transfer room.obj -o x.prt "${fine[@]}" --glossy gold
 check "a lamp that is not there" refuses 2 "no lamp 'moon'; there are 1 lamp, 2 spot" "$radiosity" render room.prt -o x.png --lamps moon
 check "options for a room with a solution" refuses 2 "is for a room that" "$radiosity" render fresh.rad -o x.png --turn 3
-check "a full disk" refuses 1 "cannot write" "$radiosity" transfer room.obj -o /dev/full --element 1
 check "none of them left a file" eval '! ls x.* 2>/dev/null'
 finish

@@ -154,8 +154,6 @@ check "... gets form factors" await titled 'form factors'
 check "... ends on ESC without delay, silently" escapes
 
 # --- What is missing ---
-check "a file that is not there" refuses 2 "cannot read none.rad" "$radiosity" view none.rad
-check "options of solve for what is solved" refuses 2 "--patch is an option for models" "$radiosity" view cube.rad --patch 1
 check "no display" refuses 1 "no display to open a window on" env -u DISPLAY "$radiosity" view cube.rad
 check "an OpenGL that is too old" refuses 1 "no OpenGL 3.3 on this display" env MESA_GL_VERSION_OVERRIDE=2.1 "$radiosity" view cube.rad
 check "without GL_ARB_clip_control" env MESA_EXTENSION_OVERRIDE=-GL_ARB_clip_control "$radiosity" view cube.rad "${size[@]}" "${at[@]}" --screenshot view.png >out

@@ -48,7 +48,5 @@ check "... and as a plot of five points" test "$(grep -c 'class="mark"' "$WORK/s
 
 check "a knob that is not there" \
     refuses 2 "there is no knob 'colour'; there are: grid" "$tradeoff" trace --setting play,colour=1
-check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
-check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" pack "$WORK/hello.elf" --plot "$WORK/none/plot.svg"
 check "a program that is none" refuses 2 "not an ELF file" "$tradeoff" pack "$SOURCE/README.md"
 finish

@@ -2,10 +2,8 @@
 # A film that connects must send the protocol's greeting; then its messages are printed, a line each: "track NAME",
 # "row N". Orders are lines on standard input:
 #   key NAME ROW VALUE INTERPOLATION   sets a key
-#   delete NAME ROW
 #   row N | pause 0 | pause 1 | save
 #   open FILE                          sends all keys of a document
-#   garbage                            sends what is not in the protocol
 #   hang-up
 use strict;
 use warnings;
@@ -41,12 +39,10 @@ sub open_document {
 }
 my %orders = (
     key => \&set_key,
-    delete => sub { give(pack 'C N N', 1, $tracks{$_[0]}, $_[1]) },
     row => sub { give(pack 'C N', 3, $_[0]) },
     pause => sub { give(pack 'C C', 4, $_[0]) },
     save => sub { give("\5") },
     open => \&open_document,
-    garbage => sub { give("\x7f and so on") },
     'hang-up' => \&hang_up,
 );
 

@@ -11,7 +11,7 @@ check "... and that runs" exits 7 "hello, 42" "$wine" "$WORK/plain.exe"
 check "... as --plain makes it" "$pack" "$WORK/hello_windows.elf" -o "$WORK/again.exe" --pe --plain
 check "... to the byte" cmp "$WORK/plain.exe" "$WORK/again.exe"
 
-# Damage
+# Damage (the film has the same code)
 broken=$WORK/broken.exe
 total=$(stat -c %s "$exe")
 checked=$((512 + 264 + 300)) # behind headers, imports, and the code that checks and reports

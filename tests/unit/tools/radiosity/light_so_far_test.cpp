@@ -1,8 +1,9 @@
 // Light shown during solving: it starts with direct light, grows, and ends with the solution.
-#include "tests/support/light.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/radiosity/solve/solve.h"
+
+#include <gtest/gtest.h>
 
 using namespace odraz;
 using namespace odraz::measure;
@@ -14,6 +15,18 @@ double sumOf(const std::vector<Rgb> &light) {
     double sum = 0;
     for (const Rgb &c : light) sum += (double)(c.x + c.y + c.z);
     return sum;
+}
+
+// The largest difference of a channel, as a share of the brightest channel of b.
+double apart(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
+    EXPECT_EQ(a.size(), b.size());
+    float most = 0, off = 0;
+    for (size_t i = 0; i < a.size() && i < b.size(); ++i) {
+        Rgb d = a[i] - b[i];
+        most = max(most, maxComponent(b[i]));
+        off = max(off, max(maxComponent(d), maxComponent(-d)));
+    }
+    return (double)off / (double)most;
 }
 
 struct Watched {
