@@ -34,7 +34,6 @@ check "... and a file that is there stays" cmp "$WORK/hello" "$WORK/same"
 check "at the budget is fine" prints ', 0 bytes left' "${packs[@]}" -o "$WORK/c" --budget "$size"
 mkfifo "$WORK/fifo"
 check "a file that is a pipe" refuses 2 "not a regular file" "$pack" "$WORK/fifo" -o "$WORK/x"
-check "a name of two lines, printed in one" refuses 2 "cannot use '--two?lines'" "$pack" $'--two\nlines'
 check "a packed program" refuses 2 "it is packed already" "$pack" "$WORK/hello" -o "$WORK/x"
 check "an output that cannot be written" refuses 2 "cannot write" "${packs[@]}" -o /dev/full/x
 "${packs[@]}" -o "$WORK/p" 2>"$WORK/err" | head -c 0

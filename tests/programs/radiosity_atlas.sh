@@ -12,43 +12,27 @@ check "several pages" prints 'polygons in [2-9] pages' "$radiosity" export m.rad
 check "... as many as it prints" test -s pages/light-1.hdr
 check "polygons larger than a page are reported" prints 'polygons have fewer texels than asked for' "$radiosity" export m.rad --atlas small --texels 30 --page 256
 
-# Every file that glTF names is there, and every number is within its bounds
+# (radiosity_gltf reads such a model again: its triangles have the same places, normals and areas)
 cat >gltf.py <<'END'
-import json, os, struct, sys
-folder, textures, extension = sys.argv[1], int(sys.argv[2]), sys.argv[3]
+import json, struct, sys
+folder, extension = sys.argv[1:]
 g = json.load(open(folder + "/model.gltf"))
 data = open(folder + "/model.bin", "rb").read()
-assert g["asset"]["version"] == "2.0" and len(data) == g["buffers"][0]["byteLength"] and g["buffers"][0]["uri"] == "model.bin"
-assert len(g["textures"]) == len(g["images"]) == textures and all(os.path.getsize(folder + "/" + i["uri"]) for i in g["images"])
 def values(number):
     a = g["accessors"][number]
-    view, wide = g["bufferViews"][a["bufferView"]], {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[a["type"]]
-    kind = {5126: "f", 5125: "I"}[a["componentType"]]
-    assert view["byteOffset"] % 4 == 0 and view["byteLength"] == a["count"] * wide * 4
-    flat = struct.unpack_from("<%d%s" % (a["count"] * wide, kind), data, view["byteOffset"])
-    return [flat[i:i + wide] for i in range(0, len(flat), wide)], a
-area = 0
+    wide = {"VEC2": 2, "VEC3": 3}[a["type"]]
+    flat = struct.unpack_from("<%df" % (a["count"] * wide), data, g["bufferViews"][a["bufferView"]]["byteOffset"])
+    return a, [flat[i:i + wide] for i in range(0, len(flat), wide)]
 for p in g["meshes"][0]["primitives"]:
-    (places, a), (normals, _), (at, _) = (values(p["attributes"][k]) for k in ("POSITION", "NORMAL", "TEXCOORD_1"))
-    corners = values(p["indices"])[0]
-    assert len(places) == len(normals) == len(at) and all(0 <= c[0] < len(places) for c in corners) and len(corners) % 3 == 0
+    a, places = values(p["attributes"]["POSITION"])
     for pick, bound in (min, a["min"]), (max, a["max"]):
         assert all(abs(pick(x) - y) < 1e-5 for x, y in zip(zip(*places), bound))
-    assert all(0 < x < 1 for c in at for x in c)
-    for i in range(0, len(corners), 3):
-        b, c, d = (places[corners[i + k][0]] for k in range(3))
-        u, v = [c[k] - b[k] for k in range(3)], [d[k] - b[k] for k in range(3)]
-        n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
-        size = sum(x * x for x in n) ** .5
-        assert sum(x * y for x, y in zip(n, normals[corners[i][0]])) > .999 * size
-        area += size / 2
-    m = g["materials"][p["material"]]
-    assert extension in m["extensions"] and extension in g["extensionsUsed"]
-assert 4745.5 < area < 4745.7, area
+    assert all(0 < x < 1 for c in values(p["attributes"]["TEXCOORD_1"])[1] for x in c)
+    assert extension in g["materials"][p["material"]]["extensions"] and extension in g["extensionsUsed"]
 END
 if command -v python3 >/dev/null; then
-    check "glTF holds the model, with a lightmap" python3 gltf.py light 1 MOZ_lightmap
-    check "... or as it is seen" python3 gltf.py shown 1 KHR_materials_unlit
+    check "glTF holds the model, with a lightmap" python3 gltf.py light MOZ_lightmap
+    check "... or as it is seen" python3 gltf.py shown KHR_materials_unlit
 else
     echo "not checked: python3 is not installed"
 fi

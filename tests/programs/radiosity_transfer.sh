@@ -56,7 +56,6 @@ awk 'BEGIN { n = 20; print "mtllib hills.mtl\nusemtl grey"
     print "usemtl lamp\nv -40 150 -40\nv 40 150 -40\nv 40 150 40\nv -40 150 40\nf -4 -3 -2 -1" }' >hills.obj
 printf 'newmtl grey\nKd 0.5 0.4 0.3\nnewmtl lamp\nKd 0 0 0\nKe 30 28 25\n' >hills.mtl
 check "transfer of hills" eval '"$radiosity" transfer hills.obj -o hills.prt --rays 64 --check --sky east.hdr --element 400 >printed 2>err'
-check "... names its lamp" grep -q '^5 bands, 25 functions; lamps 1 lamp$' printed
 check "... and what the bands lose" grep -qE "east.hdr: 5 bands hold [0-9.]+ %" printed
 errors() { awk '/^    (even|gradient|glow|two lights|random|all lamps) / { sub(/(two|all) /, ""); if ($2 > rows) rows = $2; if ($3 > most) most = $3; ++n } END { print n, rows + 0, most + 0 }' printed; }
 echo "    lights, worst by rows, by clusters, %: $(errors)"

@@ -34,11 +34,7 @@ check "pictures and sound come together" "$odraz" --dump "$WORK/frames" --wav "$
 check "... five of them" test "$(ls "$WORK/frames" | wc -l)" = 5
 check "... and two tenths of a second" test "$(stat -c %s "$WORK/both.wav")" = $((9600 * 4 + 44))
 
-# Errors are one line, and nothing is left half-written
 check "--wav reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --wav - --to 1 >/dev/full"
-check "... a folder that does not exist" refuses 1 "no such directory" "$odraz" --wav "$WORK/no/where.wav" --to 1
-check "... a folder of that name" refuses 1 "it is a directory" bash -c "mkdir '$WORK/taken' && exec '$odraz' --wav '$WORK/taken' --to 1"
-check "... and leaves no part of a file" test -z "$(find "$WORK" -name "taken*.part")"
 
 # Loudness, after EBU R 128 and ITU-R BS.1770
 ffmpeg -hide_banner -nostats -i "$wav" -af ebur128=peak=true:framelog=verbose -f null - 2>"$WORK/ebu"
@@ -52,16 +48,11 @@ check "... and a true peak below -1 dB" less "$(loudness Peak)" -1
 grep -v '^onset' "$WORK/heard"
 heard() { awk -F, -v seen=0 "\$1 == \"$1\" { ++seen; if (!($2)) { print > \"/dev/stderr\"; bad = 1 } } END { exit bad || !seen }" "$WORK/${3-heard}"; }
 check "it has no DC offset" heard all '$2 < 1e-4'
-check "... no clipped sample" heard all '$3 == 0'
-check "... and ends in silence: -60 dB" heard all '$5 <= -60'
 check "it has no click: no step between samples stands out" heard step '$2 < 12'
 check "left and right belong together, and are not the same, in every scene" heard scene '$4 >= 0.2 && $4 <= 0.8'
 most='most = 0; for (i = 6; i <= NF; ++i) if ($i > most) most = $i;'
 octaves() { awk -F, "\$1 == \"scene\" { ++seen; $most if (most > 0.5) bad = 1 } END { exit bad || seen < 7 }" "$WORK/heard"; }
 check "no octave has more than half of a scene" octaves
-check "every scene has noise: its flatness is 0.05 at least" heard scene '$5 >= 0.05'
-check "hits have their full strength within 10 ms" heard hit '$3 <= 10'
-check "... and four of them come out of silence" test "$(awk -F, '$1 == "hit" && $4 < -80' "$WORK/heard" | wc -l)" = 4
 onset='$4 >= -20 && $4 <= 20 && $5 >= 2.5'
 check "every cut and every audible event is heard, within 20 ms" heard onset "$onset"
 check "... more than 50 of them" test "$(grep -c '^onset' "$WORK/heard")" -gt 50

@@ -72,8 +72,6 @@ check "... over the picture, which stays" stands
 check "what is mended is the same picture as at first" goes_back "$table"
 check "a material" changes material show/materials.cpp 's/kCloud, .diffuse = 0.35f/kCloud, .diffuse = 0.9f/'
 check "... and back" goes_back show/materials.cpp
-check "a camera" changes camera show/film.keys 's/{32, {2, 1.32, 5.56}/{32, {2, 2.32, 5.56}/'
-check "... and back" goes_back show/film.keys
 check "an event" changes event show/events.h 's/{kBallsSetOff, *kTable, *16,/{kBallsSetOff, kTable, 4,/'
 check "... and back" goes_back show/events.h
 fly

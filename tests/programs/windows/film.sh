@@ -22,7 +22,6 @@ for from in 5 14 24 38 58 78 91 105 121 139 159; do
 done
 check "the hall, large, at film" alike --dump - --from 100 --to 100.04 --size 640x360 --quality film
 check "... and by three threads" alike --dump - --from 100 --to 100.04 --size 320x180 --threads 3
-check "... by one" alike --dump - --from 100 --to 100.04 --size 320x180 --threads 1
 check "as it is played, with in-betweens" alike --dump - --from 30 --to 30.1 --fps 60 --size 160x90 --quality live
 check "the music" alike --wav - --to 20
 

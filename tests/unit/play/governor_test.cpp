@@ -149,29 +149,18 @@ Seen seen(const std::vector<Decision> &all, double from, double to) {
 
 } // namespace
 
-TEST(Governor, SettlesSoon) {
-    for (int cores = 1; cores <= 16; ++cores) {
-        auto all = played({(double)cores}, 20);
-        Seen first = seen(all, 0, 1), then = seen(all, 1.5, 20);
-        EXPECT_LE(first.changes, 1) << cores;
-        EXPECT_EQ(then.changes, 0) << cores;
-        EXPECT_LT(then.most - then.least, 0.03f) << cores;
-        if (cores >= 3) {
-            EXPECT_EQ(then.drops, 0) << cores;
-        }
-    }
-}
-
-TEST(Governor, NeverSwingsUnderNoise) {
+// Also where times vary by 30 %.
+TEST(Governor, SettlesSoonAndNeverSwings) {
     for (int cores = 1; cores <= 16; ++cores)
-        for (unsigned seed = 1; seed <= 10; ++seed) {
-            auto all = played({(double)cores, 0.3, seed}, 30);
+        for (unsigned seed = 0; seed <= 10; ++seed) {
+            bool noise = seed > 0;
+            auto all = played({(double)cores, noise ? 0.3 : 0, seed}, 30);
             EXPECT_LE(seen(all, 0, 1).changes, 1) << cores << ' ' << seed;
-            Seen then = seen(all, 1, 30);
-            EXPECT_LE(then.changes, 1) << cores << ' ' << seed; // two cadences may be equally good
-            if (!then.changes) {
-                EXPECT_LT(then.most - then.least, 0.6f) << cores << ' ' << seed;
-            }
+            Seen then = seen(all, noise ? 1 : 1.5, 30);
+            EXPECT_LE(then.changes, noise) << cores << ' ' << seed; // two cadences may be equally good
+            EXPECT_TRUE(then.changes || then.most - then.least < (noise ? 0.6f : 0.03f))
+                << cores << ' ' << seed;
+            EXPECT_TRUE(noise || cores < 3 || !then.drops) << cores;
         }
 }
 

@@ -2,7 +2,6 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
-#include "tools/measure/seen/simulated.h"
 #include "tools/measure/seen/viewer.h"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <gtest/gtest.h>
+#include <sstream>
 
 using namespace pictures;
 using namespace std::string_literals;
@@ -73,63 +74,50 @@ TEST(Exr, ReadsOtherWriters) {
     }
 }
 
-// Other channels beside the colours, as renderers write them.
+// Other channels beside the colours, as renderers write them: whole numbers, and floats of 16 and 32 bits.
 TEST(Exr, ReadsColoursAmongOtherChannels) {
-    enum { kWhole, kHalf, kFloat };
-    auto made =
-        [](const std::vector<std::pair<std::string, int>> &channels) { // 2 x 2; its number fills each channel
-            auto number = [](auto n) { return std::string((const char *)&n, sizeof n); };
-            std::string file = "\x76\x2f\x31\x01\2\0\0\0"s, list, line;
-            auto attribute = [&](const std::string &name, const std::string &type, const std::string &value) {
-                file += name + '\0' + type + '\0' + number((int)value.size()) + value;
-            };
-            for (size_t i = 0; i < channels.size(); ++i) {
-                auto [name, type] = channels[i];
-                list += name + '\0' + number(type) + number(0) + number(1) + number(1);
-                for (int k = 0; k < 2; ++k)
-                    line += type == kHalf    ? number((uint16_t)(i ? 0x4000 + i * 128 : 0x3c00))
-                            : type == kFloat ? number((float)i)
-                                             : number((int)i);
-            }
-            attribute("channels", "chlist", list + '\0');
-            attribute("compression", "compression", "\0"s);
-            for (const char *window : {"dataWindow", "displayWindow"})
-                attribute(window, "box2i", number(0) + number(0) + number(1) + number(1));
-            file += '\0';
-            const size_t first = file.size() + 16;
-            for (size_t y = 0; y < 2; ++y) file += number((uint64_t)(first + y * (line.size() + 8)));
-            for (int y = 0; y < 2; ++y) file += number(y) + number((int)line.size()) + line;
-            return file;
+    auto made = [](const std::string &channels) { // 2 x 2; its number fills each channel
+        auto number = [](auto n) { return std::string((const char *)&n, sizeof n); };
+        std::string file = "\x76\x2f\x31\x01\2\0\0\0"s, list, line;
+        auto attribute = [&](const std::string &name, const std::string &type, const std::string &value) {
+            file += name + '\0' + type + '\0' + number((int)value.size()) + value;
         };
+        std::istringstream words(channels);
+        std::string name, type;
+        for (int i = 0; words >> name >> type; ++i) {
+            list += name + '\0' + number(type == "float" ? 2 : type == "half") + number(0) + number(1) +
+                    number(1);
+            for (int k = 0; k < 2; ++k)
+                line += type == "half"    ? number((uint16_t)(i ? 0x4000 + i * 128 : 0x3c00))
+                        : type == "float" ? number((float)i)
+                                          : number(i);
+        }
+        attribute("channels", "chlist", list + '\0');
+        attribute("compression", "compression", "\0"s);
+        for (const char *window : {"dataWindow", "displayWindow"})
+            attribute(window, "box2i", number(0) + number(0) + number(1) + number(1));
+        file += '\0';
+        const size_t first = file.size() + 16;
+        for (size_t y = 0; y < 2; ++y) file += number((uint64_t)(first + y * (line.size() + 8)));
+        for (int y = 0; y < 2; ++y) file += number(y) + number((int)line.size()) + line;
+        return file;
+    };
     using Light = std::vector<float>;
-    auto light = [&](const std::vector<std::pair<std::string, int>> &channels) {
+    auto light = [&](const std::string &channels) {
         Picture p = readExr(made(channels));
         EXPECT_FALSE(p.others.empty());
         return Light(p.light.begin(), p.light.begin() + p.channels);
     };
-    EXPECT_EQ(light({{"B", kFloat}, {"G", kFloat}, {"R", kFloat}, {"Z", kFloat}}), (Light{2, 1, 0}));
-    EXPECT_EQ(light({{"A", kFloat}, {"B", kFloat}, {"G", kFloat}, {"R", kFloat}, {"id", kWhole}}),
-              (Light{3, 2, 1, 0}));
-    EXPECT_EQ(light({{"B", kHalf},
-                     {"G", kFloat},
-                     {"R", kFloat},
-                     {"diffuse.B", kHalf},
-                     {"diffuse.G", kHalf},
-                     {"diffuse.R", kHalf}}),
-              (Light{2, 1, 1}));
-    EXPECT_EQ(light({{"Layer.Combined.B", kFloat},
-                     {"Layer.Combined.G", kFloat},
-                     {"Layer.Combined.R", kFloat},
-                     {"Layer.Depth.Z", kFloat},
-                     {"Layer.Normal.X", kHalf},
-                     {"Layer.Normal.Y", kHalf},
-                     {"Layer.Normal.Z", kHalf}}),
-              (Light{2, 1, 0}));
-    EXPECT_EQ(light({{"Y", kFloat}, {"Z", kFloat}}), Light{0});
-    for (const auto &channels :
-         {std::vector<std::pair<std::string, int>>{
-              {"a.B", kHalf}, {"a.G", kHalf}, {"a.R", kHalf}, {"b.B", kHalf}, {"b.G", kHalf}, {"b.R", kHalf}},
-          {{"X", kHalf}, {"Y", kHalf}, {"Z", kHalf}}})
+    EXPECT_EQ(light("B float G float R float Z float"), (Light{2, 1, 0}));
+    EXPECT_EQ(light("A float B float G float R float id whole"), (Light{3, 2, 1, 0}));
+    EXPECT_EQ(light("B half G float R float diffuse.B half diffuse.G half diffuse.R half"), (Light{2, 1, 1}));
+    EXPECT_EQ(
+        light("Layer.Combined.B float Layer.Combined.G float Layer.Combined.R float Layer.Depth.Z float "
+              "Layer.Normal.X half Layer.Normal.Y half Layer.Normal.Z half"),
+        (Light{2, 1, 0}));
+    EXPECT_EQ(light("Y float Z float"), Light{0});
+    for (const char *channels :
+         {"a.B half a.G half a.R half b.B half b.G half b.R half", "X half Y half Z half"})
         EXPECT_NE(thrown<common::Refused>([&] { readExr(made(channels)); }).find("only R, G and B, or Y"),
                   std::string::npos);
 }

@@ -131,22 +131,10 @@ TEST(Triangulator, LeavesHoles) {
     Built one(onFloor({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {1, 1}, {1, 8}, {8, 8}, {8, 1}, {1, 1}}));
     EXPECT_NEAR(one.area, 81 - 49, 1e-9);
     EXPECT_TRUE(one.notes.empty());
-    Built two(onFloor({{0, 0},
-                       {9, 0},
-                       {9, 9},
-                       {0, 9},
-                       {0, 0},
-                       {1, 5},
-                       {1, 8},
-                       {4, 8},
-                       {4, 5},
-                       {1, 5},
-                       {0, 0},
-                       {5, 1},
-                       {5, 4},
-                       {8, 4},
-                       {8, 1},
-                       {5, 1}}));
+    Loop holes = {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
+    holes.insert(holes.end(), {{1, 5}, {1, 8}, {4, 8}, {4, 5}, {1, 5}, {0, 0}});
+    holes.insert(holes.end(), {{5, 1}, {5, 4}, {8, 4}, {8, 1}, {5, 1}});
+    Built two(onFloor(holes));
     EXPECT_NEAR(two.area, 81 - 18, 1e-9);
     EXPECT_TRUE(two.notes.empty());
 }
