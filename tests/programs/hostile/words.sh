@@ -38,7 +38,7 @@ values() { # values OPTION PLACEHOLDER: sets good to what it may be given, by it
     radiosity--gloss*) good=(l m 0.06,16 none '' 1,1 0,1000 2,1 1,0 1) ;;
     radiosity--page) good=(256 8192 16384 255 16385) ;;
     radiosity--residual) good=(1 1e-4 0.5 1e-8 2) ;;
-    radiosity--relight | radiosity--resume) good=(m.rad m.obj file none fifo .) ;;
+    radiosity--resume) good=(m.rad m.obj file none fifo .) ;;
     *)
         case ${2-} in
         *[a-z]\|[a-z]*) good=(${2//|/ } both) ;;

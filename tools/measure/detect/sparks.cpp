@@ -11,6 +11,11 @@ namespace odraz::measure {
 
 namespace {
 
+// Seconds from a picture to its neighbours; how many of 255 levels a spark is brighter; within how many
+// pixels a neighbour must show it
+constexpr double kApart = 0.005;
+constexpr int kLeast = 24, kReach = 3;
+
 struct Count {
     int pictures = 0, marked = 0, sparks = 0, most = 0;
     void add(size_t found) {
@@ -26,21 +31,14 @@ struct Count {
 };
 
 struct Options : ScreeningOptions {
-    double from = 0, to = duration(), fps = 25, apart = 0.005; // seconds; pictures a second
+    double from = 0, to = duration(), fps = 25; // seconds; pictures a second
     std::string keep;
-    int least = 24, reach = 3;
-    bool list = false;
 };
-
-void list(const char *where, const std::vector<Spark> &sparks) {
-    for (const Spark &s : sparks) std::printf("%s,%d,%d,%d,%d\n", where, s.x, s.y, s.over, s.surround);
-    std::fflush(stdout);
-}
 
 void lookAtFilm(const Options &o) {
     const Quality &quality = o.chosen();
     // Neighbours may lie in other scenes
-    Screening screening(o.size, std::max(o.from - o.apart, 0.), std::min(o.to + o.apart, duration()));
+    Screening screening(o.size, std::max(o.from - kApart, 0.), std::min(o.to + kApart, duration()));
     auto see = [&](double seconds) {
         Picture p = screening.picture(std::clamp(seconds, 0., duration()), quality);
         return greyOf(p.width, p.height, p.rgba, 4);
@@ -49,19 +47,17 @@ void lookAtFilm(const Options &o) {
     for (int64_t n = (int64_t)std::ceil(o.from * o.fps - 1e-6); (double)n / o.fps < o.to; ++n) {
         double seconds = (double)n / o.fps;
         Grey now = see(seconds);
-        std::vector<Spark> sparks = pointsOf(now, o.least);
+        std::vector<Spark> sparks = pointsOf(now, kLeast);
         if (!sparks.empty()) {
-            Grey before = see(seconds - o.apart), after = see(seconds + o.apart);
-            sparks = sparksOf(sparks, now, &before, &after, o.reach);
+            Grey before = see(seconds - kApart), after = see(seconds + kApart);
+            sparks = sparksOf(sparks, now, &before, &after, kReach);
         }
         scenes[(size_t)sceneAt(seconds)].add(sparks.size());
-        if (o.list) list(std::to_string(seconds).c_str(), sparks);
         if (!o.keep.empty() && !sparks.empty()) {
             Picture p = screening.picture(seconds, quality);
             pictures::writePng(o.keep + "/" + std::to_string(n) + ".png", {p.width, p.height, rgbOf(p)});
         }
     }
-    if (o.list) return;
     Count all;
     for (int i = 0; i < kMaxScenes; ++i) {
         const Count &c = scenes[(size_t)i];
@@ -84,13 +80,9 @@ int run(common::CommandLine &line) {
     line.option("--from", "S", o.from, {0, duration()}, "the film's first second");
     line.option("--to", "S", o.to, {0, duration()}, "its last second");
     line.option("--fps", "N", o.fps, {0.01, 1000}, "pictures a second");
-    line.option("--apart", "S", o.apart, {1e-4, 1}, "time from a picture of the film to its neighbours");
-    line.option("--least", "LEVELS", o.least, {1, 255}, "how much brighter a spark is, of 255");
-    line.option("--reach", "PIXELS", o.reach, {1, 100}, "how near a neighbour must show it");
-    line.flag("--list", o.list, "print a row for each spark");
     line.option("--keep", "FOLDER", o.keep, "write the film's pictures that have sparks, as PNG");
     line.parse();
-    std::puts(o.list ? "where,x,y,over,surround" : "scene,pictures,with_sparks,sparks,most");
+    std::puts("scene,pictures,with_sparks,sparks,most");
     lookAtFilm(o);
     return 0;
 }

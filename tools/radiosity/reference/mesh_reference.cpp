@@ -154,14 +154,8 @@ struct Part {
     float area;
     int chart, cell;
 };
-// A place and its radiosity
-struct Found {
-    Vec3 p;
-    Rgb radiosity;
-};
 
-// The triangles of all charts that reflect; those of an element are consecutive. `until`: running sums of the
-// area
+// The triangles of all charts that reflect. `until`: running sums of the area
 std::vector<Part> partsOf(const Solution &solution, std::vector<double> &until) {
     std::vector<Part> parts;
     double area = 0;
@@ -176,7 +170,7 @@ std::vector<Part> partsOf(const Solution &solution, std::vector<double> &until) 
     return parts;
 }
 
-Found randomPlace(const Part &part, Sampler &sampler) {
+SolutionPoint randomPlace(const Part &part, Sampler &sampler) {
     const SolutionPoint *c = part.corner;
     auto a = (float)sampler.random(), b = (float)sampler.random();
     if (a + b > 1) a = 1 - a, b = 1 - b;
@@ -184,31 +178,16 @@ Found randomPlace(const Part &part, Sampler &sampler) {
             c[0].radiosity + (c[1].radiosity - c[0].radiosity) * a + (c[2].radiosity - c[0].radiosity) * b};
 }
 
-// The middle of the element that has part k, with its mean light
-Found middleOf(const std::vector<Part> &parts, size_t k) {
-    size_t first = k, end = k + 1;
-    while (first > 0 && parts[first - 1].cell == parts[k].cell) --first;
-    while (end < parts.size() && parts[end].cell == parts[k].cell) ++end;
-    Found sum = {};
-    float area = 0;
-    for (size_t j = first; j < end; ++j)
-        for (const SolutionPoint &corner : parts[j].corner) {
-            sum.p += corner.p * parts[j].area, sum.radiosity += corner.radiosity * parts[j].area;
-            area += parts[j].area;
-        }
-    return {sum.p * (1 / area), sum.radiosity * (1 / area)};
-}
-
 } // namespace
 
-std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count, bool middles) {
+std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count) {
     std::vector<double> until;
     std::vector<Part> parts = partsOf(solution, until);
     std::vector<MeshProbe> probes;
     Sampler sampler(1);
     for (int i = 0; i < count && !parts.empty(); ++i) {
         size_t k = placeIn(until, (i + sampler.random()) / count * until.back());
-        Found found = middles ? middleOf(parts, k) : randomPlace(parts[k], sampler);
+        SolutionPoint found = randomPlace(parts[k], sampler);
         auto chart = (size_t)parts[k].chart;
         // The light that arrives is radiosity minus emission, divided by reflectance
         Rgb leaves = found.radiosity - solution.emits[chart], r = solution.reflectsOf(parts[k].cell);

@@ -15,9 +15,8 @@ struct MeshProbe {
     double noise2; // an unbiased estimate of the variance of `traced`'s brightness
 };
 
-// Places spread at random by area over the lit surfaces of a solution. With `middles`, the middles of the
-// elements at such places, with the element's mean light, as the CSV has them.
-std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count, bool middles = false);
+// Places spread at random by area over the lit surfaces of a solution.
+std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count);
 
 // Sets `solved` from another solution of the model.
 void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes);
