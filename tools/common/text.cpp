@@ -43,6 +43,10 @@ std::string thousands(double value) {
     return text;
 }
 
+std::string counted(size_t count, const std::string &what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 std::string shellWord(const std::string &word) {
     constexpr char kPlain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:=+-@%";
     if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;

@@ -12,6 +12,9 @@ namespace common {
 // 12345.6 as 12,346.
 std::string thousands(double value);
 
+// "1 triangle" or "2 triangles".
+std::string counted(size_t count, const std::string &what);
+
 // A word as a shell reads it: in quotes where it needs them.
 std::string shellWord(const std::string &word);
 

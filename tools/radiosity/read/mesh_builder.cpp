@@ -1,5 +1,6 @@
 #include "tools/radiosity/read/mesh_builder.h"
 
+#include "tools/common/text.h"
 #include "tools/radiosity/read/emission_picture.h"
 #include "tools/radiosity/read/overlaps.h"
 #include "tools/radiosity/read/triangulator.h"
@@ -254,12 +255,12 @@ private:
     }
 
     void noteLeftOut() {
-        auto note = [&](size_t count, const std::string &what) {
-            if (count) notes.push_back(path + ": " + std::to_string(count) + what);
+        auto note = [&](int count, const char *what, const char *which) {
+            if (count) notes.push_back(path + ": " + common::counted((size_t)count, what) + which);
         };
-        note((size_t)shortPolygons, " polygons with fewer than three points left out");
-        note((size_t)mesh.flat, " triangles without area left out");
-        note((size_t)mesh.twice, " triangles given twice left out");
+        note(shortPolygons, "polygon", " with fewer than three points left out");
+        note(mesh.flat, "triangle", " without area left out");
+        note(mesh.twice, "triangle", " given twice left out");
         std::vector<std::string> lines;
         for (int i : crossing) lines.push_back(lineOf(i));
         noteLines("polygons cross themselves, and may be lit wrongly: ", lines);

@@ -49,10 +49,6 @@ pictures::Plot errorPlot(const std::string &title, const std::string &xName, con
     return plot;
 }
 
-std::string counted(size_t count, const std::string &what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : what.back() == 's' ? "es" : "s");
-}
-
 void Page::write(const std::string &file, const std::string &content) {
     folder.write(file, content);
     fresh.push_back(folder / file);

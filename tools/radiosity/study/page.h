@@ -2,7 +2,7 @@
 // folder, and the page needs no other.
 #pragma once
 
-#include "tools/common/new_folder.h"
+#include "tools/common/folders.h"
 #include "tools/picture/plot.h"
 
 #include <string>
@@ -16,9 +16,6 @@ std::string shown(double number, int digits = 3);
 // A plot with logarithmic axes and a Pareto front for each series, without points.
 pictures::Plot errorPlot(const std::string &title, const std::string &xName, const std::string &yName,
                          std::vector<std::string> series = {});
-
-// "1 pass" or "2 passes".
-std::string counted(size_t count, const std::string &what);
 
 // Cells are text or numbers. `columns`: the names in the CSV; `heads`: those on the page.
 struct PageTable {

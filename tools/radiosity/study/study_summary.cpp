@@ -1,4 +1,5 @@
 // The reference, and the best of all solutions.
+#include "tools/common/text.h"
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>
@@ -38,8 +39,8 @@ void writeReference(Study &study) {
 void writeSummary(Study &study) {
     Page &page = study.page;
     page.toFront();
-    page.text(study.settings.model + ": " + counted(study.mesh.triangles.size(), "triangle") + ", " +
-              counted(study.reference.charts.size(), "polygon") +
+    page.text(study.settings.model + ": " + common::counted(study.mesh.triangles.size(), "triangle") + ", " +
+              common::counted(study.reference.charts.size(), "polygon") +
               " in one plane each. Errors are against a reference, a solution by rays with" +
               (study.settings.quick ? "out a final gather"
                                     : " a final gather of " + std::to_string(kFinalRays) + " rays") +
