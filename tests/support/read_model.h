@@ -1,7 +1,7 @@
 // A model that is read from a text.
 #pragma once
 
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/read/mesh.h"
 

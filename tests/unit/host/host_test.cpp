@@ -3,7 +3,7 @@
 #include "host/files.h"
 #include "host/process.h"
 #include "host/threads.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "maker/keys/key_file.h"
 #include "maker/tracks.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 
 #include <cstring>

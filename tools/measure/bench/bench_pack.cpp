@@ -1,7 +1,7 @@
 // Compares the packer with general packers that are installed, on machine code.
 #include "tools/common/clock.h"
 #include "tools/common/command_line.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/bench/corpus.h"
 

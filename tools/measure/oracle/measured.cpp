@@ -1,6 +1,6 @@
 #include "tools/measure/oracle/measured.h"
 
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/generate/generate.h"
 

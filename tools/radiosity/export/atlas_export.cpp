@@ -1,7 +1,7 @@
 // Writes lightmaps into a folder: the pages, and the model with texture coordinates on them.
 #include "tools/radiosity/export/atlas.h"
 
-#include "tools/common/new_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/statistics.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"

@@ -1,8 +1,13 @@
 #include "tools/radiosity/read/mesh.h"
 
+#include "tools/common/whole_file.h"
 #include "tools/picture/picture_file.h"
+#include "tools/radiosity/read/formats.h"
+#include "tools/radiosity/read/gltf_file.h"
 
 #include <algorithm>
+#include <cctype>
+#include <set>
 
 namespace odraz::radiosity {
 
@@ -43,6 +48,62 @@ double Mesh::size() const {
 Vec3d Mesh::middle() const {
     auto [lo, hi] = boxOf(points);
     return (lo + hi) / 2;
+}
+
+// --- The formats of models that can be read: a row each ---
+
+namespace {
+
+struct Format {
+    std::vector<const char *> endings; // of files' names, in small letters
+    bool (*begins)(std::string_view start);
+    bool sure; // what begins so is nothing else
+    decltype(&readModel) read;
+};
+// Whether the first line that is not blank is a comment, or a command of OBJ.
+bool isObj(std::string_view start) {
+    static const std::set<std::string_view> kCommands = {"v", "vn", "vt", "vp", "f",      "l",
+                                                         "p", "o",  "g",  "s",  "usemtl", "mtllib"};
+    if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+    start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
+    return start.starts_with('#') || kCommands.count(start.substr(0, start.find_first_of(" \t\r\n")));
+}
+
+const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, true, readGltf}, {{".obj"}, isObj, false, readObj}};
+
+constexpr size_t kStart = 4096;
+
+bool isNamed(const Format &format, std::string path) {
+    std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::any_of(format.endings.begin(), format.endings.end(),
+                       [&](const char *ending) { return path.ends_with(ending); });
+}
+
+// By content; if that is damaged by name, so that the right reader reports why.
+const Format &formatOf(const std::string &path) {
+    const std::string start = common::readStart(path, kStart);
+    for (const Format &format : kFormats)
+        if (format.begins(start)) return format;
+    for (const Format &format : kFormats)
+        if (isNamed(format, path)) return format;
+    return std::end(kFormats)[-1];
+}
+
+} // namespace
+
+bool isModel(const std::string &path) {
+    std::string start;
+    try {
+        start = common::readStart(path, kStart);
+    } catch (const common::Refused &) { // readers report why
+    }
+    return std::any_of(std::begin(kFormats), std::end(kFormats), [&](const Format &format) {
+        return isNamed(format, path) || (format.sure && format.begins(start));
+    });
+}
+
+Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
+    return formatOf(path).read(path, settings, notes);
 }
 
 } // namespace odraz::radiosity

@@ -70,7 +70,7 @@ struct ReadSettings {
 // Whether a file's name has the ending of a model format, or its content is that of one.
 bool isModel(const std::string &path);
 
-// Reads a model. Its content selects the format (formats.cpp): glTF 2.0, otherwise Wavefront OBJ. Divides
+// Reads a model. Its content selects the format: glTF 2.0, otherwise Wavefront OBJ. Divides
 // polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for each thing that
 // was repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);

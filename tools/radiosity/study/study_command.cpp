@@ -1,4 +1,4 @@
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"

@@ -3,7 +3,7 @@
 #include "show/events.h"
 #include "show/show.h"
 #include "tests/support/thrown.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 #define ODRAZ_LIVE
 #include "timeline/keys.h"

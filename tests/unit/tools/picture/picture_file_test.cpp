@@ -2,7 +2,7 @@
 // damaged.
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture_file.h"
 

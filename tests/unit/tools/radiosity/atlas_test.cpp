@@ -1,7 +1,7 @@
 // Lightmaps: they give other programs the solution, and polygons share no texels.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/picture/psnr.h"

@@ -1,7 +1,7 @@
 // Pictures on materials: means over polygons, and the reflectance of elements.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/engine/machine.h"
 #include "tools/picture/picture.h"
 #include "tools/picture/psnr.h"

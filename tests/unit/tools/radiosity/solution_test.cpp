@@ -1,7 +1,7 @@
 // Reading solutions: files that `radiosity solve` did not write are refused, even if the checksum fits.
 #include "tests/support/headless_gl.h"
 #include "tests/support/thrown.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"

@@ -1,6 +1,6 @@
 // Pictures of the sky: no light is lost, and suns replace pixels that are too bright.
 #include "tools/common/command_line.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/vec3d.h"
 #include "tools/radiosity/read/surroundings.h"

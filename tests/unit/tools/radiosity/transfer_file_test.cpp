@@ -1,7 +1,7 @@
 // Files of rooms: a round trip, and damaged files.
 #include "tests/support/open_room.h"
 #include "tests/support/thrown.h"
-#include "tools/common/temporary_folder.h"
+#include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solution/arrays.h"
 

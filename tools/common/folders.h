@@ -1,10 +1,11 @@
-// A folder of files that appears whole: it is made beside its place and renamed at the end.
+// Folders that appear whole, and folders that go.
 #pragma once
 
 #include <string>
 
 namespace common {
 
+// A folder of files that appears whole: it is made beside its place and renamed at the end.
 class NewFolder {
 public:
     // Throws Refused if there is something at the path already, or it cannot be written. An empty folder is
@@ -22,6 +23,19 @@ public:
 private:
     std::string path, part;
     [[noreturn]] void fail() const;
+};
+
+// A new folder in TMPDIR or /tmp. The destructor removes it with all its files.
+class TemporaryFolder {
+public:
+    // Throws std::runtime_error if the folder cannot be made.
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder &) = delete;
+    std::string operator/(const std::string &name) const { return path + "/" + name; }
+
+private:
+    std::string path;
 };
 
 } // namespace common

@@ -1,11 +1,13 @@
-#include "tools/common/new_folder.h"
+#include "tools/common/folders.h"
 
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <stdexcept>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -43,6 +45,20 @@ void NewFolder::finish() {
 
 void NewFolder::fail() const {
     throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::error_code none;
+    std::filesystem::path in = std::filesystem::temp_directory_path(none); // TMPDIR, or /tmp
+    std::string name = (none ? "/tmp" : in) / "odraz-XXXXXX";
+    if (!mkdtemp(name.data()))
+        throw std::runtime_error("cannot make a folder in " + in.string() + ": " + std::strerror(errno));
+    path = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
 }
 
 } // namespace common
