@@ -10,10 +10,14 @@
 namespace odraz {
 
 Workers allProcessors() {
-    Workers workers = serialWorkers();
-    if (const char *missing = startWorkers(workers, (int)sysconf(_SC_NPROCESSORS_ONLN), &kNever))
-        throw std::runtime_error(missing);
-    return workers;
+    // A process has one set of threads
+    static const Workers kAll = [] {
+        Workers workers = serialWorkers();
+        if (const char *missing = startWorkers(workers, (int)sysconf(_SC_NPROCESSORS_ONLN), &kNever))
+            throw std::runtime_error(missing);
+        return workers;
+    }();
+    return kAll;
 }
 
 Gl openGl() {
