@@ -2,8 +2,6 @@
 . "$(dirname "$0")/common.sh"
 skip_unless readelf objdump
 
-# (File managers start a fixed-base executable by a double-click if its x bit is set, which release.sh proves; another one
-# they take for a library. In November 2026: Thunar and Nautilus 43.2; PCManFM and Dolphin 22.12.3 ask first)
 for name in odraz odraz-safe; do
     readelf -lW "$BUILD/$name" >"$WORK/segments"
     readelf -dW "$BUILD/$name" >"$WORK/dynamic"

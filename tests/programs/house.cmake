@@ -64,6 +64,7 @@ endfunction()
 odraz_scripts(odraz_long_script long
     binary_again 80
     busy 9000
+    doubleclick 100
     live 300
     pack_kernels 120
     pack_programs 500
