@@ -1,5 +1,6 @@
 // node page.mjs chromium|firefox PAGE OUT SECONDS...: opens the page as a viewer does. Writes pictures of these
-// seconds, 320x180, as `film` draws them, and the music's hash, into OUT; plays; prints what is wrong.
+// seconds, 320x180, as `film` draws them, and the music's hash, into OUT; plays; prints what is wrong. OUT gets the file
+// `plain` if the browser has no relaxed SIMD.
 import { writeFileSync } from 'node:fs'
 import { open, later } from './browser.mjs'
 
@@ -19,6 +20,11 @@ const b = await open(kind, 'file://' + page + '?full=0')
 try {
   const opens = await until(b, 'self.film && document.querySelector("b").textContent')
   check('opens', opens, await b.evaluate('document.title'))
+
+  const zero = [253, 12, ...Array(16).fill(0)], madd = [0, ...zero, ...zero, ...zero, 253, 133, 2, 26, 11]
+  const type = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0]
+  const module = [...type, 10, madd.length + 2, 1, madd.length, ...madd]
+  if (!await b.evaluate(`WebAssembly.validate(Uint8Array.of(${module}))`)) writeFileSync(out + '/plain', '')
 
   // --- Pictures, all of them by a worker that has the hall's light ---
   await b.evaluate(`(async () => {
