@@ -27,7 +27,7 @@ public:
             "echo building; echo $1/intro/show/a.cpp:3:1: error: oops; echo b.cpp: error: later; exit 1; fi\n"
             "cp $1/intro/show/a.cpp $2/live/live.so\n");
         write("intro/show/a.cpp", "one");
-        std::string command = "cmake -S " + (folder / "") + " -B " + build() + " >/dev/null";
+        std::string command = "cmake -G Ninja -S " + (folder / "") + " -B " + build() + " >/dev/null";
         EXPECT_EQ(std::system(command.c_str()), 0);
     }
     void write(const std::string &name, const std::string &text) const {
@@ -95,7 +95,9 @@ TEST_F(Rebuilding, BuildsAgainWhatWasSavedMeanwhile) {
         "cp $1/intro/show/a.cpp $2/live/live.so; touch $2/copied; until [ -e $2/go ]; do sleep 0.01; done\n");
     p.write("intro/show/a.cpp", "two");
     auto copied = [&] { return std::filesystem::exists(p.folder / "build/copied"); };
-    for (int i = 0; i < 90000 && !copied(); ++i, usleep(10000)) r.poll(now += 0.01);
+    auto what = Rebuilder::Event::None;
+    for (int i = 0; i < 90000 && !copied() && what != Rebuilder::Event::Failed; ++i, usleep(10000))
+        what = r.poll(now += 0.01);
     ASSERT_TRUE(copied() && r.building());
     p.write("intro/show/a.cpp", "three");
     p.write("build/go", "");
