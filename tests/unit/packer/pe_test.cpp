@@ -67,7 +67,7 @@ TEST(Pe, WhatIsPackedIsTakenAndReadsBack) {
     EXPECT_EQ(back.slots[1], p.slots[1]);
     EXPECT_EQ(back.entry, p.entry);
     EXPECT_EQ(kPe.writePlain(back), kPe.writePlain(p));
-    Bytes named = kPe.write(p, defaultParameters(), encoded.payload, {"example", "plain-one"});
+    Bytes named = kPe.write(p, defaultParameters(), encoded.payload, "plain-one");
     EXPECT_NE(std::string(named.begin(), named.end()).find("use plain-one instead"), std::string::npos);
     EXPECT_EQ(readPacked(kPe, named).bytes, p.bytes);
     // Damage is found everywhere, also in bytes that only the loader reads
