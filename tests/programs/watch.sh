@@ -1,11 +1,18 @@
-# tools/watch from a clone, with what is built here in place of its build, without a display and with one.
-#   watch.sh BUILD [full]     with `full`: the whole video. Otherwise the film is one of 24 s with small frames
+# tools/watch from a clone, without a display and with one.
+#   watch.sh BUILD [full]     with `full`: it builds, and makes the whole video. Otherwise built programs stand in for
+#                             its build, and the film is one of 24 s with small frames
 . "$(dirname "$0")/display.sh"
 skip_unless ffmpeg ffprobe g++
 needs_built contact_sheet
-[ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libx11-dev libcli11-dev libtinyexr-dev 2>&1 | grep -v 'ok installed')" ] ||
-    { echo "SKIPPED: it would install packages"; exit 77; }
-house=$WORK/house to=$WORK/house/build
+(
+    . "$SOURCE/tools/build/packages.sh"
+    install() { false; }
+    sudo() { false; }
+    need_for_building && eval "$(grep '^need "the contact sheet' "$SOURCE/tools/watch")"
+) 2>/dev/null || { echo "SKIPPED: it would install packages"; exit 77; }
+house="$WORK/a house"
+[ "${2-}" != full ] || house=$WORK/house
+to=$house/build
 copy_sources "$house"
 mkdir -p "$WORK/bin" "$to"
 # In place of CMake: it builds until its count is shown
@@ -14,7 +21,10 @@ cat >"$WORK/bin/cmake" <<END
 [ \$1 = --build ] || exit 0
 [ ! -e "$WORK/broken" ] || { echo "no compiler"; exit 1; }
 echo "[1/2] half of it"
-until grep -q '^building: \[1/2\], [0-9]* s\$' "$WORK/err"; do sleep 0.1; done
+for ((i = 0; i < 10 * $PATIENCE; ++i)); do
+    ! grep -q '^building: \[1/2\], [0-9]* s\$' "$WORK/err" || break
+    sleep 0.1
+done
 cp "$BUILD/$FILM" "$BUILD/contact_sheet" "$to"
 END
 cat >"$WORK/bin/film" <<END
@@ -23,21 +33,26 @@ cat >"$WORK/bin/film" <<END
 exec "$BUILD/$FILM-safe" "\${@/640x360/64x36}"
 END
 length=2
-[ "${2-}" != full ] || { ln -sf "$BUILD/$FILM-safe" "$WORK/bin/film" && length=16; }
 ln -s "$WORK/bin/film" "$to/$FILM-safe"
 chmod +x "$WORK"/bin/*
-export PATH="$WORK/bin:$PATH"
+if [ "${2-}" = full ]; then
+    rm -r "$to"
+    length=16
+else
+    export PATH="$WORK/bin:$PATH"
+fi
 
 behind env -u DISPLAY "$house/tools/watch"
 check "without a display it ends with status 0" ended $pid
 check "... printed at first what it does and how long it takes" eval \
-    'sed -n 1p "$WORK/err" | grep -q "^building the film: some two minutes .* log in build/build.log$"'
+    'sed -n 1p "$WORK/err" | grep -q "^building the film: some two minutes .* log in .*/build/build.log$"'
 check "... and that there is no display, before it built" eval 'sed -n "/^no display/,\$p" "$WORK/err" | grep -q "^building: "'
 check "... made a contact sheet of 33 frames" prints ' 1956x1560 ' identify "$to/contact_sheet.png"
 probe() { ffprobe -v error -show_entries stream=codec_name,duration -of csv=p=0 "$to/film.mp4" | tr '\n' ' '; }
 check "... and a video of $length seconds, one of every ten, with sound" test "$(probe)" = "h264,$length.000000 aac,$length.000000 "
 
 touch "$WORK/broken"
+export PATH="$WORK/bin:$PATH"
 behind env DISPLAY=:99999999 "$house/tools/watch"
 ended $pid
 check "a build that fails ends it with status 1" test $? = 1
