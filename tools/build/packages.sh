@@ -9,15 +9,14 @@ during() {
     print_progress </dev/null >/dev/null &
     printer=$!
     "$@" || status=$?
-    kill $printer
+    kill $printer 2>/dev/null || true
     wait $printer 2>/dev/null || true
     [ ! -t 2 ] || printf '\r\e[K' >&2
     return $status
 }
 print_progress() {
     local began=$SECONDS printed=$SECONDS count=
-    while kill -0 $$ 2>/dev/null; do
-        sleep 1
+    while sleep 1 && kill -0 $$ 2>/dev/null; do
         [ -z "$log" ] || count=$(tail -c 4000 "$log" 2>/dev/null | grep -aoE '^\[[^]]*\]' | tail -n 1 || true)
         if [ -t 2 ]; then
             printf '\r%s: %s%d s\e[K' "$what" "${count:+$count, }" $((SECONDS - began)) >&2
