@@ -131,8 +131,8 @@ Picture between(Intro &intro, int earlier, int later, double share, int place) {
     if (b->shot != posed.shot) b = a;
     const Quality &quality = b->quality;
     if (min(frame.width, frame.height) > 1)
-        traceBetween(intro.between, intro.tracer, *intro.workers, a->traced, b->traced, (float)share,
-                     (float)(apart * 60), now, quality);
+        traceBetween(intro.between, intro.tracer, *intro.workers,
+                     {a->traced, b->traced, (float)share, (float)(apart * 60)}, now, quality);
     else
         traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, frame);
     return finish(intro, posed, now.view, seconds, now.scene->exposure, frame, intro.made[place]);

@@ -108,12 +108,11 @@ Glyph glyph(char letter) {
 
 } // namespace
 
-void drawText(Frame &frame, const char *text, float x, float y, float size, float weight, float tracking,
-              Align align, const Rgb &radiance, float opacity) {
-    if (opacity <= 0) return;
-    float unit = size / 12, width = 0;
-    for (const char *c = text; *c; ++c) width += (glyph(*c).advance + tracking) * unit;
-    x -= align == Align::Centre ? width * 0.5f : align == Align::Right ? width : 0;
+void drawText(Frame &frame, const char *text, float x, float y, const TextStyle &style) {
+    if (style.opacity <= 0) return;
+    float unit = style.size / 12, width = 0;
+    for (const char *c = text; *c; ++c) width += (glyph(*c).advance + style.tracking) * unit;
+    x -= style.align == Align::Centre ? width * 0.5f : style.align == Align::Right ? width : 0;
     for (const char *c = text; *c; ++c) {
         Glyph g = glyph(*c);
         for (int i = 0; i < g.count; ++i) {
@@ -121,8 +120,9 @@ void drawText(Frame &frame, const char *text, float x, float y, float size, floa
             s = {x + s.x0 * unit, y - s.y0 * unit, x + s.x1 * unit, y - s.y1 * unit};
         }
         if (g.count)
-            drawStrokes(frame, g.strokes, g.count, max(size * weight * 0.5f, 0.35f), radiance, opacity);
-        x += (g.advance + tracking) * unit;
+            drawStrokes(frame, g.strokes, g.count, max(style.size * style.weight * 0.5f, 0.35f),
+                        style.radiance, style.opacity);
+        x += (g.advance + style.tracking) * unit;
     }
 }
 

@@ -8,11 +8,18 @@ namespace odraz {
 
 enum class Align { Left, Centre, Right };
 
-// Draws a line of text with its baseline at y and its start, middle or end at x (pixels); `size` is the
-// height of a figure in pixels, `weight` the stroke's width as a share of it, `tracking` the extra space
-// between letters in twelfths of it. Unknown characters are left out.
-void drawText(Frame &frame, const char *text, float x, float y, float size, float weight, float tracking,
-              Align align, const Rgb &radiance, float opacity);
+struct TextStyle {
+    float size;   // height of a figure, in pixels
+    float weight; // width of a stroke, as a share of the size
+    Align align;
+    Rgb radiance;
+    float opacity = 1;
+    float tracking = 1.6f; // extra space between letters, in twelfths of the size
+};
+
+// Draws a line of text with its baseline at y and its start, middle or end at x (pixels). Unknown characters
+// are left out.
+void drawText(Frame &frame, const char *text, float x, float y, const TextStyle &style);
 
 // Stands a line of text in a scene, as tubes in the plane of x and y with the foot of its first letter at a
 // place; `unit` is a twelfth of a figure's height. A pen draws it, and has done so for `rows` rows. Every

@@ -21,8 +21,8 @@ inline std::vector<Sample> samplesAt(const Scene &scene, const View &view, Quali
     std::vector<Sample> samples(x.size());
     std::vector<uint32_t> index(x.size());
     std::iota(index.begin(), index.end(), 0u);
-    traceSamples(scene, view, kQualities[(int)quality], *scratch, kAll, 1, (int)x.size(), x.data(), y.data(),
-                 index.data(), samples.data());
+    traceSamples(scene, view, kQualities[(int)quality], *scratch,
+                 {kAll, 1, (int)x.size(), x.data(), y.data(), index.data()}, samples.data());
     return samples;
 }
 
@@ -38,7 +38,7 @@ struct RayTracer {
         float half[8] = {0.5f};
         uint32_t zero[8] = {};
         Sample s;
-        traceSamples(*scene, view, quality, *scratch, kAll, size, 1, half, half, zero, &s);
+        traceSamples(*scene, view, quality, *scratch, {kAll, size, 1, half, half, zero}, &s);
         return s;
     }
 };

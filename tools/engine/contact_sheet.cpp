@@ -29,7 +29,7 @@ void write(Image &picture, const Area &box, const char *text, float size, float 
     Frame frame = {box.width, box.height, box.width, {&planes[0], &planes[pixels], &planes[2 * pixels]},
                    nullptr,   nullptr};
     float x = align == Align::Left ? size / 2 : (float)box.width - size / 2;
-    drawText(frame, text, x, ((float)box.height + size) / 2, size, weight, tracking, align, {1, 1, 1}, 1);
+    drawText(frame, text, x, ((float)box.height + size) / 2, {size, weight, align, {1, 1, 1}, 1, tracking});
     for (int y = 0; y < box.height && box.y + y < picture.height; ++y)
         for (int x = 0; x < box.width && box.x + x < picture.width; ++x)
             for (int c = 0; c < 3; ++c) {

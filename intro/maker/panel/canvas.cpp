@@ -27,8 +27,8 @@ Lettering letter(const std::string &text, float size) {
     for (auto &plane : planes) plane.assign((size_t)stride * (size_t)l.height, 0.f);
     Frame frame = {stride,  l.height, stride, {planes[0].data(), planes[1].data(), planes[2].data()},
                    nullptr, nullptr};
-    inspector().drawText(frame, text.c_str(), 2, (float)l.above, size, kWeight, kTracking, Align::Left,
-                         {1, 1, 1}, 1);
+    inspector().drawText(frame, text.c_str(), 2, (float)l.above,
+                         {size, kWeight, Align::Left, {1, 1, 1}, 1, kTracking});
     for (int y = 0; y < l.height; ++y)
         for (int x = 0; x < stride; ++x)
             if (planes[0][(size_t)(y * stride + x)] > 0) l.width = std::max(l.width, x + 1);

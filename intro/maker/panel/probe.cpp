@@ -85,14 +85,13 @@ static void count(Probe &p, bool grid, int count, const float *x, const float *y
 
 ODRAZ_WRAPPED(void, traceSamples,
               "_ZN5odraz12traceSamplesERKNS_5SceneERKNS_4ViewERKNS_7QualityERNS_12TraceScratchERKNS_"
-              "10CandidatesEfiPKfSF_PKjRKNS_7SamplesE",
+              "12SamplePointsERKNS_7SamplesE",
               const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
-              const Candidates &among, float size, int samples, const float *x, const float *y,
-              const uint32_t *index, const Samples &to) {
+              const SamplePoints &points, const Samples &to) {
     if (Probe *p = theProbe;
         p && p->samples && view.width == (float)p->width && view.height == (float)p->height)
-        count(*p, quality.grid > 0, samples, x, y);
-    traceSamplesItself(scene, view, quality, scratch, among, size, samples, x, y, index, to);
+        count(*p, quality.grid > 0, points.count, points.x, points.y);
+    traceSamplesItself(scene, view, quality, scratch, points, to);
 }
 
 } // namespace odraz::maker

@@ -36,8 +36,8 @@ void poseCredits(const SceneInput &in, Scene &scene) {
 void letterCredits(const SceneInput &in, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
     auto line = [&](float page, const char *text, float y, float size, Rgb colour) {
-        drawText(frame, text, w * 0.5f, h * y, h * size, 0.09f, 1.6f, Align::Centre, colour,
-                 value(track(kPage), in.row - page));
+        drawText(frame, text, w * 0.5f, h * y,
+                 {h * size, 0.09f, Align::Centre, colour, value(track(kPage), in.row - page)});
     };
     Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f};
     Text<80> size, machine;

@@ -105,8 +105,8 @@ void letterPatches(const SceneInput &in, const View &view, Frame &frame) {
     Step step(in.row);
     float h = (float)frame.height;
     if (step.number >= 0 && in.row < rowOf(kBounce3) + 4)
-        drawText(frame, kStages[step.number].name, view.width - h * 0.12f, h * 0.88f, h * 0.032f, 0.085f,
-                 1.6f, Align::Right, {0.8f, 0.42f, 0.24f}, 1);
+        drawText(frame, kStages[step.number].name, view.width - h * 0.12f, h * 0.88f,
+                 {h * 0.032f, 0.085f, Align::Right, {0.8f, 0.42f, 0.24f}});
     // One photon: a leg a beat, then into the lens
     float flown = in.row < rowOf(kPatchesMelt) ? (in.row - rowOf(kBounce3)) / 4 : 0;
     for (int i = 0; i < 3 && flown > (float)i; ++i) {

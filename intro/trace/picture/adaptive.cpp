@@ -87,8 +87,8 @@ void traceRequested(Tile &t) {
             store(s.y + i, toFloat(y + t.y0));
             store((int32_t *)s.index + i, y * kCorners + x);
         }
-        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, filterOf(t.scene), count, s.x, s.y,
-                     s.index, s.corners);
+        traceSamples(t.scene, t.view, t.quality, s.trace,
+                     {s.among, filterOf(t.scene), count, s.x, s.y, s.index}, s.corners);
         for (int i = 0; i < count; ++i) {
             uint32_t at = s.index[i];
             s.shown[at] = intensityOf(t.scene, s.corners[at]);
@@ -174,8 +174,9 @@ void sampleInside(Tile &t, int count) {
                     s.index[samples] = (uint32_t)samples;
                     ++samples;
                 }
-            traceSamples(t.scene, t.view, q, s.trace, s.among, filterOf(t.scene) / sqrt((float)to), samples,
-                         s.x, s.y, s.index, s.inside);
+            traceSamples(t.scene, t.view, q, s.trace,
+                         {s.among, filterOf(t.scene) / sqrt((float)to), samples, s.x, s.y, s.index},
+                         s.inside);
             s.sampleCount += samples;
             const __m128 *v = s.inside;
             for (int i = first; i < first + few; ++i) {

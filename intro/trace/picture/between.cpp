@@ -100,7 +100,7 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
                 ++samples;
                 if (inside) break;
             }
-        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.5f, samples, s.x, s.y, s.index,
+        traceSamples(t.scene, t.view, t.quality, s.trace, {s.among, 0.5f, samples, s.x, s.y, s.index},
                      s.inside);
         s.sampleCount += samples;
         for (int i = 0, next = 0; i < n; ++i) {
@@ -342,12 +342,12 @@ bool makeBetween(Between &between, Arena &arena, int workers) {
     return !arena.full;
 }
 
-void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
-                  const Traced &after, float share, float gap, Traced &now, const Quality &quality) {
-    carryTo(before, now, between.carry[0]);
-    carryTo(after, now, between.carry[1]);
-    findTrust(before, after, now, gap, between.carry, between.trust);
-    Sides sides = {before.frame, after.frame, between.carry, between.trust, share, now.scene->exposure};
+void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neighbours &n, Traced &now,
+                  const Quality &quality) {
+    carryTo(n.before, now, between.carry[0]);
+    carryTo(n.after, now, between.carry[1]);
+    findTrust(n.before, n.after, now, n.gap, between.carry, between.trust);
+    Sides sides = {n.before.frame, n.after.frame, between.carry, between.trust, n.share, now.scene->exposure};
     // Mirrors and glass must look as in the traced pictures, or they flicker. But an in-between is seen for
     // a sixtieth of a second only, so twice the thresholds are enough
     Quality anew = quality;

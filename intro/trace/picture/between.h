@@ -38,13 +38,18 @@ extern const size_t kBetweenBytes; // that makeBetween() takes at most, of the a
 // False if the arena is full.
 bool makeBetween(Between &between, Arena &arena, int workers);
 
-// Fills the frame of `now`, whose scene and view are those of its moment, from pictures before and after
-// it, which may be the same: `share` is how far it is on the way from one to the other, 0 .. 1; `gap` is
-// how many sixtieths of a second they are apart. Pixels that must be traced have `quality`, but with twice
-// its thresholds, squares of up to 8 pixels and at most three samples within a pixel. The result does not
-// depend on the number of workers.
-void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
-                  const Traced &after, float share, float gap, Traced &now, const Quality &quality);
+// The traced pictures on either side of a moment; they may be the same.
+struct Neighbours {
+    const Traced &before, &after;
+    float share; // of the way from before to after, 0 .. 1
+    float gap;   // between them, in sixtieths of a second
+};
+
+// Fills the frame of `now`, whose scene and view are those of its moment. Pixels that must be traced have
+// `quality`, but with twice its thresholds, squares of up to 8 pixels and at most three samples within a
+// pixel. The result does not depend on the number of workers.
+void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neighbours &n, Traced &now,
+                  const Quality &quality);
 
 // The number of pixels that had to be traced since the last call.
 int64_t tracedAnew(Between &between);

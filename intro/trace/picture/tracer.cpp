@@ -53,8 +53,8 @@ void traceGrid(Tile &t) {
                 store(s.x + i, toFloat(kLanes + (t.x0 + i % wide)) + dx);
                 store(s.y + i, broadcast((float)(y + i / wide) + dy));
             }
-            traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 1 / (float)side, count, s.x, s.y,
-                         s.index, s.inside);
+            traceSamples(t.scene, t.view, t.quality, s.trace,
+                         {s.among, 1 / (float)side, count, s.x, s.y, s.index}, s.inside);
             for (int i = 0; i < count; i += 8) {
                 Rgb8 seen = eightColours(s.inside + i);
                 size_t at = (size_t)(y + i / wide) * (size_t)t.frame.stride + (size_t)(t.x0 + i % wide);

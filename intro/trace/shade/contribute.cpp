@@ -41,16 +41,24 @@ void addRest(const Shading &c, const RayStream &in, const int32_t *ray, int coun
 
 namespace {
 
+// What eight primary rays see. The radiance is albedo * light + rest.
+struct Seen {
+    Rgb8 albedo;
+    Int8 id;
+    Rgb8 light;
+    Int8 states; // of the lights
+    Rgb8 rest;
+};
+
 // Initialises the samples of eight primary rays.
-void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &albedo, Int8 id,
-           const Rgb8 &light, Int8 lights, const Rgb8 &rest) {
-    Rgb8 added = c.samples.whole ? rest : rest + albedo * light;
+void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Seen &seen) {
+    Rgb8 added = c.samples.whole ? seen.rest : seen.rest + seen.albedo * seen.light;
     Rows third(added, Int8{});
     if (!c.samples.whole) {
         for (int k = 0; k < count; ++k) _mm_store_ps(c.samples.restOf(in.sample[ray[k]]), third.row[k]);
         return;
     }
-    Rows first(albedo, id), second(light, lights);
+    Rows first(seen.albedo, seen.id), second(seen.light, seen.states);
     for (int k = 0; k < count; ++k) {
         Sample &s = c.samples.whole[in.sample[ray[k]]];
         _mm_store_ps(&s.albedo.x, first.row[k]);
@@ -103,7 +111,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     if (c.bounces == 0) {
         if (scene.lines != 0) states += cell << kCellShift; // so that squares split where patches end
         rest += inTheAir(c, in, pick);
-        begin(c, in, run.ray + i, count, albedo, id, light, states, rest);
+        begin(c, in, run.ray + i, count, {albedo, id, light, states, rest});
         return;
     }
     if (!c.samples.whole) {
@@ -135,7 +143,7 @@ void addSky(const Shading &c, const RayStream &in, const Run &run) {
              light = radiance(c.scene.sky, pick(in.d), c.bounces ? kCalmClouds : kSharpClouds) * weight;
         int count = min(run.count - i, 8);
         if (c.bounces == 0)
-            begin(c, in, run.ray + i, count, Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + inTheAir(c, in, pick));
+            begin(c, in, run.ray + i, count, {Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + inTheAir(c, in, pick)});
         else
             addRest(c, in, run.ray + i, count, light,
                     hash(pick(in.path)) & (weight.y > c.quality.markWeight));

@@ -57,22 +57,21 @@ void traceStream(Shading &c, TraceScratch &scratch, int level) {
 } // namespace
 
 void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
-                  const Candidates &among, float size, int count, const float *x, const float *y,
-                  const uint32_t *index, const Samples &samples) {
+                  const SamplePoints &points, const Samples &samples) {
     Shading c = {scene, quality, samples, 0};
     RayStream &stream = scratch.streams[0];
-    for (int first = 0; first < count; first += kChunk) {
-        stream.count = min(count - first, kChunk);
+    for (int first = 0; first < points.count; first += kChunk) {
+        stream.count = min(points.count - first, kChunk);
         for (int i = 0; i < stream.count; i += 8) {
-            Vec3x8 d = normalize(view.direction(load(x + first + i), load(y + first + i)));
+            Vec3x8 d = normalize(view.direction(load(points.x + first + i), load(points.y + first + i)));
             store(stream.o, i, broadcast(view.eye));
             store(stream.d, i, d);
             store(stream.weight, i, broadcast(Rgb{1, 1, 1}));
             store(stream.width + i, Float8{});
-            store(stream.spread + i, broadcast(view.spread * size));
-            store(stream.sample + i, loadInts((const int32_t *)index + first + i));
+            store(stream.spread + i, broadcast(view.spread * points.size));
+            store(stream.sample + i, loadInts((const int32_t *)points.index + first + i));
             store(stream.path + i, broadcast(1));
-            Hit8 hit = intersect(scene, among, view.eye, d, kLanes < stream.count - i);
+            Hit8 hit = intersect(scene, points.among, view.eye, d, kLanes < stream.count - i);
             store(stream.t + i, hit.t);
             store(stream.shape + i, hit.shape);
         }

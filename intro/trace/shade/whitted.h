@@ -21,12 +21,17 @@ struct TraceScratch {
     HitCounts counts;
 };
 
-// Traces `count` rays through the points (x, y) of the picture, in pixels from its top left, each into the
-// sample of its index. The arrays must be readable up to the next multiple of eight. `size`: the side of the
-// square that a sample stands for, in pixels. `among`: candidates of a beam from the eye in which all these
-// points lie.
+// Points of the picture. The arrays must be readable up to the next multiple of eight.
+struct SamplePoints {
+    const Candidates &among; // of a beam from the eye in which all points lie
+    float size;              // side of the square that a sample stands for, in pixels
+    int count;
+    const float *x, *y;    // in pixels from the picture's top left
+    const uint32_t *index; // of each point's sample
+};
+
+// Traces a ray through each point, into its sample.
 void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
-                  const Candidates &among, float size, int count, const float *x, const float *y,
-                  const uint32_t *index, const Samples &samples);
+                  const SamplePoints &points, const Samples &samples);
 
 } // namespace odraz

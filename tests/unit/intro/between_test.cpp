@@ -36,8 +36,10 @@ std::vector<float> made(Intro &intro, double seconds, double gap = 2, double bef
     picture(intro, 0, seconds - before * kStep, named(QualityName::Play));
     picture(intro, 1, seconds + (gap - before) * kStep, named(QualityName::Play));
     Traced now = {intro.frame, intro.film.scene, poseAt(intro.film, seconds).view(kWidth, kHeight)};
-    traceBetween(intro.between, intro.tracer, *intro.workers, intro.slots[0].traced, intro.slots[1].traced,
-                 gap > 0 ? (float)(before / gap) : 0.5f, (float)gap, now, named(QualityName::Play));
+    traceBetween(
+        intro.between, intro.tracer, *intro.workers,
+        {intro.slots[0].traced, intro.slots[1].traced, gap > 0 ? (float)(before / gap) : 0.5f, (float)gap},
+        now, named(QualityName::Play));
     return planesOf(intro.frame);
 }
 
@@ -107,7 +109,7 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
     constexpr float kTurn = 0.045f; // as the largest ball of scene odraz at its fastest
     Traced before = trace(intro.slots[0].traced, -kTurn), after = trace(intro.slots[1].traced, kTurn);
     tracedAnew(intro.between);
-    traceBetween(intro.between, intro.tracer, *intro.workers, before, after, 0.5f, 2, now,
+    traceBetween(intro.between, intro.tracer, *intro.workers, {before, after, 0.5f, 2}, now,
                  named(QualityName::Play));
     double alike = decibels(intro, still, planesOf(now.frame));
     double anew = (double)tracedAnew(intro.between) / (kWidth * kHeight);

@@ -247,18 +247,18 @@ TEST(Font, DrawsItsCharactersAndLeavesOutOthers) {
     for (const char *p = "abcdefghijklmnopqrstuvwxyz0123456789.,:-+/"; *p; ++p) {
         Canvas c(64, 64);
         char text[2] = {*p, 0};
-        drawText(c.frame, text, 20, 44, 30, 0.1f, 0, Align::Left, {1, 1, 1}, 1);
+        drawText(c.frame, text, 20, 44, {30, 0.1f, Align::Left, {1, 1, 1}, 1, 0});
         EXPECT_GT(c.sum(), 5) << *p;
     }
     Canvas c(64, 64);
-    drawText(c.frame, " \x7f\xff{", 20, 44, 30, 0.1f, 0, Align::Left, {1, 1, 1}, 1);
+    drawText(c.frame, " \x7f\xff{", 20, 44, {30, 0.1f, Align::Left, {1, 1, 1}, 1, 0});
     EXPECT_EQ(c.sum(), 0);
 }
 
 TEST(Font, AlignsAndIgnoresCase) {
     auto middle = [](const char *text, Align align) {
         Canvas c(200, 40);
-        drawText(c.frame, text, 100, 30, 16, 0.1f, 0, align, {1, 1, 1}, 1);
+        drawText(c.frame, text, 100, 30, {16, 0.1f, align, {1, 1, 1}, 1, 0});
         double sum = 0, moment = 0;
         for (int y = 0; y < 40; ++y)
             for (int x = 0; x < 200; ++x) sum += c.at(x, y), moment += c.at(x, y) * x;

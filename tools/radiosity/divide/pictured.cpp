@@ -69,9 +69,8 @@ struct Sum {
 };
 
 // Adds a triangle's part inside a cell.
-void addTo(Sum &sum, float u0, float v0, float u1, float v1, const Placed &t,
-           const ReflectancePicture &texture, bool clamp) {
-    Outline part = {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
+void addTo(Sum &sum, const Outline &cell, const Placed &t, const ReflectancePicture &texture, bool clamp) {
+    Outline part = cell;
     for (size_t k = 0; k < 3 && part.size() > 2; ++k) part = cut(part, t.corners[k], t.corners[(k + 1) % 3]);
     if (part.size() < 3) return;
     double area = areaOf(part);
@@ -90,9 +89,12 @@ void addTriangle(std::vector<Sum> &sums, const Chart &c, const Placed &t, const 
     float wide = c.width / (float)c.across, tall = c.height / (float)c.down;
     auto first = [](float x, int count) { return std::clamp((int)x, 0, count - 1); };
     for (int y = first(low / tall, c.down); y <= first(high / tall, c.down); ++y)
-        for (int x = first(left / wide, c.across); x <= first(right / wide, c.across); ++x)
-            addTo(sums[(size_t)(c.firstCell + y * c.across + x)], (float)x * wide, (float)y * tall,
-                  (float)(x + 1) * wide, (float)(y + 1) * tall, t, texture, clamp);
+        for (int x = first(left / wide, c.across); x <= first(right / wide, c.across); ++x) {
+            float u0 = (float)x * wide, v0 = (float)y * tall, u1 = (float)(x + 1) * wide,
+                  v1 = (float)(y + 1) * tall;
+            addTo(sums[(size_t)(c.firstCell + y * c.across + x)], {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}}, t,
+                  texture, clamp);
+        }
 }
 
 // The pictures' colour in each cell; empty if no picture can be read.

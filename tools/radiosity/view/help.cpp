@@ -51,9 +51,10 @@ pictures::Image viewHelp(std::span<const ViewKey> keys, int width, int height) {
     HeapFrame text(p.width, p.height);
     float y = (kMargin + 1) * size;
     for (const ViewKey &k : keys) {
-        drawText(text.frame, k.keys, kMargin * size, y, size, 0.12f, 0, Align::Left, {1, 0.8f, 0.4f}, 1);
-        drawText(text.frame, k.does, (kMargin + kSecond) * size, y, size, 0.12f, 0, Align::Left, {1, 1, 1},
-                 1);
+        TextStyle style = {size, 0.12f, Align::Left, {1, 0.8f, 0.4f}, 1, 0};
+        drawText(text.frame, k.keys, kMargin * size, y, style);
+        style.radiance = {1, 1, 1};
+        drawText(text.frame, k.does, (kMargin + kSecond) * size, y, style);
         y += kLine * size;
     }
     for (int j = 0; j < p.height; ++j)
