@@ -62,14 +62,14 @@ odraz_test(packer pe_test 1 packing)
 target_sources(packer_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests/support/pe_rules.cpp)
 odraz_test(packer report_test 1 reporting)
 
-# The proof of the maths is not run under sanitizers. Here it tests one float of 61; with tools/test --long it tests
+# The proof of the maths is not run under sanitizers. Here it tests one float of 251; with tools/test --long it tests
 # all, some billions of calls, and the whole film
 if(NOT ODRAZ_SANITIZE)
     odraz_program(base maths_exhaustive_test engine)
     set_source_files_properties(base/maths_exhaustive_test.cpp PROPERTIES COMPILE_OPTIONS -O3)
     add_test(NAME maths_sampled COMMAND maths_exhaustive_test)
     odraz_usual(maths_sampled 2)
-    set_tests_properties(maths_sampled PROPERTIES ENVIRONMENT ODRAZ_EVERY=61)
+    set_tests_properties(maths_sampled PROPERTIES ENVIRONMENT ODRAZ_EVERY=251)
     foreach(function sin cos acos exp2 log2 pow)
         add_test(NAME maths_exhaustive_${function} COMMAND maths_exhaustive_test --gtest_filter=Exhaustive.${function}
             CONFIGURATIONS long)
