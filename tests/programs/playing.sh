@@ -51,7 +51,7 @@ check "... and prints nothing" prints_nothing
 
 
 # The film plays until it is heard, and then ends by ESC
-begins() { begin "$odraz" --window --size 160x90 --from 40 && await focused; }
+begins() { begin "$odraz" --window --size 160x90 && await focused; }
 heard() { record "$WORK/heard" && comes 'is_loud "$WORK/heard"' && kill $recorder; }
 check "plays on" begins
 check "... and is heard" heard

@@ -5,15 +5,13 @@ odraz=$BUILD/odraz-safe
 # shows WIDTH HEIGHT X Y W H [OPTION...]: plays on a screen of this size, and checks that the film fills the rectangle
 # at (X, Y) and nothing beside it. The sky at 24 s is bright in its upper corners
 shows() {
-    local width=$1 height=$2 x=$3 y=$4 w=$5 h=$6 status
-    shift 6
-    start_display "${width}x$height"
-    behind "$odraz" --mute --threads 1 --from 24 --to 60 "$@"
-    await lit "$x" "$y" "$w" "$h" "$width" "$height"
-    status=$?
-    kill $pid 2>/dev/null
-    wait $pid 2>/dev/null
-    return $status
+    start_display "$1x$2"
+    await plays "lit $3 $4 $5 $6 $1 $2" "${@:7}"
+}
+# plays CONDITION [OPTION...]: until it holds. On a busy machine the film may end first: then it plays again
+plays() {
+    behind "$odraz" --mute --threads 1 --from 24 --to 60 "${@:2}"
+    comes "$1" && kill $pid && await gone $pid
 }
 brightness() { convert "$WORK/screen.png" -crop "$1" +repage -colorspace gray -format '%[fx:round(255*mean)]' info:; }
 lit() { # lit X Y W H WIDTH HEIGHT

@@ -22,7 +22,7 @@ check "opens a window" load "$packed"
 check "a bar grows while it loads" grows $pid
 check "ESC leaves while it loads" leaves xdotool key Escape
 
-check "plays in a window" play "$odraz" --window --size 640x360 --from 60 --stats
+check "plays in a window" play "$odraz" --window --size 640x360 --from 50 --stats
 check "its window has the film's size" measures 640 360
 xdotool windowsize "$window" 900 300
 check "draws at another size" await is_black 180x300+0+0
