@@ -45,14 +45,16 @@ found() { # sets spot, the icon: the middle of the tallest region that differs b
         END { if (height >= 18) print at }')
     [ -n "$spot" ]
 }
-answered() { # the film's window is there; answers one question if it comes first
+clicks() { xdotool mousemove $spot sleep 0.3 click --repeat 2 --delay 120 1; last=$SECONDS; }
+answered() { # the film's window is there; answers one question if it comes first, and repeats a click that was missed
     ! seen || return 0
     running || ! opened || {
         sleep 1 # once more if the question did not have the keyboard yet
         ! seen || return 0
-        asks=1
+        asks=1 last=$SECONDS
         xdotool key alt+e
     }
+    running || opened || [ $SECONDS -le $((last + QUIET)) ] || clicks
     return 1
 }
 clicked() { # sets outcome
@@ -60,16 +62,13 @@ clicked() { # sets outcome
     await found || { outcome="no icon"; return; }
     xdotool key Escape
     windows >"$WORK/before"
-    xdotool mousemove $spot
-    sleep 0.3
-    xdotool click --repeat 2 --delay 120 1
+    clicks
     asks=
     PATIENCE=$patience await answered || { running && await seen; } || { outcome="${asks:+asks, and }does not start it"; return; }
     outcome="${asks:+asks, then }starts it"
     running || outcome="starts another film"
     sleep 1
-    xdotool key Escape
-    await eval '! running' || outcome+=", which ESC does not end"
+    await eval 'xdotool key Escape; ! running' || outcome+=", which ESC does not end"
 }
 # double_click MANAGER: as a viewer would, with the default settings; sets outcome
 double_click() {
