@@ -31,7 +31,7 @@ spent() {
         shift 2
     fi
     log=$(mktemp)
-    [ ${#of[@]} -gt 0 ] || ! perf stat -e instructions:u true 2>&1 | grep -q '[0-9] *instructions' || {
+    [ ${#of[@]} -gt 0 ] || ! grep -q '[0-9] *instructions' <<<"$(perf stat -e instructions:u true 2>&1)" || {
         perf stat -x, -e instructions:u -o "$log" "$@" >/dev/null 2>&1
         counted=$(awk -F, '$3 ~ /^instructions/ { print $1 }' "$log")
     }
