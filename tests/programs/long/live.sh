@@ -1,7 +1,7 @@
 # Live editing: a copy of the house is built, its odraz-debug started, and its sources changed while it plays.
 . "$(dirname "$0")/../common.sh"
 . "$SOURCE/tests/programs/display.sh"
-skip_unless git cmake openbox wmctrl convert bc
+skip_unless git cmake openbox wmctrl convert
 house=$WORK/house
 copy_sources "$house"
 (cd "$house" && git init -q && cp -r intro "$WORK/kept") # its version is looked up at every build
@@ -110,7 +110,7 @@ check "... the same picture" comes 'same edited'
 changed_lines() { diff "$WORK/kept/show/film.keys" "$film" | grep -c '^[<>]'; }
 check "... of which one key is new in the source" test "$(changed_lines)" = 1
 check "the film is built of it" cmake --build "$house/build" --target "$FILM-safe" >/dev/null
-"$house/build/$FILM-safe" --dump "$WORK/frames" --fps 8 --from "$(bc <<<"scale=3; $row / 8")" --to "$(bc <<<"scale=3; $row / 8 + 0.1")" --size 320x180 --quality play
+"$house/build/$FILM-safe" --dump "$WORK/frames" --fps 8 --from "$(awk "BEGIN { print $row / 8 }")" --to "$(awk "BEGIN { print $row / 8 + 0.1 }")" --size 320x180 --quality play
 equal() { convert "$WORK/edited.png" -depth 8 "rgb:$WORK/seen.rgb" && convert "$WORK/frames/frame-$(printf %06d "$row").ppm" -depth 8 "rgb:$WORK/dumped.rgb" && cmp "$WORK/seen.rgb" "$WORK/dumped.rgb"; }
 check "... and dumps the picture that was seen, to the bit" equal
 # (keys_test has files that others write meanwhile)
