@@ -114,24 +114,24 @@ Image poster(const std::string &program, int width, const std::string &quality) 
 }
 
 // Lays out frames of one size, row by row.
-Image layOut(const std::vector<Image> &frames, int columns) {
-    constexpr int kGap = 6;
+Image layOut(const std::vector<Image> &frames) {
+    constexpr int kColumns = 5, kGap = 6;
     const int width = frames[0].width, height = frames[0].height;
-    int rows = ((int)frames.size() + columns - 1) / columns;
+    int rows = ((int)frames.size() + kColumns - 1) / kColumns;
     Image sheet;
-    sheet.width = columns * (width + kGap) + kGap;
+    sheet.width = kColumns * (width + kGap) + kGap;
     sheet.height = rows * (height + kGap) + kGap;
     sheet.rgb.assign((size_t)sheet.width * (size_t)sheet.height * 3, 24);
     for (int i = 0; i < (int)frames.size(); ++i)
-        paste(sheet, frames[(size_t)i], i % columns * (width + kGap) + kGap,
-              i / columns * (height + kGap) + kGap);
+        paste(sheet, frames[(size_t)i], i % kColumns * (width + kGap) + kGap,
+              i / kColumns * (height + kGap) + kGap);
     return sheet;
 }
 
 int run(common::CommandLine &line) {
     std::string program, out, quality;
     std::optional<int> width;
-    int every = 5, columns = 5;
+    int every = 5;
     bool asPoster = false;
     line.about("Runs the program FILM, which dumps a frame every few seconds, and lays the frames out on one "
                "page. A\n"
@@ -139,7 +139,6 @@ int run(common::CommandLine &line) {
     line.argument("FILM", program, "the program of the film");
     line.argument("OUT.png", out, "the page to write");
     line.option("--every", "SECONDS", every, {1, 4000}, "the time between frames");
-    line.option("--columns", "N", columns, {1, 4000}, "frames in a row");
     line.option("--width", "PIXELS", width, {1, 4000},
                 "a frame's width (default 384), or the poster's (default 1600)");
     line.option("--quality", "NAME", quality, "the film's quality (default play, for a poster film)");
@@ -154,7 +153,7 @@ int run(common::CommandLine &line) {
         return 0;
     }
     std::vector<Image> frames = framesOf(program, every, width.value_or(384), quality);
-    writePng(out, layOut(frames, columns));
+    writePng(out, layOut(frames));
     std::printf("%s: %zu frames, one every %d s\n", out.c_str(), frames.size(), every);
     return 0;
 }

@@ -33,7 +33,7 @@ struct Kept {
     View view;
     IntroSettings settings;
     char scene[64];
-    double seconds, share; // of the film, if that is kept
+    double seconds; // the moment, if the film is kept
 };
 
 size_t bytesFor(const IntroSettings &settings) { return sizeof(Kept) + memoryNeeded(settings, 1, true); }
@@ -96,22 +96,21 @@ int film(common::CommandLine &line) {
     std::string file, moment;
     float level = 1;
     int gap = 2;
-    double share = 0.5;
     IntroSettings size = {1280, 720};
-    line.about("Keeps the film in a file, with two of its pictures, between which a moment lies.");
+    line.about(
+        "Keeps the film in a file, with two of its pictures: a moment lies in the middle between them.");
     line.argument("FILE", file, "the file to write");
     line.argument("SECONDS", moment, "the moment");
     levelOption(line, level);
     line.option("--gap", "N", gap, {1, 60}, "sixtieths of a second from one picture to the other");
-    line.option("--share", "S", share, {0, 1}, "how far the moment is on the way from one to the other");
     sizeOption(line, "--size", size, "the pictures' size");
     line.parse();
     double seconds = common::numberOf("SECONDS", moment, {0, duration()}),
-           from = seconds - kSixtieth * gap * share, to = from + kSixtieth * gap;
+           from = seconds - kSixtieth * gap / 2, to = from + kSixtieth * gap;
     size.pairs = true;
     Workers workers = serialWorkers();
     Kept &kept = keep(file, size, workers, needsHall(from, to));
-    kept.seconds = seconds, kept.share = share;
+    kept.seconds = seconds;
     picture(*kept.intro, 0, from, qualityOf(level));
     picture(*kept.intro, 1, to, qualityOf(level));
     return 0;
@@ -176,7 +175,7 @@ int makePicture(common::CommandLine &line) {
 
 int makeBetween(common::CommandLine &line) {
     Reopened from(fileOf(line, "Makes the picture of the moment from the two that are kept."));
-    between(from.intro(), 0, 1, from.kept.share);
+    between(from.intro(), 0, 1, 0.5);
     return 0;
 }
 

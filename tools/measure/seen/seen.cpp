@@ -17,7 +17,7 @@ namespace {
 constexpr double kCore = 7e9; // instructions a second of a core, without --cores
 
 struct Options {
-    std::string list, costs = kCostsFile, pictures;
+    std::string list, pictures;
     std::vector<std::string> scenes, screens;
     IntroSettings judged = {};
     std::vector<double> at, machines; // seconds; 10^9 instructions a second
@@ -40,7 +40,6 @@ void check(const common::CommandLine &line, Options &o) {
     };
     if (o.list.empty() != machine) line.refuse("name a list, or --machine");
     goes("--cores", machine, "--machine");
-    goes("--costs", machine || o.onlySummary, "--machine or --summary");
     goes("--list", machine, "--machine");
     if (o.screens.empty()) o.screens = {"1280x720"};
     bool several = o.screens.size() > 1;
@@ -75,7 +74,6 @@ Options read(common::CommandLine &line) {
         "--pictures", "FOLDER", o.pictures,
         "write the pictures on the screen, and the truth: 052000-3.png and 052000-3-truth.png are of the "
         "fourth sixtieth of the window at 52 s");
-    line.option("--costs", "FILE", o.costs, "what pictures cost, as tools/measure/seen/costs writes it");
     line.group("The film's own player on a simulated machine, instead of LIST");
     line.option("--machine", "G", numbersTo(o.machines, "--machine", {0.1, 1e6}),
                 "10^9 instructions a second of all cores; repeatable");
@@ -85,8 +83,8 @@ Options read(common::CommandLine &line) {
     return o;
 }
 
-CostOf costsOf(const Options &o) {
-    Costs costs = common::parseFile(o.costs, [](const std::string &text) { return Costs(text); });
+CostOf countedCosts() {
+    Costs costs = common::parseFile(kCostsFile, [](const std::string &text) { return Costs(text); });
     return [=](const Pictured &p) { return costs.of(p); };
 }
 
@@ -156,7 +154,7 @@ int run(common::CommandLine &line) {
     double first = duration(), last = 0;
     for (const auto &row : rows)
         for (const Span &w : row) first = std::min(first, w.from), last = std::max(last, w.to);
-    CostOf costs = costsOf(asked);
+    CostOf costs = countedCosts();
     std::vector<Player> players = playersOf(asked, costs);
     if (asked.onlyList) {
         std::fputs(printShown(players[0].list).c_str(), stdout);
