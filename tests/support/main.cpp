@@ -3,22 +3,23 @@
 #include <cstdio>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <string>
 
 int main(int argc, char **argv) {
     testing::InitGoogleTest(&argc, argv);
     if (argc > 1) {
-        std::string of;
+        std::string filter;
         const testing::UnitTest &all = *testing::UnitTest::GetInstance();
         for (int s = 0; s < all.total_test_suite_count(); ++s) {
             const testing::TestSuite &suite = *all.GetTestSuite(s);
             for (int i = 0; i < suite.total_test_count(); ++i) {
                 const testing::TestInfo &test = *suite.GetTestInfo(i);
                 if (std::filesystem::path(test.file()).stem() == argv[1])
-                    of += std::string(suite.name()) + "." + test.name() + ":";
+                    filter += std::string(suite.name()) + "." + test.name() + ":";
             }
         }
-        if (of.empty()) return std::fprintf(stderr, "no test is of %s.cpp\n", argv[1]), 2;
-        GTEST_FLAG_SET(filter, of);
+        if (filter.empty()) return std::fprintf(stderr, "there is no test file %s.cpp\n", argv[1]), 2;
+        GTEST_FLAG_SET(filter, filter);
     }
     return RUN_ALL_TESTS();
 }
