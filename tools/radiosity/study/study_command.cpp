@@ -33,8 +33,7 @@ void readJob(common::CommandLine &line, Job &job) {
               "only the smaller sizes and rasters, and fewer patches, shots and rays");
     line.flag("--table41", job.table41,
               "the thesis's Table 4.1 instead: the hall of columns, up to 546,048 patches; about five "
-              "minutes of two "
-              "processors");
+              "minutes of two processors");
     job.options.addTo(line, SolveOptions::For::kStudy);
     line.parse();
     // For the commands on the page
