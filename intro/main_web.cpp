@@ -135,7 +135,7 @@ EXPORT(plan) const Planned *plan(double now, int workers) {
     thePlanned = {theNext, g.level(), (double)size.width, (double)size.height};
     return &thePlanned;
 }
-// One of that many workers took so many seconds for a picture.
+// One of `workers` workers took `trace` seconds for a picture.
 EXPORT(spent) void spent(double trace, int workers) {
     theGovernor.spent((float)trace / (float)workers, 0, 1);
 }

@@ -27,10 +27,10 @@ struct Facet {
 
 struct Patch {
     Vec3 p;       // its middle; if part is hidden, the visible place nearest to the middle of those visible
-    Vec3 n;       // of its plane
+    Vec3 n;       // the normal of its plane
     Rgb reflects; // share of the light that arrives; the solver's caller sets it
-    float share;  // of its places that are visible, 0 .. 1; 0: it has no hemicube and no light
-    float area;   // of what is visible
+    float share;  // the part of its places that is visible, 0 .. 1; 0: it has no hemicube and no light
+    float area;   // square world units of what is visible
     int chart;
 };
 
@@ -39,7 +39,7 @@ struct Patch {
 struct Texel {
     int chart, x, y; // in cells
     uint8_t visible; // a bit for each place that is on a facet and not inside a solid
-    uint8_t ties;    // of a hidden one to its neighbours
+    uint8_t ties;    // a hidden one's number of ties to its neighbours
     bool filled;     // hidden, but with light from its neighbours
 };
 

@@ -45,7 +45,7 @@ begin() { # begin PROGRAM OPTION...: sets pid and window, once it is there
     seen
 }
 
-# drawn: of odraz-debug, whose title has the time that the last picture took: two pictures later every request is shown
+# drawn: waits for two pictures of odraz-debug, whose title has the time of the last one: then every request is shown
 drawn() {
     local before i
     for i in 1 2; do

@@ -52,8 +52,8 @@ seeds_for_obj() {
     options=(-max_len=8192 -dict=words)
 }
 
-# By another program, and one of all that is read: a strip, a fan, sparse and normalised numbers, a skin, transforms,
-# lights, pictures
+# A file that another program wrote, and one with all that the reader knows: a strip, a fan, sparse and normalised
+# numbers, a skin, transforms, lights, pictures
 seeds_for_gltf() {
     cp "$SOURCE/tests/support/models/blender.glb" seeds || return
     local square material

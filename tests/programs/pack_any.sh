@@ -100,7 +100,7 @@ check "a symbolic link stays one" eval 'mkdir target && ln -s target/file link &
 cp c appended && head -c 1000 /dev/zero | tr "\0" x >>appended
 check "a line warns of what is appended and left out" prints '1000 bytes appended' "$pack" appended -o y "${small[@]}"
 
-# What is refused by how it lies in the file system
+# Files that are refused for their mode or their capabilities
 cp c setuid && chmod u+s setuid
 check "one with setuid" refuses 2 "setuid" "$pack" setuid -o x
 if command -v setcap >/dev/null && cp c capable && setcap cap_net_raw=p capable 2>/dev/null; then

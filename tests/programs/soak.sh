@@ -59,7 +59,7 @@ for ((run = 1, end = SECONDS + $(awk "BEGIN { printf \"%d\", $minutes * 60 }"); 
     check "... prints nothing on standard error" test ! -s "$WORK/err"
     read -r n mb descriptors threads mb_more descriptors_more threads_more <<<"$(taken)"
     echo "    $n looks: $mb MB, $descriptors descriptors, $threads threads at most"
-    [ "$n" -ge 3 ] || continue # of a machine so busy, growth cannot be judged
+    [ "$n" -ge 3 ] || continue # too busy a machine for three looks: growth cannot be judged
     check "... within 512 MB" less "$mb" 512
     check "... takes at most $ROOM MB more after its first third" less "$mb_more" $ROOM.01
     check "... no more descriptors" test "$descriptors_more" -le 0

@@ -12,7 +12,7 @@ using Lines = std::vector<std::string>;
 // The mesh with its notes, or the error; both without the name of the folder.
 struct ReadModel {
     Mesh mesh;
-    pictures::Picture picture; // of the first material
+    pictures::Picture picture; // the first material's
     Lines notes;
     std::string error;
 

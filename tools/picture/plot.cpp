@@ -11,7 +11,7 @@ namespace pictures {
 namespace {
 
 constexpr double kLeft = 80, kTop = 40, kBottom = 60, kLeastKey = 170; // the legend is right of the plot
-constexpr double kSeriesLine = 20, kPointLine = 13;                    // of the legend
+constexpr double kSeriesLine = 20, kPointLine = 13;                    // heights of the legend's lines
 constexpr double kMark = 4, kShippedMark = 6;
 constexpr const char *kColours[] = {"#b5562a", "#2f6f8f", "#5a7d2b", "#7a4b8c", "#8a7a20",
                                     "#555555", "#c2871c", "#1c8c7a", "#a03a5c", "#3a50a0"};

@@ -13,7 +13,7 @@ namespace odraz::measure {
 
 namespace {
 
-constexpr int kRounds = 5; // of start-up
+constexpr int kRounds = 5; // how often start-up is measured
 
 // Notes when each step of a solution ends, from its progress reports.
 struct Clock {

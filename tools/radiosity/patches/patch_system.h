@@ -12,12 +12,12 @@
 namespace odraz::radiosity {
 
 struct PatchSystem {
-    std::unique_ptr<Model> model = std::make_unique<Model>(); // of the lists below
+    std::unique_ptr<Model> model = std::make_unique<Model>(); // points into the lists below
     std::vector<Cell> cells;
     std::vector<Texel> texels;
     std::vector<Patch> patches;
     Rows rows{0};
-    // Of each patch
+    // For each patch
     std::vector<Rgb> emits;  // for hemicubes: black if shadow rays find the light of lamps
     std::vector<Rgb> direct; // the light that arrives without a bounce
 

@@ -17,7 +17,7 @@ public:
     using Triangle = std::array<Vec3d, 3>;
     struct Hit {
         double t = INFINITY; // in lengths of the direction; infinity: no hit
-        int number = -1;     // of the triangle, in their order; -1: no hit
+        int number = -1;     // the triangle's, in their order; -1: no hit
         bool back = false;   // the triangle runs clockwise, as seen from the origin
 
         bool met() const { return number >= 0; }

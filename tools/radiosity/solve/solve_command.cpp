@@ -41,7 +41,7 @@ struct SolveJob {
     std::string resume;    // a state to continue from
     double keepEvery = 60; // seconds
     SolveOptions options;
-    std::unique_ptr<Kept> kept; // of `resume`; null: none
+    std::unique_ptr<Kept> kept; // the state that `resume` names; null: none
 };
 
 // Reads a command, or the one in the state that it resumes. Throws Refused.

@@ -21,20 +21,20 @@ struct StudySettings {
 // A whole solution that was measured.
 struct MeasuredSolution {
     std::string name, command; // the `radiosity solve` that gives it
-    double seconds;            // of the processor
+    double seconds;            // processor time
     double wall;
     MeshErrors errors;
 };
 
-inline constexpr int kFinalRays = 256; // of the reference's final gather; a quick study has none
+inline constexpr int kFinalRays = 256; // rays of the reference's final gather; a quick study has none
 
 // The reference's errors against path tracing, which shares neither its rays nor its elements.
 struct ReferenceErrors {
     std::string unknown;       // why they are unknown; empty: they are known
-    size_t places = 0;         // that sent out paths
-    int paths = 0;             // from each
-    MeshErrors reference = {}; // of the reference
-    MeshErrors byRays = {};    // of the tool's default, at the same places
+    size_t places = 0;         // places that sent out paths
+    int paths = 0;             // paths from each place
+    MeshErrors reference = {}; // the reference's errors
+    MeshErrors byRays = {};    // errors of the tool's default, at the same places
 };
 
 // Thrown when the user interrupts.
@@ -59,9 +59,9 @@ public:
     ReferenceErrors referenceErrors;
     std::vector<MeshProbe> places; // at which solutions are compared with the reference
     std::vector<MeasuredSolution> measured;
-    std::vector<std::string> notes;   // of solutions, each once
+    std::vector<std::string> notes;   // the solutions' notes, each once
     std::vector<std::string> leftOut; // chapters that were interrupted
-    double area;                      // of the model
+    double area;                      // the model's
 
     // Throws Interrupted.
     void check() const;
@@ -91,11 +91,11 @@ public:
 private:
     std::string command(const std::string &options) const;
     void compare(const Solution &byRays, const Surroundings &around); // with path tracing
-    void show(float part);                                            // of the work in progress
+    void show(float part);                                            // the progress of the current work
 
     ProgressBar &bar;
     const char *name = "reference";
-    int done = 0, works; // of the whole study
+    int done = 0, works; // the works of the whole study
 };
 
 // Processor and wall-clock seconds since its construction.

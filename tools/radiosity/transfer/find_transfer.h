@@ -24,7 +24,7 @@ struct TransferSettings {
 
 struct TransferReport {
     size_t sites = 0, raysFromSite = 0;
-    int squares = 0;        // of gloss
+    int squares = 0;        // glossy squares
     double seconds[4] = {}; // processor time: rows of rays, columns, clusters, gloss
     std::vector<std::string> notes;
 };

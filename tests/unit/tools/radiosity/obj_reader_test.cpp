@@ -51,7 +51,7 @@ TEST(ObjReader, TakesAllFormsOfLines) {
         EXPECT_NEAR(ReadObj(text).area(), 1, 1e-9) << text;
 }
 
-// Polygons of any shape; what is left out is noted.
+// Polygons of any shape are read; a note names those that are left out.
 TEST(ObjReader, TakesAllShapes) {
     const struct {
         const char *text;
@@ -61,8 +61,7 @@ TEST(ObjReader, TakesAllShapes) {
         {"v 0 0 0\nv 0 0 3\nv 1 0 3\nv 1 0 1\nv 3 0 1\nv 3 0 0\nf 1 2 3 4 5 6\n", 5, ""}, // not convex
         {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 1 2\nf 3\nf\n", 0.5,
          "m.obj: 3 polygons with fewer than three points left out"},
-        {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 2 3 1\n", 0.5,
-         "m.obj: 1 triangle given twice left out"},
+        {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 2 3 1\n", 0.5, "m.obj: 1 triangle given twice left out"},
         {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 1 1 2\nf 1 2 2\n", 0.5,
          "m.obj: 2 triangles without area left out"},
     };
