@@ -106,7 +106,7 @@ constexpr Option kOptions[] = {
      readQuality},
     {"--threads", "N", "1 to 64", " (default: as many as there are processors)",
      [](const char *p, Options &o) { return readCount(p, kMaxWorkers, o.threads) && !*p; }},
-    {"--doctor", "", "tell what this machine has and lacks", "",
+    {"--doctor", "", "list what this machine has and lacks", "",
      [](const char *, Options &o) { return o.doctor = true; }},
     {"--version", "", "", "", [](const char *, Options &o) { return o.version = true; }},
     {"--help", "", "", "", [](const char *, Options &o) { return o.help = true; }},
