@@ -122,6 +122,7 @@ given=$(ls "$WORK/given")
 # --- What must hold ---
 complaint() { # prints what is wrong with the run that ended with the status
     local status=$1 lines
+    [ $name != radiosity ] || sed -i '/^progress: /d' err # what --progress prints
     lines=$(wc -l <err)
     case $status in
     0)
