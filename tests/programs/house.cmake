@@ -48,8 +48,8 @@ odraz_scripts(odraz_script .
     watch 10
     web 50
     window 40)
-odraz_script(hostile_damaged 2 hostile/damaged 8)
-odraz_script(hostile_killed 4 hostile/killed 6)
+odraz_script(hostile_damaged 2 hostile/damaged 8 1)
+odraz_script(hostile_killed 4 hostile/killed 6 1)
 odraz_script(hostile_surroundings 15 hostile/surroundings odraz-safe)
 odraz_script(hostile_words 6 hostile/words odraz-safe 40 1)
 odraz_script(hostile_words_radiosity 3 hostile/words radiosity 60 1)
