@@ -50,10 +50,7 @@ EXPORT(load) const char *loadFilm(int width, int height, int hall) {
     const char *wrong = load(theIntro, settings, arena, theWorkers, hall ? &gl : nullptr,
                              {[](float done, void *) { progress(done); }, nullptr});
     if (!hall || wrong) return wrong;
-    // Clear what was needed for solving alone, so that copies of this memory are small
-    Hall &solved = *theIntro->film.hall;
-    unsigned char *from = (unsigned char *)solved.radiosity.factors.links;
-    __builtin_memset(from, 0, (size_t)((unsigned char *)solved.gloss.matrices - from));
+    clearScratch(*theIntro->film.hall);
     return nullptr;
 }
 EXPORT(picture) uint8_t *pictureAt(double seconds, float level, int width, int height) {

@@ -92,4 +92,9 @@ Rgb meanLight(const Room &room, int chart) {
     return {sum[0] * all, sum[1] * all, sum[2] * all};
 }
 
+void clearScratch(Room &room) {
+    unsigned char *from = (unsigned char *)room.radiosity.factors.links;
+    __builtin_memset(from, 0, (size_t)((unsigned char *)room.gloss.matrices - from));
+}
+
 } // namespace odraz

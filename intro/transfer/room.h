@@ -63,4 +63,7 @@ inline void relightRoom(Room &room, const LightVector &light, const Vec3 &eye, f
 // The average over the texels of a chart.
 Rgb meanLight(const Room &room, int chart);
 
+// Clears what a solved room needed for solving alone, so that copies of its memory pack well.
+void clearScratch(Room &room);
+
 } // namespace odraz
