@@ -88,7 +88,7 @@ hash_sources() {
         cd "$ODRAZ"
         # A temporary index and object store
         index=$(git rev-parse --git-path index) store=$(git rev-parse --git-path objects)
-        cp "$index" "$WORK/index"
+        cp -p "$index" "$WORK/index" # with its time: git compares the content of files that are as young
         export GIT_INDEX_FILE=$WORK/index GIT_OBJECT_DIRECTORY=$WORK/objects
         export GIT_ALTERNATE_OBJECT_DIRECTORIES=$(cd "$store" && pwd)
         git add --all
