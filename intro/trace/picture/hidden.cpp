@@ -34,11 +34,11 @@ static void addDisc(Tile &t, int index) {
     ++d.count;
 }
 
-// Where the eye sees p: there, or in a floor or a ball that mirrors it. There the ball's normal halves the
-// angle between the ways to both; that of the first estimate points to the eye.
+// Where the eye sees p: there, or in a flat shape or a ball that mirrors it. There the ball's normal halves
+// the angle between the ways to both; that of the first estimate points to the eye.
 [[gnu::noinline]] static Vec3 seenAt(const Shape *ball, const Vec3 &eye, const Vec3 &p) {
     if (!ball) return p;
-    if (ball->isFloor()) return {p.x, ball->centre.y * 2 - p.y, p.z};
+    if (!ball->isBall()) return p - ball->frame.v * (dot(p - ball->centre, ball->frame.v) * 2);
     Vec3 n = normalize(eye - ball->centre), at = {};
     for (int i = 0; i < 8; ++i) {
         at = fmadd(n, ball->half.x, ball->centre);
@@ -48,7 +48,7 @@ static void addDisc(Tile &t, int index) {
 }
 
 // Adds a line along a shape's longest side, as thick as its second longest is seen, if that is thin. With a
-// mirror: a line along the shape's image in that floor or ball.
+// mirror: a line along the shape's image in that flat shape or ball.
 static void addThinShape(Tile &t, int index, const Shape *mirror = nullptr) {
     ThinShapes &to = t.s.thin;
     const View &v = t.view;
@@ -88,9 +88,9 @@ static void addThinShape(Tile &t, int index, const Shape *mirror = nullptr) {
             Vec3 aside = cross(axis, middle - v.eye);
             thick *= abs(dot(longest ? shape.frame.u : shape.frame.w, aside)) / max(length(aside), 1e-6f);
         }
-        float nearest = min(place(middle - axis, x0, y0), place(middle + axis, x, y));
-        radius = thick / nearest * pixel * 1.1f;
-        if (nearest <= r * 0.1f || radius > widest) return;
+        float a = place(middle - axis, x0, y0), c = place(middle + axis, x, y), nearest = min(a, c);
+        if (nearest <= r * 0.1f || thick / max(a, c) * pixel > widest) return; // at its thinner end
+        radius = min(thick / nearest * pixel * 1.1f, widest * 0.99f);
     } else if (radius > widest)
         return;
     if (apart()) return;
@@ -114,12 +114,13 @@ void findBallsAndThinShapes(Tile &t) {
         for (int i = 0; i < t.scene.shapeCount; ++i) add(i);
     // What glows is seen in mirrors, however thin it is there
     s.thin.images = s.thin.count;
-    for (int k = -t.scene.unboundedCount; k < s.discs.count; ++k) {
-        const Shape &mirror = t.scene.shapes[k < 0 ? t.scene.unbounded[~k] : s.discs.shape[k]];
-        if (!mirror.isFloor() && t.scene.materials[mirror.material].reflect < 0.5f) continue;
+    for (int k = -t.scene.shapeCount; k < s.discs.count; ++k) {
+        const Shape &mirror = t.scene.shapes[k < 0 ? ~k : s.discs.shape[k]];
+        float reflect = t.scene.materials[mirror.material].reflect;
+        if (k < 0 ? mirror.traits().solid || reflect == 0 : reflect < 0.5f) continue;
         for (int i = 0; i < t.scene.shapeCount; ++i) {
             const Shape &s = t.scene.shapes[i];
-            if (!s.isBall() && s.traits().bounded && t.scene.materials[s.material].onlyGlows())
+            if (!s.isBall() && s.traits().bounded && maxComponent(t.scene.materials[s.material].emit) > 0.5f)
                 addThinShape(t, i, &mirror);
         }
     }
@@ -164,7 +165,7 @@ bool mayHideThin(const Tile &t, Square q, int size, int first) {
         Float8 share = saturate(along / max(square, 1e-12f));
         dx = max(abs(fmadd(share, -alongX, dx)) - half, 0.f),
         dy = max(abs(fmadd(share, -alongY, dy)) - half, 0.f);
-        if (any((fmadd(dx, dx, dy * dy) <= radius * radius) & (radius < half) & (kLanes >= first - i) &
+        if (any((fmadd(dx, dx, dy * dy) <= radius * radius) & (radius < half * 1.1f) & (kLanes >= first - i) &
                 (kLanes < s.count - i)))
             return true;
     }

@@ -53,7 +53,6 @@ struct Shape {
     // Most shapes are balls: the tracer has closed forms for them
     bool isBall() const { return kind == ShapeKind::Sphere; }
     bool isRectangle() const { return kind == ShapeKind::Rect; }
-    bool isFloor() const { return kind == ShapeKind::Plane && aligned; } // fills most pixels of many scenes
 };
 
 // These functions are never inlined, because their code is large.

@@ -283,18 +283,18 @@ static void expectLightAtEveryPlace(Scene &scene, const CameraKey &camera, Quali
     EXPECT_NEAR(mean, 1, off) << (int)name;
 }
 
-// The image of a tube in a ball that mirrors, here three quarters of a pixel wide, has neither gaps nor
-// dashes.
+// The image of a tube, a pixel wide or less, in a ball or a wall that mirrors has neither gaps nor dashes.
 TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    auto s = emptyScene();
-    int tube = s->add(Material{.emit = {0.9f, 0.9f, 0.9f}}), silver = s->add(Material{.reflect = 1});
-    s->add(sphere({0, 0, 0}, 1, silver));
-    s->add(cylinder({1, 0.5f, 8}, 0.09f, 0.5f, tube));
-    s->finish();
-    CameraKey camera = {0, {0, 0, 6}, {0, 0, 0}, 0, 16};
-    for (QualityName name : {QualityName::Draft, QualityName::Play})
-        expectLightAtEveryPlace(*s, camera, name, 0.15);
+    for (bool wall : {false, true}) {
+        auto s = emptyScene();
+        int tube = s->add(Material{.emit = {0.9f, 0.9f, 0.9f}}), silver = s->add(Material{.reflect = 1});
+        s->add(wall ? rect({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 3, 3, silver) : sphere({0, 0, 0}, 1, silver));
+        s->add(cylinder({1, 0.5f, 8}, wall ? 0.02f : 0.09f, 0.5f, tube));
+        s->finish();
+        for (QualityName name : {QualityName::Draft, QualityName::Play})
+            expectLightAtEveryPlace(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.15);
+    }
 }
 
 // The image of a small lamp behind a ball of glass is never lost between the corners of squares.
