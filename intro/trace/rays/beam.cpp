@@ -30,13 +30,14 @@ bool BeamBuilder::narrow() const { return all(ahead > 0.f); }
 Beam BeamBuilder::beam() const {
     // Widen it by the rounding errors of the ratios and of the rays' directions
     constexpr float kSlack = 1e-5f;
-    Vec3 w = frame.w;
-    return {origin,
-            {normalize(frame.u - w * (least(low[0]) - kSlack)),
-             normalize(w * (kSlack - least(-high[0])) - frame.u),
-             normalize(frame.v - w * (least(low[1]) - kSlack)),
-             normalize(w * (kSlack - least(-high[1])) - frame.v), -w},
-            {0, 0, 0, 0, least(-far) * (1 + kSlack)}};
+    Beam b = {origin, {}, {0, 0, 0, 0, least(-far) * (1 + kSlack)}};
+    for (int i = 0; i < 2; ++i) {
+        Vec3 axis = i ? frame.v : frame.u;
+        b.n[2 * i] = normalize(axis - frame.w * (least(low[i]) - kSlack));
+        b.n[2 * i + 1] = normalize(frame.w * (kSlack - least(-high[i])) - axis);
+    }
+    b.n[4] = -frame.w;
+    return b;
 }
 
 void findCandidates(const Scene &scene, const Beam &beam, Candidates &found) {
@@ -102,8 +103,8 @@ Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, 
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
     for (int i = 0; i < among.count && any(hit.t >= among.near[i]); ++i) {
         const Shape &s = scene.shapes[among.shape[i]];
-        takeNearer(hit, s.isBall() ? among.ball[i].hit(d) : distance(s, {broadcast(origin), d}),
-                   among.shape[i]);
+        if (s.isBall() && among.ball[i].misses(d)) continue;
+        takeNearer(hit, distance(s, {broadcast(origin), d}), among.shape[i]);
     }
     return hit;
 }

@@ -42,9 +42,9 @@ struct SharedBall {
     Vec3 f; // from its centre to the origin
     float radius, cosine;
 
+    ODRAZ_INLINE bool misses(Vec3x8 d) const { return !any(-dot(d, f) >= cosine); }
     ODRAZ_INLINE Float8 hit(Vec3x8 d) const {
-        if (!any(-dot(d, f) >= cosine)) return broadcast(kInfinity);
-        return hitBall(broadcast(f), broadcast(radius), d);
+        return misses(d) ? broadcast(kInfinity) : hitBall(broadcast(f), broadcast(radius), d);
     }
 };
 

@@ -21,7 +21,7 @@ struct Slabs {
                 {broadcast(shift.x[k]), broadcast(shift.y[k]), broadcast(shift.z[k])},
                 broadcast(slack[k])};
     }
-    static Slabs from(const Ray8 &ray) {
+    [[gnu::noinline]] static Slabs from(const Ray8 &ray) {
         Vec3x8 inverse, shift;
         auto invert = [](Float8 d) { return 1.f / select(abs(d) < 1e-20f, 1e-20f, d); };
         inverse = {invert(ray.d.x), invert(ray.d.y), invert(ray.d.z)};
@@ -213,7 +213,7 @@ void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float
             if (n.child[i] >= 0)
                 stack.push(base, n.child[i], enter[i]);
             else
-                take(~n.child[i], distanceTo(scene.shapes[~n.child[i]], ray)[0]);
+                take(~n.child[i], distance(scene.shapes[~n.child[i]], ray)[0]);
         }
     }
 }
@@ -246,21 +246,24 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
         return {load(t), loadInts(shape)};
     }
     if (scene.shapeCount <= 12) {
-        Float8 nearest = hit.t;
-        Int8 which = hit.shape;
         for (int i = 0; i < scene.shapeCount; ++i) {
-            Float8 t = distanceTo(scene.shapes[i], ray);
-            Int8 nearer = t < nearest; // at equal distances the first one stays
-            if (!any(nearer)) continue;
-            nearest = min(t, nearest);
-            which = select(nearer, broadcast(i), which);
+            Float8 t = distance(scene.shapes[i], ray);
+            if (any(t < hit.t)) takeNearer(hit, t, i); // of equals the first
         }
-        return {nearest, which};
+        return hit;
     }
     traverse(
         scene, ray, Flat::Seen, true, hit.t, active,
         [](const void *hit, int shape, Float8 t) { takeNearer(*(Hit8 *)hit, t, shape); }, &hit);
     return hit;
+}
+
+[[gnu::noinline]] void dim(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &share, Int8 &active) {
+    const Material &m = scene.materials[shape.material];
+    if (maxComponent(m.emit) > 0 && m.diffuse == 0) return; // a lamp does not shade its own light
+    Rgb through = m.ior > 0 ? m.tint : Rgb{0, 0, 0};
+    share = select(hit, share * through, share);
+    if (m.ior == 0) active &= ~hit;
 }
 
 Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own, bool noBalls) {

@@ -23,13 +23,7 @@ ODRAZ_INLINE void takeNearer(Hit8 &hit, Float8 t, int shape) {
 
 // Dims the light of the rays that hit a shape on their way from a light, and clears the lanes of `active`
 // that it stops.
-ODRAZ_INLINE void dim(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &share, Int8 &active) {
-    const Material &m = scene.materials[shape.material];
-    if (maxComponent(m.emit) > 0 && m.diffuse == 0) return; // a lamp does not shade its own light
-    Rgb through = m.ior > 0 ? m.tint : Rgb{0, 0, 0};
-    share = select(hit, share * through, share);
-    if (m.ior == 0) active &= ~hit;
-}
+void dim(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &share, Int8 &active);
 
 // The nearest hit of each ray. Lanes outside `active` never cause a box to be visited; their result is
 // undefined.

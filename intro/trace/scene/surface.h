@@ -38,10 +38,6 @@ template <class F, class R> ODRAZ_INLINE Float8 hitBall(Vec3T<F> f, R radius, Ve
 ODRAZ_INLINE Float8 hitSphere(const Shape &s, const Ray8 &ray) {
     return hitBall(ray.o - s.centre, s.half.x, ray.d);
 }
-// Most shapes are balls, so their test is inlined.
-ODRAZ_INLINE Float8 distanceTo(const Shape &s, const Ray8 &ray, Flat flat = Flat::Seen) {
-    return s.isBall() ? hitSphere(s, ray) : distance(s, ray, flat);
-}
 
 // The surface at the point that a ray hits.
 struct Surface8 {

@@ -40,7 +40,7 @@ TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
                 Vec3 to = dice.across(towards) * (radius * graze);
                 Vec3 d = normalize(to - o);
                 Shape s = sphere({0, 0, 0}, radius, 0);
-                float alone = distanceTo(s, {broadcast(o), broadcast(d)})[0];
+                float alone = distance(s, {broadcast(o), broadcast(d)})[0];
                 Vec3d f = toDouble(o), v = toDouble(d);
                 double unit = length(v), b = -dot(f, v) / unit,
                        near = std::sqrt(std::fmax(dot(f, f) - b * b, 0));
@@ -105,16 +105,16 @@ TEST(Extremes, RaysLeaveTheSurfacesThatTheyStartOn) {
                 Vec3 o = centre + dice.direction() * (radius * 3);
                 Vec3 to = centre + dice.direction() * (radius * dice(0, 0.999f));
                 Ray8 r = {broadcast(o), broadcast(normalize(to - o))};
-                Float8 t = distanceTo(s, r);
+                Float8 t = distance(s, r);
                 if (!(t[0] < kInfinity)) continue;
                 Surface8 at = surfaceAt(s, r, t);
                 Vec3 n = lane(at.n), d = dice.direction();
                 float grazing = std::pow(10.f, dice(-4, 0));
                 Vec3 out = normalize(dice.across(n) + n * grazing),
                      in = normalize(d - n * (dot(d, n) + grazing));
-                ASSERT_EQ(distanceTo(s, {offsetOrigin(s, at, broadcast(1.f)), broadcast(out)})[0], kInfinity)
+                ASSERT_EQ(distance(s, {offsetOrigin(s, at, broadcast(1.f)), broadcast(out)})[0], kInfinity)
                     << radius << " " << away << " " << grazing;
-                float inside = distanceTo(s, {offsetOrigin(s, at, broadcast(-1.f)), broadcast(in)})[0];
+                float inside = distance(s, {offsetOrigin(s, at, broadcast(-1.f)), broadcast(in)})[0];
                 ASSERT_LT(inside, kInfinity) << radius << " " << away << " " << grazing;
                 double chord = -2 * (double)dot(in, n) * radius;
                 double moved = (double)errorBound(at.p, broadcast(magnitude(s)))[0];
@@ -134,7 +134,7 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
         Ray8 r = {broadcast(o), broadcast(d)};
         Vec3d p = toDouble(o) - toDouble(s.centre), v = toDouble(d) * (1 / length(toDouble(d)));
         for (int bounce = 0; bounce < 64; ++bounce) {
-            Float8 t = distanceTo(s, r);
+            Float8 t = distance(s, r);
             ASSERT_LT(t[0], kInfinity) << bounce;
             Surface8 at = surfaceAt(s, r, t);
             r.d = normalize(fmadd(at.n, dot(at.n, r.d) * -2.f, r.d));
