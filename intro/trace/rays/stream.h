@@ -37,8 +37,9 @@ struct Eight {
     ODRAZ_INLINE Int8 operator()(const int32_t *values) const {
         return straight ? loadInts(values + first) : (Int8)_mm256_i32gather_epi32(values, (__m256i)place, 4);
     }
-    template <int N> ODRAZ_INLINE Vec3x8 operator()(const float (&values)[3][N]) const {
-        return {(*this)(values[0]), (*this)(values[1]), (*this)(values[2])};
+    ODRAZ_INLINE Vec3x8 operator()(const float (&values)[3][kStream]) const {
+        if (straight) return load(values, first);
+        return {gather(values[0], place), gather(values[1], place), gather(values[2], place)};
     }
 };
 

@@ -14,7 +14,7 @@ static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) 
     Float8 t = pick(in.t);
     Vec3x8 p, n;
     Int8 id;
-    Float8 size, width = fmadd(pick(in.spread), t, pick(in.width)), curve = {};
+    Float8 size, spread = pick(in.spread), width = fmadd(spread, t, pick(in.width)), curve = {};
     if (run.balls) {
         // Each lane has its own ball
         Int8 index = pick(in.shape);
@@ -44,6 +44,8 @@ static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) 
     n = n * side;
     store(run.p, i, p);
     store(run.n, i, n);
+    store(run.d, i, ray.d);
+    store(run.spread + i, spread);
     store(run.side + i, side);
     store(run.error + i, errorBound(p, size));
     store(run.cosine + i, clamp(-dot(n, ray.d), 0.f, 1.f));

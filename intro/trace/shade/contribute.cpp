@@ -74,9 +74,9 @@ constexpr float kCalmClouds = 0.175f;
 Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x) & ~kLamps; }
 
 // The light of sunshafts between the eye and the hits.
-Rgb8 inTheAir(const Shading &c, const RayStream &in, const Eight &pick) {
+Rgb8 inTheAir(const Shading &c, const RayStream &in, const Eight &pick, const Vec3x8 &d) {
     if (c.scene.shafts.openings == 0) return Rgb8{};
-    return shaftLight(c.scene.shafts, pick(in.o), pick(in.d), pick(in.t));
+    return shaftLight(c.scene.shafts, pick(in.o), d, pick(in.t));
 }
 
 // Adds what eight places of a run show.
@@ -86,6 +86,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     const Material &m = scene.materials[shape.material];
     Eight pick(run.ray + i);
     int count = min(run.count - i, 8);
+    Vec3x8 d = load(run.d, i);
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
     // Balls that only glow are left out here: addGlowingBalls() adds them. Other lamps would blink in mirrors
     // that are seen in mirrors, where samples are farther apart than they are wide: there they fade
@@ -102,15 +103,14 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
         if (mean && scene.lines == 0)
             albedo = broadcast(scene.mean[shape.material]);
         else if (m.diffuse > 0)
-            albedo = diffuseColour(scene, shape, load(run.p, i), pick(in.d), load(run.cosine + i),
-                                   load(run.width + i), cell);
+            albedo = diffuseColour(scene, shape, load(run.p, i), d, load(run.cosine + i), load(run.width + i),
+                                   cell);
     }
-    if (scene.fog > 0)
-        rest += radiance(scene.sky, pick(in.d)) * pick(in.weight) * (1.f - load(run.clear + i));
+    if (scene.fog > 0) rest += radiance(scene.sky, d) * pick(in.weight) * (1.f - load(run.clear + i));
     Int8 id = loadInts(run.id + i);
     if (c.bounces == 0) {
         if (scene.lines != 0) states += cell << kCellShift; // so that squares split where patches end
-        rest += inTheAir(c, in, pick);
+        rest += inTheAir(c, in, pick, d);
         begin(c, in, run.ray + i, count, {albedo, id, light, states, rest});
         return;
     }
@@ -139,11 +139,13 @@ void addShown(const Shading &c, const RayStream &in, const Run &run) {
 void addSky(const Shading &c, const RayStream &in, const Run &run) {
     for (int i = 0; i < run.count; i += 8) {
         Eight pick(run.ray + i);
+        Vec3x8 d = pick(in.d);
         Rgb8 weight = pick(in.weight),
-             light = radiance(c.scene.sky, pick(in.d), c.bounces ? kCalmClouds : kSharpClouds) * weight;
+             light = radiance(c.scene.sky, d, c.bounces ? kCalmClouds : kSharpClouds) * weight;
         int count = min(run.count - i, 8);
         if (c.bounces == 0)
-            begin(c, in, run.ray + i, count, {Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + inTheAir(c, in, pick)});
+            begin(c, in, run.ray + i, count,
+                  {Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + inTheAir(c, in, pick, d)});
         else
             addRest(c, in, run.ray + i, count, light,
                     hash(pick(in.path)) & (weight.y > c.quality.markWeight));

@@ -103,15 +103,12 @@ struct Lobe {
     // highlight may lie between the corners of a square
     Float8 end = {}, reach = broadcast(2.f);
 
-    ODRAZ_INLINE Lobe(const RayStream &in, const Run &run, int i, const Material &m, float lobeEnd,
-                      const Vec3x8 &n) {
+    ODRAZ_INLINE Lobe(const Run &run, int i, const Material &m, float lobeEnd, const Vec3x8 &n) {
         if (m.specular == 0) return;
-        Eight pick(run.ray + i);
-        d = pick(in.d);
+        d = load(run.d, i);
         dn = dot(n, d) * -2.f;
-        Float8 spread = min(
-                   fmadd(load(run.curve + i) / max(load(run.cosine + i), 0.1f), 2.f, pick(in.spread)), 1.f),
-               variance = spread * spread;
+        Float8 steep = load(run.curve + i) / max(load(run.cosine + i), 0.1f),
+               spread = min(fmadd(steep, 2.f, load(run.spread + i)), 1.f), variance = spread * spread;
         end = fmadd(variance, -14.f, lobeEnd);
         reach = fmadd(variance, -16.f, 1.f);
         wider = 1.f / fmadd(variance, m.exponent, 1.f);
@@ -214,7 +211,7 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
 
 } // namespace
 
-void illuminate(const Shading &c, const RayStream &in, Run &run) {
+void illuminate(const Shading &c, Run &run) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];
@@ -236,7 +233,7 @@ void illuminate(const Shading &c, const RayStream &in, Run &run) {
         Float8 share = maxComponent(load(run.weight, i));
         Int8 active = kLanes < run.count - i;
         if (m.ior > 0) active &= side > 0.f; // inside glass, light arrives by refraction
-        Lobe phong(in, run, i, m, lobeEnd, n);
+        Lobe phong(run, i, m, lobeEnd, n);
         p = fmadd(n, error, p);
         Places at = {i, p, n, side, share, active};
         for (int k = 0; k < scene.lightCount; ++k) addLight(all, at, phong, k, way, sum);

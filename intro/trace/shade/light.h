@@ -9,6 +9,6 @@
 namespace odraz {
 
 // Fills in `diffuse`, `highlight` and `states` of a run.
-void illuminate(const Shading &c, const RayStream &in, Run &run);
+void illuminate(const Shading &c, Run &run);
 
 } // namespace odraz

@@ -50,9 +50,9 @@ struct Emitter {
 void followEight(const Shading &c, const RayStream &in, const Run &run, RayStream &out, int i) {
     const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
     Emitter emit = {c, in, out, Eight(run.ray + i), kLanes < run.count - i};
-    Vec3x8 p = load(run.p, i), n = load(run.n, i), d = emit.pick(in.d);
+    Vec3x8 p = load(run.p, i), n = load(run.n, i), d = load(run.d, i);
     Rgb8 weight = load(run.weight, i);
-    Float8 cosine = load(run.cosine + i), width = load(run.width + i), spread = emit.pick(in.spread);
+    Float8 cosine = load(run.cosine + i), width = load(run.width + i), spread = load(run.spread + i);
     // A curved mirror widens what it reflects
     Float8 curve = load(run.curve + i), steep = 1.f / max(cosine, 0.1f),
            mirrorSpread = min(fmadd(curve * steep, 2.f, spread), 1.f);

@@ -14,7 +14,7 @@ namespace {
 void shade(const Shading &c, const RayStream &in, Run &run, RayStream &out) {
     const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
     arrive(c, in, run);
-    if (m.diffuse > 0 || m.specular > 0) illuminate(c, in, run);
+    if (m.diffuse > 0 || m.specular > 0) illuminate(c, run);
     addShown(c, in, run);
     if (m.ior > 0 || m.reflect > 0) addSecondaryRays(c, in, run, out);
 }
