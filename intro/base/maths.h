@@ -19,23 +19,23 @@ namespace odraz {
 inline constexpr float kPi = 3.14159265f;
 
 // The sine of x + quadrant * pi/2.
-template <class T> T sinQuadrant(T x, int quadrant) {
+inline Float8 sinQuadrant(Float8 x, int quadrant) {
     // Reduce to [-pi/4, pi/4]; k counts the quarter turns removed
-    T k = round(x * 0.636619772f);
-    T r = fmadd(k, -1.57079637050629f, x);
+    Float8 k = round(x * 0.636619772f);
+    Float8 r = fmadd(k, -1.57079637050629f, x);
     r = fmadd(k, 4.37113882867379e-8f, r);
     r = fmadd(k, 1.71512451000588e-15f, r);
-    auto q = toInt(k) + quadrant;
+    Int8 q = toInt(k) + quadrant;
     // Evaluate both series and pick by the quadrant
-    T z = r * r;
-    T s = fmadd(fmadd(fmadd(z, -0.000195878908804f, 0.00833274827063f), z, -0.166666646623f), z * r, r);
-    T c = fmadd(fmadd(fmadd(z, 2.45479420851e-5f, -0.00138883030359f), z, 0.0416666646595f), z * z,
-                fmadd(z, -0.5f, 1.f));
-    T y = select((q & 1) != 0, c, s);
+    Float8 z = r * r;
+    Float8 s = fmadd(fmadd(fmadd(z, -0.000195878908804f, 0.00833274827063f), z, -0.166666646623f), z * r, r);
+    Float8 c = fmadd(fmadd(fmadd(z, 2.45479420851e-5f, -0.00138883030359f), z, 0.0416666646595f), z * z,
+                     fmadd(z, -0.5f, broadcast(1.f)));
+    Float8 y = select((q & 1) != 0, c, s);
     return fromBits(bits(y) ^ ((q & 2) << 30));
 }
-template <class T> T sin(T x) { return sinQuadrant(x, 0); }
-template <class T> T cos(T x) { return sinQuadrant(x, 1); }
+inline Float8 sin(Float8 x) { return sinQuadrant(x, 0); }
+inline Float8 cos(Float8 x) { return sinQuadrant(x, 1); }
 
 // Source: Abramowitz and Stegun, 4.4.46.
 template <class T> T acos(T x) {
@@ -46,11 +46,11 @@ template <class T> T acos(T x) {
     return select(x < 0.f, kPi - p, p);
 }
 
-template <class T> T exp2(T x) {
+inline Float8 exp2(Float8 x) {
     x = clamp(x, -126.f, 127.999f);
-    T whole = round(x);
-    T f = x - whole;
-    T p = fmadd(f, 0.000154531629451f, 0.00133908633647f);
+    Float8 whole = round(x);
+    Float8 f = x - whole;
+    Float8 p = fmadd(f, 0.000154531629451f, 0.00133908633647f);
     p = fmadd(p, f, 0.00961808255728f);
     p = fmadd(p, f, 0.0555035711422f);
     p = fmadd(p, f, 0.240226507606f);
@@ -59,18 +59,24 @@ template <class T> T exp2(T x) {
     return fromBits(bits(p) + (toInt(whole) << 23));
 }
 
-template <class T> T log2(T x) {
+inline Float8 log2(Float8 x) {
     x = max(x, 1.17549435e-38f);
     // Split x = m 2^e with m in [sqrt(1/2), sqrt(2))
-    auto e = (bits(x) - 0x3f3504f3) >> 23;
-    T m = fromBits(bits(x) - (e << 23));
+    Int8 e = (bits(x) - 0x3f3504f3) >> 23;
+    Float8 m = fromBits(bits(x) - (e << 23));
     // log2 m as an odd series in (m-1)/(m+1)
-    T s = (m - 1.f) / (m + 1.f);
-    T z = s * s;
-    T p = fmadd(fmadd(z, 0.431717697459f, 0.576715186019f), z, 0.961798838802f);
+    Float8 s = (m - 1.f) / (m + 1.f);
+    Float8 z = s * s;
+    Float8 p = fmadd(fmadd(z, 0.431717697459f, 0.576715186019f), z, 0.961798838802f);
     p = fmadd(p, z, 2.8853900798f);
     return fmadd(p, s, toFloat(e));
 }
+
+// One float takes the way of eight: a second copy of the code would be larger
+inline float sin(float x) { return sin(broadcast(x))[0]; }
+inline float cos(float x) { return cos(broadcast(x))[0]; }
+inline float exp2(float x) { return exp2(broadcast(x))[0]; }
+inline float log2(float x) { return log2(broadcast(x))[0]; }
 
 template <class T> T pow(T x, float y) { return exp2(log2(x) * y); }
 
