@@ -97,14 +97,13 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         uint32_t shape = (uint32_t)c.patchesAcross | (uint32_t)c.patchesDown << 16;
         float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
         for (int side = -1; side < 4; ++side, all >>= 4, some >>= 4) {
-            if (all & 15) continue;
             Corner corners[4];
             for (int k = 0; k < 4; ++k) {
-                Vec3 p = local[k];
-                float x = side & 1 ? p.y : p.x, y = side & 1 ? -p.x : p.y, turn = side < 2 ? 1 : -1;
-                corners[k] = {turn * y, p.z, turn * x, f.u[k] * perU, f.v[k] * perV};
-                if (side == -1) corners[k].x = p.x, corners[k].y = p.y, corners[k].w = p.z;
+                Vec3 &p = local[k];
+                corners[k] = {p.x, p.y, p.z, f.u[k] * perU, f.v[k] * perV};
+                p = side == -1 ? Vec3{p.y, p.z, p.x} : Vec3{-p.z, p.y, p.x}; // into the next face's frame
             }
+            if (all & 15) continue;
             float y = side == -1 ? 1 : (float)(2 + side);
             layOut(out, corners, 4, side == -1, some, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first,
                    shape);

@@ -112,7 +112,8 @@ Material pearl(bool warm, float reflect) {
             .fresnel = reflect > 0,
             .tint = warm ? linear(256, 169, 118) : linear(246, 248, 256)};
 }
-Material lamp(const Rgb &radiance) { return {.texture = plain({}), .emit = radiance}; }
+// Never inlined: it clears a whole material
+[[gnu::noinline]] Material lamp(const Rgb &radiance) { return {.texture = plain({}), .emit = radiance}; }
 
 Sky duskSky(float row) {
     Rgb low = linear(33, 29, 35), up = linear(4, 10, 28) - low;

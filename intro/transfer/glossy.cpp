@@ -19,7 +19,6 @@ struct Arriving {
             Float8 s[4];
 #pragma GCC unroll 4
             for (int j = 0; j < 4; ++j) s[j] = load(sum[k] + 8 * j);
-#pragma GCC unroll 4
             for (int l = 0; l < 4; ++l) {
                 Float8 radiance = broadcast(radiances[l][k]);
 #pragma GCC unroll 4

@@ -26,9 +26,9 @@ struct Stretch {
 Rgb8 shaftLight(const Sunshafts &shafts, const Vec3x8 &o, const Vec3x8 &d, Float8 hit) {
     const Bounds &room = shafts.room;
     Stretch all = {Float8{}, hit};
-    all = all.within(o.x, d.x, room.lo.x, room.hi.x);
-    all = all.within(o.y, d.y, room.lo.y, room.hi.y);
-    all = all.within(o.z, d.z, room.lo.z, room.hi.z);
+    const Float8 *from = &o.x, *speeds = &d.x; // x, y, z
+    const float *low = &room.lo.x, *high = &room.hi.x;
+    for (int k = 0; k < 3; ++k) all = all.within(from[k], speeds[k], low[k], high[k]);
     // Slide along the sun's direction to the wall
     float rise = shafts.sun.y / shafts.sun.x, aside = shafts.sun.z / shafts.sun.x;
     Float8 deep = room.lo.x - o.x;
