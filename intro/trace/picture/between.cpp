@@ -52,6 +52,7 @@ struct Sides {
     const Trust *trust;
     float share; // of the later one
     float exposure;
+    BetweenScratch *scratch; // of each worker
 };
 
 [[gnu::cold]] void findTrust(const Traced &before, const Traced &after, const Traced &now, float gap,
@@ -316,7 +317,9 @@ ODRAZ_INLINE int makeBlock(const Sides &sides, const Tile &t, BetweenScratch &b,
     return count;
 }
 
-void makeTile(const Sides &sides, Tile &t, BetweenScratch &b) {
+void makeTile(const void *with, Tile &t, int worker) {
+    const Sides &sides = *(const Sides *)with;
+    BetweenScratch &b = sides.scratch[worker];
     int count = 0;
     findShown(t, b);
     for (int y = 0; y < t.height; y += kBlock)
@@ -347,14 +350,14 @@ void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neig
     carryTo(n.before, now, between.carry[0]);
     carryTo(n.after, now, between.carry[1]);
     findTrust(n.before, n.after, now, n.gap, between.carry, between.trust);
-    Sides sides = {n.before.frame, n.after.frame, between.carry, between.trust, n.share, now.scene->exposure};
+    Sides sides = {n.before.frame, n.after.frame,       between.carry,  between.trust,
+                   n.share,        now.scene->exposure, between.scratch};
     // Mirrors and glass must look as in the traced pictures, or they flicker. But an in-between is seen for
     // a sixtieth of a second only, so twice the thresholds are enough
     Quality anew = quality;
     anew.fine = max(anew.fine, 2), anew.coarse = 32;
     anew.threshold *= 2, anew.markThreshold *= 2, anew.edge *= 2;
-    forTiles(tracer, workers, *now.scene, now.view, anew, now.frame,
-             [&](Tile &tile, int worker) { makeTile(sides, tile, between.scratch[worker]); });
+    forTiles(tracer, workers, *now.scene, now.view, anew, now.frame, makeTile, &sides);
 }
 
 int64_t tracedAnew(Between &between) {

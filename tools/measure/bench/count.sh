@@ -10,7 +10,7 @@ counted() {
     local log of words
     case $3 in
     posing) of='odraz::measure::poseSubject*' words=(again "$2") ;;
-    trace) of='odraz::traceFrame*' words=(trace "$2" "$4") ;;
+    trace) of='odraz::forTiles*' words=(trace "$2" "$4") ;;
     development) of='odraz::develop(*const&)' words=(develop "$2") ;;
     glare) of='odraz::spreadGlare*' words=(develop "$2") ;;
     esac
