@@ -17,12 +17,12 @@ constexpr Rgb kLanternLight = Rgb{33, 28, 21}, kStripLight = Rgb{1.7f, 1.85f, 2.
 // Blends a material (grey 0) with a grey that is the same for all (grey 1).
 Material faded(Material m, float grey) {
     if (grey == 0) return m;
-    Rgb plain = {0.6f, 0.6f, 0.6f};
     m.diffuse = lerp(m.diffuse, 1.f, grey);
     for (Texture *t : {&m.texture, &m.other})
-        for (Rgb &c : t->palette) c = lerp(c, plain, grey);
+        for (Rgb &c : t->palette) c = lerp(c, Rgb{0.6f, 0.6f, 0.6f}, grey);
     m.tint *= Rgb{1, 1, 1} * (1 - grey); // of what it mirrors
     m.specular *= 1 - grey;
+    if (grey == 1) m.texture.pattern = Pattern::Plain, m.cell = 0; // no pattern is seen
     return m;
 }
 

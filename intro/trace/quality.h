@@ -14,14 +14,14 @@ struct Quality {
     QualityName id = QualityName::Count; // the row's own; Count: a blend of two rows
     char name[12] = ""; // not a pointer: the options are read before other constants are decoded
 
-    int grid = 0;           // 1 .. 16: grid x grid samples in every pixel, nothing adaptive; 0: adaptive
-    int coarse = 0;         // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
-    int fine = 0;           // ... of the smallest: 8 or 4; 2: a pixel may take three more samples, 1: twelve
-    int textureSamples = 1; // 1 or 2 per side of a pixel, of textures whose own filter is approximate
+    int grid = 0;   // 1 .. 16: grid x grid samples in every pixel, nothing adaptive; 0: adaptive
+    int coarse = 0; // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
+    int fine = 0;   // ... of the smallest: 8 or 4; 2: a pixel may take three more samples, 1: twelve
     // Thresholds, as differences of shown intensity (0 .. 1)
     float threshold = 0;     // splits a square
     float markThreshold = 0; // ... of two pixels whose corners have different marks; also see meanServes()
     float edge = 0;          // splits a pixel; to split it again, twice that is needed
+    float textureEdge = 0;   // relative, between pixels: then a texture or lines take four samples in each
     float markWeight = 0;    // least share of the intensity at which a ray's hit may split squares
     int depth = 0;           // most bounces of a path, <= kMaxDepth
     float cutoff = 0;        // least share of the intensity at which a ray is followed
@@ -38,6 +38,7 @@ inline constexpr Quality kQualities[] = {
      .threshold = 0.1f,
      .markThreshold = 0.06f,
      .edge = 0.6f,
+     .textureEdge = 2,
      .markWeight = 0.25f,
      .depth = 5,
      .cutoff = 1 / 24.f,
@@ -49,6 +50,7 @@ inline constexpr Quality kQualities[] = {
      .threshold = 0.038f,
      .markThreshold = 0.02f,
      .edge = 0.12f,
+     .textureEdge = 0.3f,
      .markWeight = 0.2f,
      .depth = 5,
      .cutoff = 1 / 64.f,
@@ -57,7 +59,6 @@ inline constexpr Quality kQualities[] = {
      .name = "film",
      .coarse = 16,
      .fine = 1,
-     .textureSamples = 2,
      .threshold = 0.026f,
      .markThreshold = 0.005f,
      .edge = 0.06f,
@@ -68,15 +69,15 @@ inline constexpr Quality kQualities[] = {
 };
 static_assert(inOrder(kQualities, &Quality::id), "a row for every name, in the enum's order");
 
-// A quality between a (share 0) and b (share 1). Bounces and textures change in steps.
+// A quality between a (share 0) and b (share 1). Bounces change in steps.
 inline Quality blend(const Quality &a, const Quality &b, float share) {
     auto mix = [&](float x, float y) { return x + (y - x) * share; };
     return {.coarse = share < 0.5f ? a.coarse : b.coarse,
             .fine = share < 1 && a.fine < b.fine ? a.fine : b.fine,
-            .textureSamples = share == 0 ? a.textureSamples : b.textureSamples,
             .threshold = mix(a.threshold, b.threshold),
             .markThreshold = mix(a.markThreshold, b.markThreshold),
             .edge = mix(a.edge, b.edge),
+            .textureEdge = mix(a.textureEdge, b.textureEdge),
             .markWeight = mix(a.markWeight, b.markWeight),
             .depth = (int)(mix((float)a.depth, (float)b.depth) + 0.5f),
             .cutoff = mix(a.cutoff, b.cutoff),

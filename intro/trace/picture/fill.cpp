@@ -14,14 +14,17 @@ static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i owner) {
     if (t.frame.shapes) _mm_storeu_si128((__m128i *)(t.frame.shapes + out), owner);
 }
 
-// The albedo that eight pixels show. Noise of several octaves fades a little too early or too late; the mean
-// of two by two samples of half the width is more accurate.
-static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y) {
+// The albedo that eight pixels show, of which `mine` show the shape. Where it changes from one to the next,
+// one sample is not accurate: noise fades a little too early or too late, and lines have stairs. There it is
+// the mean of two by two samples of half the width. One alone is nearest to that if its filter is narrower.
+static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y, Int8 mine) {
     const Shape &shape = t.scene.shapes[owner];
     const Material &m = t.scene.materials[shape.material];
     if (onePlainColour(t.scene, m)) return broadcast(m.texture.palette[0] * m.diffuse);
     Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f), py = broadcast((float)(t.y0 + y) + 0.5f);
-    if (t.quality.textureSamples == 1 || !m.rough()) return albedoSeen(t.scene, t.view, shape, px, py, 1);
+    Rgb8 one = albedoSeen(t.scene, t.view, shape, px, py, 0.7f);
+    Float8 next = _mm256_permutevar8x32_ps(one.y, _mm256_setr_epi32(1, 2, 3, 4, 5, 6, 7, 7));
+    if (!any(mine & (abs(next - one.y) >= next * t.quality.textureEdge))) return one;
     Rgb8 sum = {};
     for (int i = 0; i < 4; ++i)
         sum += albedoSeen(t.scene, t.view, shape, px + ((float)(i & 1) * 0.5f - 0.25f),
@@ -110,7 +113,7 @@ void fill(Tile &t, Square q, int size) {
         int p = at + y * kTile;
         if (size == 8) {
             // Whole packets need not wait for their neighbours
-            if (lit) r += lights.row(v, u) * albedoOf(t, owner, x0, y0 + y);
+            if (lit) r += lights.row(v, u) * albedoOf(t, owner, x0, y0 + y, kLanes >= 0);
             put(t, x0, y0 + y, r, owners);
             _mm_storeu_si128((__m128i *)(s.owner + p), _mm_set1_epi16((short)kDone));
             continue;
@@ -144,7 +147,7 @@ void finishTile(Tile &t) {
                 while (left) {
                     int shape = owner[__builtin_ctz((unsigned)left)];
                     Int8 mine = owner == shape;
-                    Rgb8 a = albedoOf(t, (uint16_t)shape, x, y);
+                    Rgb8 a = albedoOf(t, (uint16_t)shape, x, y, mine);
                     sum = select(mine, sum + a * light, sum);
                     left &= ~laneBits(mine);
                 }

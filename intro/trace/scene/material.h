@@ -32,8 +32,6 @@ struct Material {
     // Whether its texture is so fine or pale that in draft and play only pixels show it, and samples its
     // mean.
     bool faint() const { return texture.traits().faint && cell == 0; }
-    // Whether a texture's own filter is only approximate.
-    bool rough() const { return texture.traits().rough || (cell > 0 && other.traits().rough); }
 };
 
 // The diffuse colour at local points q, seen along the local unit direction d by samples `width` wide

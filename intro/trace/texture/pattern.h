@@ -16,28 +16,17 @@ enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Plaster, 
 // The properties of a pattern that other code depends on.
 struct PatternTraits {
     Pattern pattern;
-    bool rough;         // several octaves, which fade a little too early or too late
     bool faint = false; // so fine or pale that samples and mirrors may show its mean: see Quality::faint
     float shares[4];    // how often each colour of the palette appears, counted
 };
 
 inline constexpr PatternTraits kPatterns[] = {
-    {.pattern = Pattern::Plain, .rough = false, .shares = {1, 0, 0, 0}}, // the first colour alone
-    {.pattern = Pattern::Marble, .rough = true, .shares = {18 / 64.f, 42 / 64.f, 3.5f / 64, 0.5f / 64}},
-    {.pattern = Pattern::Wood,
-     .rough = true,
-     .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // grows along z
-    {.pattern = Pattern::WoodAcross,
-     .rough = true,
-     .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // along x
-    {.pattern = Pattern::Stone,
-     .rough = true,
-     .faint = true,
-     .shares = {8 / 64.f, 18.5f / 64, 23.5f / 64, 14 / 64.f}},
-    {.pattern = Pattern::Plaster,
-     .rough = false,
-     .faint = true,
-     .shares = {1.5f / 64, 38 / 64.f, 24 / 64.f, 0.5f / 64}},
+    {.pattern = Pattern::Plain, .shares = {1, 0, 0, 0}}, // the first colour alone
+    {.pattern = Pattern::Marble, .shares = {18 / 64.f, 42 / 64.f, 3.5f / 64, 0.5f / 64}},
+    {.pattern = Pattern::Wood, .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // grows along z
+    {.pattern = Pattern::WoodAcross, .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // along x
+    {.pattern = Pattern::Stone, .faint = true, .shares = {8 / 64.f, 18.5f / 64, 23.5f / 64, 14 / 64.f}},
+    {.pattern = Pattern::Plaster, .faint = true, .shares = {1.5f / 64, 38 / 64.f, 24 / 64.f, 0.5f / 64}},
 };
 static_assert(inOrder(kPatterns, &PatternTraits::pattern), "a row for every pattern, in the enum's order");
 

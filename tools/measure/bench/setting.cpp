@@ -39,11 +39,11 @@ std::vector<Knob> knobsOf(Quality &q) {
         {"grid", &q.grid, nullptr, upTo(16)},
         {"coarse", &q.coarse, nullptr, {4, 8, 16, 32}},
         {"fine", &q.fine, nullptr, {1, 2, 4, 8}},
-        {"textureSamples", &q.textureSamples, nullptr, {1, 2}},
         {"depth", &q.depth, nullptr, upTo(kMaxDepth)},
         {"threshold", nullptr, &q.threshold, {}},
         {"markThreshold", nullptr, &q.markThreshold, {}},
         {"edge", nullptr, &q.edge, {}},
+        {"textureEdge", nullptr, &q.textureEdge, {}},
         {"markWeight", nullptr, &q.markWeight, {}},
         {"cutoff", nullptr, &q.cutoff, {}},
     };
