@@ -23,7 +23,7 @@ static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y, Int8 mine) {
     if (onePlainColour(t.scene, m)) return broadcast(m.texture.palette[0] * m.diffuse);
     Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f), py = broadcast((float)(t.y0 + y) + 0.5f);
     Rgb8 one = albedoSeen(t.scene, t.view, shape, px, py, 0.7f);
-    Float8 next = _mm256_permutevar8x32_ps(one.y, _mm256_setr_epi32(1, 2, 3, 4, 5, 6, 7, 7));
+    Float8 next = _mm256_permutevar8x32_ps(one.y, (__m256i)Int8{1, 2, 3, 4, 5, 6, 7, 7});
     if (!any(mine & (abs(next - one.y) >= next * t.quality.textureEdge))) return one;
     Rgb8 sum = {};
     for (int i = 0; i < 4; ++i)
