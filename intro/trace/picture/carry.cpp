@@ -42,21 +42,26 @@ namespace odraz {
 }
 
 void markOwners(Frame &f, Workers &workers) {
+    typedef uint16_t Short8 __attribute__((vector_size(16)));
+    auto at = [](const uint16_t *p) { return (Short8)_mm_loadu_si128((const __m128i *)p); };
+    auto min = [](Short8 a, Short8 b) { return a < b ? a : b; };
+    auto max = [](Short8 a, Short8 b) { return a < b ? b : a; };
     parallelRanges(workers, f.height, 16, [&](int first, int end, int) {
         for (int y = first; y < end; ++y) {
             const uint16_t *p = f.shapes + (ptrdiff_t)y * f.stride;
             const ptrdiff_t below = y + 1 < f.height ? f.stride : 0;
             int32_t *to = f.owners + (ptrdiff_t)y * f.stride;
             for (int x = 0; x < f.width; x += 8, p += 8) {
-                Int8 four[4], least = broadcast((int)kManyShapes), many = {}, same = kLanes >= 0;
-                for (int k = 0; k < 4; ++k) {
-                    const uint16_t *from = p + (k & 1) + (k & 2 ? below : 0);
-                    four[k] = (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)from));
-                    least = select(four[k] < least, four[k], least);
-                    many |= four[k] == kManyShapes;
-                }
-                for (Int8 v : four) same &= (v == least) | (v == kManyShapes);
-                store(to + x, least | (same & (2 + many)) << 16);
+                Short8 a = at(p), b = at(p + 1), c = at(p + below), d = at(p + below + 1),
+                       least = min(min(a, b), min(c, d));
+                // One more makes kManyShapes the least of all
+                a += 1, b += 1, c += 1, d += 1;
+                Short8 most = max(max(a, b), max(c, d)), fewest = min(min(a, b), min(c, d));
+                Short8 worth = (Short8)(most == least + 1) & ((Short8)(fewest == 0) + 2);
+                _mm_storeu_si128((__m128i *)(to + x),
+                                 (__m128i)__builtin_shufflevector(least, worth, 0, 8, 1, 9, 2, 10, 3, 11));
+                _mm_storeu_si128((__m128i *)(to + x + 4),
+                                 (__m128i)__builtin_shufflevector(least, worth, 4, 12, 5, 13, 6, 14, 7, 15));
             }
         }
     });
