@@ -37,7 +37,8 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
     Float8 perRing = width * kRings;
     Float8 shade = min(f * f * fmadd(fract(year * 0.625f), 0.625f, 0.5f), (1.f - f) / max(perRing, 0.0625f));
     shade = fmadd(shade - 0.25f, bandLimit(perRing, 2.f), 0.25f);
-    Float8 fibre = noise(p * Vec3{32, 32, 1}) * bandLimit(width * 32.f, 1.f);
+    Float8 fibre = bandLimit(width * 32.f, 1.f);
+    if (any(fibre > 0.f)) fibre *= noise(p * Vec3{32, 32, 1});
     return saturate(fmadd(fibre, 0.1875f, fmadd(own, 0.25f, fmadd(shade, 0.75f, 0.0625f))));
 }
 
@@ -47,15 +48,17 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
 static Float8 stone(const Vec3x8 &p, Float8 width) {
     Vec3x8 low = {floor(p.x - 0.5f), floor(p.y - 0.5f), floor(p.z - 0.5f)};
     Float8 least = broadcast(9.f), tone = {}, perEdge = 1.f / fmadd(width, 1.5f, 0.03125f);
-    for (int i = 8; i--;) {
-        Vec3x8 cell = low + Vec3{(float)(i & 1), (float)(i & 2) * 0.5f, (float)(i & 4) * 0.25f};
-        Float8 n = dot(cell, broadcast(Vec3{7.3095703125f, 5.1708984375f, 3.7705078125f})),
-               own = fract(n * fract(n));
-        Vec3x8 to = cell + Vec3x8{fract(own * 17.f), fract(own * 59.f), fract(own * 211.f)} - p;
-        Float8 far = dot(to, to) - own * 0.25f;
-        tone = fmadd(own - tone, saturate(fmadd(least - far, perEdge, 0.5f)), tone);
-        least = min(least, far);
-    }
+    for (float k = 1; k >= 0; --k)
+        for (float j = 1; j >= 0; --j)
+            for (float i = 1; i >= 0; --i) {
+                Vec3x8 cell = low + Vec3{i, j, k};
+                Float8 n = dot(cell, broadcast(Vec3{7.3095703125f, 5.1708984375f, 3.7705078125f})),
+                       own = fract(n * fract(n));
+                Vec3x8 to = cell + Vec3x8{fract(own * 17.f), fract(own * 59.f), fract(own * 211.f)} - p;
+                Float8 far = dot(to, to) - own * 0.25f;
+                tone = fmadd(own - tone, saturate(fmadd(least - far, perEdge, 0.5f)), tone);
+                least = min(least, far);
+            }
     tone = fmadd(tone - 0.5f, bandLimit(width, 3.f), 0.5f);
     return saturate(fmadd(noise(p * broadcast(0.0625f)), 0.375f, tone));
 }
@@ -88,11 +91,17 @@ static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
 
 Rgb8 colour(const Texture &t, const Vec3x8 &q, Float8 width) {
     if (t.pattern == Pattern::Plain) return broadcast(t.palette[0]);
-    Float8 v = valueOf(t.pattern, q * broadcast(t.scale), width * t.scale);
-    // Look the number up in the palette
-    Rgb8 c = broadcast(t.palette[0]);
-    for (int i = 0; i < 3; ++i) c += (t.palette[i + 1] - t.palette[i]) * saturate(fmadd(v, 3.f, (float)-i));
-    return c;
+    // Look the number up in the palette, whose colours are three floats apart
+    Float8 v = valueOf(t.pattern, q * broadcast(t.scale), width * t.scale) * 3.f, from = min(floor(v), 2.f);
+    auto at = [&](int first, Int8 i) {
+        return (Float8)_mm256_permutevar8x32_ps(load(&t.palette[0].x + first), (__m256i)i);
+    };
+    Int8 i = toInt(from * 3.f);
+    auto channel = [&](int k) {
+        Float8 a = at(k, i);
+        return fmadd(at(k + 2, i + 1) - a, v - from, a);
+    };
+    return {channel(0), channel(1), channel(2)};
 }
 
 Rgb meanColour(const Texture &t) {
