@@ -92,7 +92,7 @@ struct Rows {
                 std::memcpy(&in.pair[1], from.inputs[2 * i + 1] + offset, 8);
                 x[i] = __builtin_convertvector(__builtin_convertvector(in.all, Int8), Float8);
             }
-            x[count - 1] = Float8{all[at].odds[7 - shift]};
+            x[count - 1] = Float8{all[at].odds[7 - shift], kConstant / kUnit};
 #pragma GCC unroll 8
             for (uint32_t s = 0; s < kSets; ++s) {
                 const Float8 *w = rows.weights[s];
@@ -112,8 +112,8 @@ struct Rows {
             Counter &correction = rows.corrections[(int32_t)(sum * (kSteepness * kUnit) + kMiddle)];
             int32_t p = (int32_t)(mixed * (1 << kProbabilityBits));
             if (!correction) correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
-            float one = (float)((((int32_t)correction >> kSeenBits) + kHalf + p) | 1) *
-                        (0.5f / (1 << kProbabilityBits));
+            float one = (float)((((int32_t)correction >> kSeenBits) + kHalf + 3 * p) | 1) *
+                        (0.25f / (1 << kProbabilityBits));
             likely *= bit ? one : 1 - one;
             adapt(correction, bit, kSettled[0]);
 

@@ -5,10 +5,10 @@
 // last bits seen in the slot; and one selected by the last byte seen there. The latter two are shared by all
 // slots of the context in one phase of the parser. Each probability p is an input as ln(p / (1 - p)), and the
 // slot's own also as p - 1/2. One more input comes from the marked places that an operand may name
-// (surroundings.h). Eight sets of weights mix all inputs. Each set has many rows; for each set, other fields
-// and bits select one. A ninth set, whose row the phase selects, mixes the eight results. A last table,
-// selected by fields and bits too, corrects the mixed probability. The weights are trained by the error (as
-// in Mahoney's PAQ), a row that was used often more slowly.
+// (surroundings.h), and one is constant. Eight sets of weights mix all inputs. Each set has many rows; for
+// each set, other fields and bits select one. A ninth set, whose row the phase selects, mixes the eight
+// results. A last table, selected by fields and bits too, corrects the mixed probability. The weights are
+// trained by the error (as in Mahoney's PAQ), a row that was used often more slowly.
 //
 // This is the definition; stub.S does the same in fewer bytes, and the packer runs both before it writes
 // anything. They must agree to the last bit: single-precision floats, one operation at a time in the order
@@ -27,7 +27,7 @@ namespace pack {
 constexpr uint32_t kContextCounters = 3;
 constexpr uint32_t kMostContexts = 16; // 24 gained nothing
 constexpr uint32_t kSets = 8;
-constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // rows of a set's weights
+constexpr uint32_t kRowBits = 14, kRows = 1 << kRowBits; // rows of a set's weights
 constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
 
 // What the packer chooses for each program.
@@ -78,6 +78,7 @@ typedef float Float4 __attribute__((vector_size(16)));
 typedef int32_t Int4 __attribute__((vector_size(16)));
 // Logarithms are in units of a float's last bit: 2^23 for a factor of 2.
 constexpr float kLogUnit = 0.69314718f / (1 << 23);
+constexpr float kConstant = 1 << 25; // an input that is always the same
 constexpr float kFirstWeight = 1.0f / 25, kFinalLearning = 1.0f / 1250 * kLogUnit;
 // The rate of a row that was used n times: kLearning + kEarlyLearning / (n + kEarlyUses)
 constexpr float kLearning = 0.0035f * kLogUnit, kEarlyUses = 75,
@@ -120,8 +121,9 @@ struct Context {
 };
 
 struct alignas(64) Model {
-    // The odds and three zeros; then those of each context: its three counters' and the slot's p - 1/2. In
-    // the rows of weights, the last of the first four is not a weight: it counts how often the row was used
+    // The odds, the constant and two zeros; then those of each context: its three counters' and the slot's p
+    // - 1/2. In the rows of weights, the last of the first four is not a weight: it counts how often the row
+    // was used
     Float4 inputs[1 + kMostContexts], results[kSets / 4];
     Float4 *rows[kSets];
     Counter *correction;
@@ -251,7 +253,7 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
     for (uint32_t i = 0; i < parameters.contexts; ++i)
         find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, nibble);
     float *results = (float *)m.results;
-    m.inputs[0] = Float4{logOf(odds), 0, 0, 0};
+    m.inputs[0] = Float4{logOf(odds), kConstant, 0, 0};
     for (uint32_t i = 0; i < parameters.contexts; ++i) m.inputs[1 + i] = inputsOf(m.contexts[i].counter);
 
     // Mix. The results are stored in reverse order of the sets
@@ -267,9 +269,9 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
                    (int32_t)(sum * kSteepness + kMiddle);
     int32_t p = (int32_t)(m.mixed * (1 << kProbabilityBits));
     if (!*m.correction) *m.correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
-    // The mean of the mixed and the corrected probability
-    int32_t twice = ((int32_t)*m.correction >> kSeenBits) + kHalf + p;
-    return (uint32_t)twice >> (kProbabilityBits + 1 - kShareBits) | 1;
+    // Three parts of the mixed and one of the corrected probability
+    int32_t four = ((int32_t)*m.correction >> kSeenBits) + kHalf + 3 * p;
+    return (uint32_t)four >> (kProbabilityBits + 2 - kShareBits) | 1;
 }
 
 inline void learn(Model &m, const ModelParameters &parameters, uint32_t bit) {

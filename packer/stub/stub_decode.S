@@ -254,6 +254,7 @@ find:
     cvtdq2ps xmm0, xmm0
     lea rdi, [rbp + INPUTS]
     movss [rdi], xmm0
+    mov byte ptr [rdi + 7], CONSTANT_BITS >> 24 // the rest of it is 0
 
     // stretch and linear, of a context's three counters at once
     mov eax, CERTAIN + 2
@@ -325,8 +326,9 @@ find:
     mov [rax], ecx
 1:  mov eax, [rax]
     sar eax, SEEN_BITS
-    lea eax, [rax + rdx + HALF]
-    shr eax, PROBABILITY_BITS + 1 - SHARE_BITS
+    lea eax, [rax + rdx * 2 + HALF]
+    add eax, edx
+    shr eax, PROBABILITY_BITS + 2 - SHARE_BITS
     or al, 1
 
     // Decoder::bit
