@@ -49,6 +49,7 @@ get_memory:
     js no_memory
     push rax // for munmap
     lea rbp, [rax - FIELDS]
+    large_pages
 
     // Decode. Decoding overwrites the slots of the imports, so save them around it
     mov edi, [rbx + IMPORTS]

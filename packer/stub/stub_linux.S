@@ -34,3 +34,13 @@
     syscall
     test rax, rax
 .endm
+
+// The esi bytes at rax, just mapped, get large pages, if the system has them: a sixth of the time to decode.
+.macro large_pages
+    xchg rdi, rax
+    push 14 // the advice
+    pop rdx
+    push 28 // madvise
+    pop rax
+    syscall
+.endm

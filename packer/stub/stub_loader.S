@@ -72,6 +72,7 @@ get_memory:
     js no_memory
     push rax // for munmap
     lea rbp, [rax - FIELDS]
+    large_pages
 
     // The program's memory ends where the file begins
     lea r12, [rip + start - LOADER_FRONT]
