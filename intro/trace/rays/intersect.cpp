@@ -220,7 +220,7 @@ void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float
 
 // Whether the tree is so large, and the rays so far apart, that it is faster to trace each ray alone.
 bool diverge(const Scene &scene, const Ray8 &ray, Int8 active) {
-    if (scene.nodeCount < 12) return false;
+    if (scene.nodeCount < 128) return false;
     int first = __builtin_ctz((unsigned)laneBits(active) | 256);
     if (first == 8) return false;
     Vec3 d = {ray.d.x[first], ray.d.y[first], ray.d.z[first]};

@@ -55,7 +55,7 @@ void Scene::finish() {
             glowingBall[next(glowingBallCount, kMaxGlowingBalls, "kMaxGlowingBalls")] = (uint16_t)i;
         } else if (ballsOcclude) {
             int k = next(occluderCount, kMaxOccluders, "kMaxOccluders");
-            occluder[k] = s.centre;
+            occluder[0][k] = s.centre.x, occluder[1][k] = s.centre.y, occluder[2][k] = s.centre.z;
             occluderRadius[k] = s.half.x;
             occluderShape[k] = (uint16_t)i;
         }

@@ -52,7 +52,7 @@ struct Scene {
     Rgb mean[kMaxMaterials];                // each material's average diffuse reflectance
     uint16_t unbounded[kMaxUnbounded];      // the shapes without a bounding box
     uint16_t glowingBall[kMaxGlowingBalls]; // the balls that only glow
-    Vec3 occluder[kMaxOccluders];           // the balls that occlude, see ballsOcclude
+    float occluder[3][kMaxOccluders];       // the balls that occlude, see ballsOcclude
     float occluderRadius[kMaxOccluders];
     uint16_t occluderShape[kMaxOccluders];
     Bounds box[kMaxShapes]; // of each bounded shape

@@ -15,34 +15,37 @@ constexpr float kLeast = 1 / 150.f;
 
 struct Occluders {
     int count = 0;
-    Vec3 centre[kMaxOccluders];
-    float square[kMaxOccluders], radius[kMaxOccluders];
+    uint8_t ball[kMaxOccluders]; // indices of Scene::occluder
 
     // For places in a box.
     Occluders(const Scene &scene, const Bounds &box) {
-        Vec3 a = box.lo, b = box.hi;
-        for (int i = 0; i < scene.occluderCount; ++i) {
-            Vec3 c = scene.occluder[i];
-            Vec3 off = c - Vec3{clamp(c.x, a.x, b.x), clamp(c.y, a.y, b.y), clamp(c.z, a.z, b.z)};
-            float r = scene.occluderRadius[i];
-            if (dot(off, off) * kLeast >= r * r) continue;
-            centre[count] = c;
-            square[count] = r * r;
-            radius[count++] = r;
+        for (int i = 0; i < scene.occluderCount; i += 8) {
+            Vec3x8 c = load(scene.occluder, i);
+            Float8 r = load(scene.occluderRadius + i);
+            Vec3x8 off = {max(box.lo.x - c.x, max(c.x - box.hi.x, 0.f)),
+                          max(box.lo.y - c.y, max(c.y - box.hi.y, 0.f)),
+                          max(box.lo.z - c.z, max(c.z - box.hi.z, 0.f))};
+            int reach = laneBits((dot(off, off) * kLeast < r * r) & (kLanes < scene.occluderCount - i));
+            for (; reach; reach &= reach - 1) ball[count++] = (uint8_t)(i + __builtin_ctz((unsigned)reach));
         }
     }
 
     // The share of that light that reaches places p with unit normals n.
-    Float8 open(const Shape &shape, const Vec3x8 &p, const Vec3x8 &n) const {
+    Float8 open(const Scene &scene, const Shape &shape, const Vec3x8 &p, const Vec3x8 &n) const {
         Float8 left = broadcast(1.f);
         for (int i = 0; i < count; ++i) {
-            Vec3x8 to = centre[i] - p;
+            int k = ball[i];
+            float r = scene.occluderRadius[k], square = r * r;
+            Vec3x8 to = {scene.occluder[0][k] - p.x, scene.occluder[1][k] - p.y, scene.occluder[2][k] - p.z};
             Float8 far2 = max(dot(to, to), 1e-12f), facing = dot(n, to);
-            Int8 counts = (facing > -radius[i]) & (far2 * kLeast < square[i]);
-            if (shape.isBall()) counts &= far2 > square[i] * 1.0001f; // not itself
+            Int8 counts = (facing > -r) & (far2 < square * (1 / kLeast));
+            if (shape.isBall()) counts &= far2 > square * 1.0001f; // not itself
             if (!any(counts)) continue;
-            Float8 taken = ballFormFactor(facing / sqrt(far2), square[i] / far2) - kLeast;
-            left *= 1.f - select(counts, clamp(taken, 0.f, 0.95f), 0.f);
+            // The horizon cuts few of them. Most touch a floor: there rounding must not decide
+            Float8 cosine = facing / sqrt(far2), sine2 = square / far2, taken = cosine * sine2;
+            if (any(counts & (facing * abs(facing) < square * 0.9999f)))
+                taken = ballFormFactor(cosine, sine2);
+            left *= 1.f - select(counts, clamp(taken - kLeast, 0.f, 0.95f), 0.f);
         }
         return left;
     }
@@ -87,7 +90,7 @@ ODRAZ_INLINE void addAround(const Scene &scene, const Shape &shape, const Occlud
         sum.diffuse =
             broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f);
     if (occluders.count) {
-        Float8 open = occluders.open(shape, p, n);
+        Float8 open = occluders.open(scene, shape, p, n);
         sum.diffuse = sum.diffuse * open;
         sum.highlight = sum.highlight * open;
     }

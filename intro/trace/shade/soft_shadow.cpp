@@ -7,13 +7,14 @@ void findBlockers(const Scene &scene, const Light &light, const Bounds &box, Blo
     Vec3 middle = (box.lo + box.hi) * 0.5f, way = middle - light.position;
     float reach = length(box.hi - middle) + light.radius, far = length(way);
     way = way * (1 / max(far, 1e-9f));
-    for (int i = 0; i < scene.occluderCount; ++i) {
-        Vec3 to = scene.occluder[i] - light.position;
-        float r = scene.occluderRadius[i], along = dot(to, way);
-        Vec3 aside = to - way * along;
-        float wide = r + reach;
-        if (along > -wide && along < far + wide && dot(aside, aside) < wide * wide)
-            found.ball[found.count++] = (uint8_t)i;
+    for (int i = 0; i < scene.occluderCount; i += 8) {
+        Vec3x8 to = load(scene.occluder, i) - light.position;
+        Float8 along = dot(to, way), wide = load(scene.occluderRadius + i) + reach;
+        Vec3x8 aside = to - way * along;
+        Int8 may = (along > -wide) & (along < far + wide) & (dot(aside, aside) < wide * wide) &
+                   (kLanes < scene.occluderCount - i);
+        for (int lanes = laneBits(may); lanes; lanes &= lanes - 1)
+            found.ball[found.count++] = (uint8_t)(i + __builtin_ctz((unsigned)lanes));
     }
 }
 
@@ -27,7 +28,7 @@ Rgb8 softShadow(const Scene &scene, const Blockers &blockers, const Light &light
     for (int i = 0; i < blockers.count; ++i) {
         int k = blockers.ball[i], shape = scene.occluderShape[k];
         float r = scene.occluderRadius[k];
-        Vec3x8 to = scene.occluder[k] - p;
+        Vec3x8 to = {scene.occluder[0][k] - p.x, scene.occluder[1][k] - p.y, scene.occluder[2][k] - p.z};
         Float8 along = dot(to, l);
         Vec3x8 aside = to - l * along;
         // The lamp's disc where the ball stands
