@@ -8,8 +8,9 @@ namespace odraz {
 
 // How far two pictures are trusted where they show a shape.
 struct Trust {
-    float alike; // differences below this count as none
-    int alone;   // -1: what one of them shows counts where the other one does not show it; 0: it does not
+    float alike;  // differences below this count as none
+    int alone;    // -1: what one of them shows counts where the other one does not show it; 0: it does not
+    float bright; // eight pixels count only if none of them is brighter, times white
 };
 
 namespace {
@@ -25,6 +26,9 @@ constexpr float kAlike = 0.06f, kAlikeInFloor = 0.09f;
 // is allowed: both pictures may show the same colour on either side of a thing that has moved. What glass
 // shows moves up to twenty times as fast: kTornInGlass is kTorn for glass of any shape.
 constexpr float kTorn = 0.0028f, kTornInGlass = 0.00014f, kGhosts = 0.0055f;
+// What a flat mirror shows of lamps slides over it: both pictures may show the same of them where they are
+// not. So nothing this bright is carried, if the eye moves by more than this part of its distance
+constexpr float kBright = 0.25f, kSlides = 0.2f;
 constexpr float kBlinding = 2.5f; // times white
 // Samples in a pixel that is traced again: how many, and how far apart across and down
 constexpr int kSamples = 3;
@@ -63,11 +67,16 @@ struct Sides {
     for (int i = 0; i <= scene.shapeCount; ++i) {
         const Shape &a = scene.shapes[i];
         const Material &m = scene.materials[a.material];
-        trust[i] = {kAlike * gap * 0.5f, -1};
+        trust[i] = {kAlike * gap * 0.5f, -1, kInfinity};
         if (i == scene.shapeCount || carry[0][i].shape == kNone || carry[1][i].shape == kNone) continue;
         const bool glass = m.ior > 0;
         // What slides over a flat mirror is not known
-        if (m.reflect > 0 && !a.isBall()) trust[i].alike = min(trust[i].alike, kAlikeInFloor);
+        if (m.reflect > 0 && !a.isBall()) {
+            trust[i].alike = min(trust[i].alike, kAlikeInFloor);
+            if (length(after.view.eye - before.view.eye) >
+                kSlides * abs(dot(now.view.eye - a.centre, a.frame.v)))
+                trust[i].bright = kBright;
+        }
         if (!glass && (m.reflect <= 0 || !a.isBall())) continue;
         Vec3 u = before.scene->shapes[carry[0][i].shape].centre - before.view.eye,
              v = one ? a.centre - now.view.eye
@@ -167,7 +176,7 @@ ODRAZ_INLINE Blend blend(const Sides &sides, const Trust &trust, const Fetched &
     Rgb8 off = after.radiance - before.radiance, radiance = before.radiance + off * broadcast(sides.share);
     Float8 bright = brightest(radiance) * sides.exposure,
            differs = max(brightest(off), -min(off.x, min(off.y, off.z))) * sides.exposure;
-    return {radiance, differs <= fmadd(bright, 4.f, 0.1f) * trust.alike};
+    return {radiance, differs <= fmadd(bright, 4.f, 0.1f) * (any(bright > trust.bright) ? -1 : trust.alike)};
 }
 
 // What is known of eight pixels without tracing; and kInside where one shape fills them.
