@@ -1,4 +1,4 @@
-// The functions of OpenGL 3.3 that we use, and one of ARB_clip_control, as a table. The host fills it.
+// The functions of OpenGL 3.3 that we use, as a table. The host fills it.
 //
 // On Windows the table leads to code that passes each call on to Windows's function. So no function here may
 // have a float after an integer: the two calling conventions pass such a float in different registers.
@@ -15,7 +15,7 @@ namespace odraz {
     F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) \
     F(glTexSubImage2D) F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) \
     F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels) \
-    F(glGetIntegerv) F(glGetString) F(glGetStringi) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
+    F(glGetString) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
     F(glFramebufferRenderbuffer) F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) \
     F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) \
     F(glUniform1fv) F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \
@@ -28,7 +28,6 @@ namespace odraz {
 struct Gl {
 #define ODRAZ_GL_MEMBER(name) decltype(&::name) name;
     ODRAZ_GL(ODRAZ_GL_MEMBER)
-    decltype(&::glClipControl) glClipControl; // looked up separately; null where there is none
 #undef ODRAZ_GL_MEMBER
 };
 

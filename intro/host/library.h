@@ -23,8 +23,7 @@ inline const char *nextName(const char *name) {
 // The same, where `find` looks up a function by its name.
 const char *findFunctions(void *(*find)(const char *), const char *names, void **table);
 
-// Fills the table of OpenGL; `find` looks up a function of the current context. glClipControl may be missing:
-// it is then null.
+// Fills the table of OpenGL; `find` looks up a function of the current context.
 const char *findGl(void *(*find)(const char *), Gl &gl);
 
 // For tables written as lists: #define LIST(F) F(first) F(second)

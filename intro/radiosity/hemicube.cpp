@@ -29,14 +29,10 @@ constexpr char kVertexShader[] =
     "out vec2 s;flat out uvec2 f;flat out float d;"
     "uniform float n;"
     "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy," ODRAZ_KEPT ",p.z);s=q;f=c;}";
-// Without reversed depth (D) it writes 1/w itself
+// Depth is 1/w: OpenGL's own would lose what tells far things apart
 constexpr char kFragmentShader[] =
     "in vec2 s;flat in uvec2 f;flat in float d;out uint o;"
-    "void main(){\n"
-    "#ifdef D\n"
-    "gl_FragDepth=d*gl_FragCoord.w;\n"
-    "#endif\n"
-    "uint a=f.y&65535u;"
+    "void main(){gl_FragDepth=d*gl_FragCoord.w;uint a=f.y&65535u;"
     "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
 
 struct Writer {
@@ -142,16 +138,6 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h.ids = arena.take<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
     if (arena.full) return false;
 
-    // Look for reversed depth
-    GLint extensions = 0;
-    gl.glGetIntegerv(GL_NUM_EXTENSIONS, &extensions);
-    for (int i = 0; i < extensions; ++i) {
-        auto *name = (const char *)gl.glGetStringi(GL_EXTENSIONS, (GLuint)i);
-        const char *wanted = "GL_ARB_clip_control";
-        while (*wanted && *name == *wanted) ++name, ++wanted;
-        h.clipControl |= *wanted == *name && gl.glClipControl;
-    }
-
     // An atlas of numbers and depths
     int width = h.columns * px, height = h.lines * 3 * px;
     gl.glGenFramebuffers(1, &h.framebuffer);
@@ -168,8 +154,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h.program = gl.glCreateProgram();
     for (int i = 0; i < 2; ++i) {
         GLuint shader = gl.glCreateShader(i ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER);
-        const char *sources[2] = {h.clipControl ? ODRAZ_VERSION : ODRAZ_VERSION "#define D\n",
-                                  i ? kFragmentShader : kVertexShader};
+        const char *sources[2] = {ODRAZ_VERSION, i ? kFragmentShader : kVertexShader};
         gl.glShaderSource(shader, 2, sources, nullptr);
         gl.glCompileShader(shader);
         gl.glAttachShader(h.program, shader);
@@ -204,7 +189,6 @@ void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
     gl.glEnable(GL_DEPTH_TEST);
     gl.glEnable(GL_DEPTH_CLAMP);
     gl.glDepthFunc(GL_GREATER);
-    if (h.clipControl) gl.glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     static const GLuint kZero[4] = {};
     static const GLfloat kFarthest = 0;
     gl.glClearBufferuiv(GL_COLOR, 0, kZero);

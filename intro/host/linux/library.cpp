@@ -18,7 +18,6 @@ const char *loadFunctions(const char *soname, const char *names, void **table) {
 }
 
 const char *findGl(void *(*find)(const char *), Gl &gl) {
-    gl.glClipControl = (PFNGLCLIPCONTROLPROC)find("glClipControl");
     return findFunctions(find, ODRAZ_GL(ODRAZ_NAME), (void **)&gl);
 }
 

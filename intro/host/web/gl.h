@@ -7,7 +7,7 @@ namespace odraz {
 
 // clang-format off
 #define ODRAZ_WEB_GL(F) \
-    F(glGenFramebuffers) F(glBindFramebuffer) F(glCheckFramebufferStatus) F(glReadPixels) F(glGetIntegerv) \
+    F(glGenFramebuffers) F(glBindFramebuffer) F(glCheckFramebufferStatus) F(glReadPixels) \
     F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) F(glFramebufferRenderbuffer) \
     F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) F(glAttachShader) F(glLinkProgram) \
     F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) F(glUniform1fv) F(glGenVertexArrays) \

@@ -16,7 +16,6 @@ const makeGl = (gl, memory) => {
     glCreateShader: kind => name(gl.createShader(kind)),
     glShaderSource: (s, n, from) =>
       gl.shaderSource(things[s], view(Uint32Array, from, n).reduce((all, at) => all + text(at), '')),
-    glGetIntegerv: (what, to) => { view(Int32Array, to, 1)[0] = 0 }, // how many extensions: none that we ask for
     glGetProgramiv: (p, what, to) => { view(Int32Array, to, 1)[0] = +gl.getProgramParameter(things[p], what) },
     glGetUniformLocation: (p, at) => name(gl.getUniformLocation(things[p], text(at))),
     glUniform1fv: (u, n, at) => gl.uniform1fv(things[u], view(Float32Array, at, n)),

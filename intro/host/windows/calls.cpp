@@ -19,7 +19,7 @@ __asm__(".section .text.odrazCalls, \"ax\"\n"
         ODRAZ_WINMM(NAMED)
         ".globl odrazGlCalls\n"
         "odrazGlCalls:\n"
-        ODRAZ_GL(UNNAMED) UNNAMED(glClipControl)
+        ODRAZ_GL(UNNAMED)
         // clang-format on
         "odrazCall:\n"
         "    pop %rax\n"

@@ -13,10 +13,8 @@ const char *loadFunctions(const char *file, const char *names, void **table) {
 }
 
 const char *findGl(void *(*find)(const char *), Gl &gl) {
-    void **table = odrazFunctions.gl, **clip = table + windows::kGlFunctions - 1;
     for (int i = 0; i < windows::kGlFunctions; ++i) ((void **)&gl)[i] = odrazGlCalls + 8 * i;
-    if (!(*clip = find("glClipControl"))) gl.glClipControl = nullptr;
-    return findFunctions(find, ODRAZ_GL(ODRAZ_NAME), table);
+    return findFunctions(find, ODRAZ_GL(ODRAZ_NAME), odrazFunctions.gl);
 }
 
 } // namespace odraz

@@ -51,14 +51,6 @@ TEST(ClosedRoom, NothingIsSeenFromOutsideAtAnyOffset) {
     }
 }
 
-TEST(Depth, UsesClipControlWhereItIs) {
-    HemicubeBench b;
-    addRoom(*b.model, {-1, -1, -1}, {1, 1, 1}, 0.5f);
-    b.open(32, 1);
-    const char *override = getenv("MESA_EXTENSION_OVERRIDE");
-    EXPECT_EQ(b.hemicubes().clipControl, !(override && strstr(override, "-GL_ARB_clip_control")));
-}
-
 // Two far walls are a hair apart: the nearer one must win in every pixel.
 TEST(Depth, SeparatesNearFromFarAtADistance) {
     HemicubeBench b;

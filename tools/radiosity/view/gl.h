@@ -8,12 +8,13 @@ namespace odraz::radiosity {
 // clang-format off
 #define ODRAZ_VIEW_GL(F) \
     F(glUniform1i) F(glUniform1f) F(glUniform3f) F(glUniform2f) F(glDrawElements) F(glPolygonOffset) F(glDeleteTextures) \
-    F(glBufferSubData) F(glPixelStorei)
+    F(glBufferSubData) F(glPixelStorei) F(glGetIntegerv) F(glGetStringi)
 // clang-format on
 
 struct ViewGl : Gl {
 #define ODRAZ_GL_MEMBER(name) decltype(&::name) name;
     ODRAZ_VIEW_GL(ODRAZ_GL_MEMBER)
+    decltype(&::glClipControl) glClipControl; // looked up separately; null where there is none
 #undef ODRAZ_GL_MEMBER
 };
 

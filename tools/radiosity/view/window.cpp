@@ -33,6 +33,7 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     bool missing = !window;
     if (window) {
         glfwMakeContextCurrent(window);
+        gl.glClipControl = (PFNGLCLIPCONTROLPROC)find("glClipControl");
         missing =
             findGl(find, gl) || findFunctions(find, ODRAZ_VIEW_GL(ODRAZ_NAME), (void **)&gl.glUniform1i);
     }
