@@ -59,7 +59,7 @@ static Float8 stone(const Vec3x8 &p, Float8 width) {
                 tone = fmadd(own - tone, saturate(fmadd(least - far, perEdge, 0.5f)), tone);
                 least = min(least, far);
             }
-    tone = fmadd(tone - 0.5f, bandLimit(width, 3.f), 0.5f);
+    tone = fmadd(tone - 0.58f, bandLimit(width, 3.f), 0.58f);
     return saturate(fmadd(noise(p * broadcast(0.0625f)), 0.375f, tone));
 }
 
