@@ -107,13 +107,26 @@ void fill(Tile &t, Square q, int size) {
     Float8 u = (toFloat(kLanes) + 0.5f) * step;
     Bilinear lights(light), rests(rest);
     __m128i owners = _mm_set1_epi16((short)owner);
+    // Of eight rows, three are evaluated; others only where the albedo changes from a row above to one
+    // below
+    constexpr struct {
+        uint8_t row, above, below;
+    } kOrder[] = {{0, 0, 0}, {4, 0, 0}, {7, 0, 0}, {2, 0, 4}, {6, 4, 7}, {1, 0, 2}, {3, 2, 4}, {5, 4, 6}};
+    Rgb8 albedo[8];
+    for (const auto &[y, above, below] : kOrder) {
+        if (size < 8 || !lit) break;
+        const Rgb8 &a = albedo[above], &b = albedo[below];
+        albedo[y] = below == 0 || any(abs(b.y - a.y) >= a.y * (t.quality.textureEdge * 0.025f))
+                        ? albedoOf(t, owner, x0, y0 + y, kLanes >= 0)
+                        : a + (b - a) * broadcast((float)(y - above) / (float)(below - above));
+    }
     for (int y = 0; y < size && y0 + y < t.height; ++y) {
         __m128 v = _mm_set1_ps(((float)y + 0.5f) * step);
         Rgb8 r = rests.row(v, u);
         int p = at + y * kTile;
         if (size == 8) {
             // Whole packets need not wait for their neighbours
-            if (lit) r += lights.row(v, u) * albedoOf(t, owner, x0, y0 + y, kLanes >= 0);
+            if (lit) r += lights.row(v, u) * albedo[y];
             put(t, x0, y0 + y, r, owners);
             _mm_storeu_si128((__m128i *)(s.owner + p), _mm_set1_epi16((short)kDone));
             continue;
