@@ -58,8 +58,8 @@ double decibels(const Intro &intro, const std::vector<float> &a, const std::vect
 
 } // namespace
 
-// A picture of `play` and an in-between take about as long as two drafts, and what is seen of them must be worth it:
-// their mean squared error is less than a draft's, or so small that nobody could tell.
+// A picture of `play` and an in-between take about as long as two drafts, and what is seen of them must be
+// worth it: their mean squared error is less than a draft's, or so small that nobody could tell.
 TEST(Between, PairsAreNearerToTheTruthThanDrafts) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (double seconds : {14., 30., 56., 66., 90., 107., 126., 144., 156.}) {
@@ -72,7 +72,7 @@ TEST(Between, PairsAreNearerToTheTruthThanDrafts) {
         std::printf("%s at %g s: %.1f dB, play %.1f, draft %.1f, traced anew %.2f %%\n",
                     sceneName(sceneAt(seconds)), seconds, between, play, draft, 100 * anew);
         EXPECT_GT(pair, std::fmin(draft, 42)) << seconds; // above that no difference is seen
-        EXPECT_LT(anew, 0.4) << seconds; // or a traced picture would be as cheap
+        EXPECT_LT(anew, 0.4) << seconds;                  // or a traced picture would be as cheap
     }
 }
 
