@@ -102,18 +102,18 @@ ODRAZ_INLINE void addAround(const Scene &scene, const Shape &shape, const Occlud
 struct Lobe {
     Vec3x8 d = {}; // of the rays
     Float8 dn = {}, wider = {};
-    // Cosines. At `end` the lobe ends. From `reach` on, shadows are traced even for faint light: the
-    // highlight may lie between the corners of a square
+    // Cosines. At `end` the lobe ends. From `reach` on, shadows are traced even for faint light, and squares
+    // split: the highlight may lie between the corners of the coarsest
     Float8 end = {}, reach = broadcast(2.f);
 
-    ODRAZ_INLINE Lobe(const Run &run, int i, const Material &m, float lobeEnd, const Vec3x8 &n) {
+    ODRAZ_INLINE Lobe(const Run &run, int i, const Material &m, float lobeEnd, int coarse, const Vec3x8 &n) {
         if (m.specular == 0) return;
         d = load(run.d, i);
         dn = dot(n, d) * -2.f;
         Float8 steep = load(run.curve + i) / max(load(run.cosine + i), 0.1f),
                spread = min(fmadd(steep, 2.f, load(run.spread + i)), 1.f), variance = spread * spread;
         end = fmadd(variance, -14.f, lobeEnd);
-        reach = fmadd(variance, -16.f, 1.f);
+        reach = fmadd(variance, (float)(coarse * coarse) * -0.0625f, 1.f);
         wider = 1.f / fmadd(variance, m.exponent, 1.f);
     }
     // The cosine between the mirrored rays and a light. A ball of light counts as if it stood at its point
@@ -209,7 +209,7 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
     sum.highlight += arriving * lobe;
     Int8 state = select(through.x + through.y + through.z < 3.f, broadcast(3),
                         select((lobe > 0.02f) | close, broadcast(2), broadcast(1)));
-    sum.states |= (lit & state) << (2 * k);
+    sum.states |= (lit & state) << (2 * k) | (lit & close & (int)kTextured);
 }
 
 } // namespace
@@ -236,7 +236,7 @@ void illuminate(const Shading &c, Run &run) {
         Float8 share = maxComponent(load(run.weight, i));
         Int8 active = kLanes < run.count - i;
         if (m.ior > 0) active &= side > 0.f; // inside glass, light arrives by refraction
-        Lobe phong(run, i, m, lobeEnd, n);
+        Lobe phong(run, i, m, lobeEnd, c.quality.coarse, n);
         p = fmadd(n, error, p);
         Places at = {i, p, n, side, share, active};
         for (int k = 0; k < scene.lightCount; ++k) addLight(all, at, phong, k, way, sum);

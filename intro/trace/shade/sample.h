@@ -54,7 +54,7 @@ inline Rgb8 eightColours(const __m128 *v) {
 
 // Sample::lights holds the states of the lights in its low bits. From kCellShift on it holds the number of
 // the patch, below 2^15, in scenes that show patches. kTextured is set where a secondary ray of some weight
-// hit a texture, because the corners of a square do not show how much detail the texture has.
+// hit a texture, and near highlights, because the corners of a square do not show how much detail is there.
 inline constexpr int kCellShift = 16;
 inline constexpr uint32_t kTextured = 1u << 31;
 static_assert(2 * kMaxLights <= kCellShift, "two bits a light");

@@ -307,3 +307,16 @@ TEST(AdaptiveFaults, KeepsTheLightOfLampsInGlass) {
     s->finish();
     expectLightAtEveryPlace(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 24}, QualityName::Draft, 0.1);
 }
+
+// Nor is a highlight that is smaller than a square.
+TEST(AdaptiveFaults, KeepsTheLightOfSmallHighlights) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+    for (float x : {0.f, 0.1f, 0.2f, 0.3f, 0.4f}) {
+        auto s = emptyScene();
+        s->add(sphere({0, 0, 0}, 1, s->add(Material{.specular = 1, .exponent = 2500})));
+        s->add(Light{{3 + x, 2, 8}, {40, 40, 40}});
+        s->finish();
+        for (QualityName name : {QualityName::Draft, QualityName::Play, QualityName::Film})
+            expectLightAtEveryPlace(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.2);
+    }
+}
