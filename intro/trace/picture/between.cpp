@@ -75,7 +75,7 @@ struct Sides {
             trust[i].alike = min(trust[i].alike, kAlikeInFloor);
             if (length(after.view.eye - before.view.eye) >
                 kSlides * abs(dot(now.view.eye - a.centre, a.frame.v)))
-                trust[i].bright = kBright;
+                trust[i].bright = kBright, trust[i].alone = 0;
         }
         if (!glass && (m.reflect <= 0 || !a.isBall())) continue;
         Vec3 u = before.scene->shapes[carry[0][i].shape].centre - before.view.eye,
