@@ -93,9 +93,11 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
     frame.rgba = fewer ? intro.fewer + kPictureMargin : rgba;
     spreadGlare(intro.glare, frame, *intro.workers);
     // A fade looks even when it is squared, because the eye quickly notices the first light. The noise
-    // changes with time: noise that stood still would look like a veil
-    develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240),
-            &intro.glare, kFilmLook);
+    // changes with time: noise that stood still would look like a veil. A moment that is rounded down
+    // keeps its own
+    auto seed = (uint32_t)(seconds * 240 + 0.01);
+    develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, seed, &intro.glare,
+            kFilmLook);
     if (fewer)
         enlarge(frame.rgba, frame.width, frame.height, rgba, intro.width, intro.height, *intro.workers);
     return {intro.width, intro.height, rgba};

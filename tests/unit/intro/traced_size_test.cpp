@@ -55,6 +55,12 @@ TEST(TracedSize, LeavesNothingBehind) {
     }
 }
 
+// The two products differ in their last bit.
+TEST(TracedSize, AMomentHasItsOwnGrainHoweverItIsRounded) {
+    Loaded film(kTracedWidth, kTracedHeight, false);
+    EXPECT_TRUE(film.at(1551 / 60.0) == film.at(1551 * (1 / 60.0)));
+}
+
 // When the player changes the size, an in-between is made of pictures of two sizes, and is as near to the
 // truth as one of equal sizes, by less than a decibel: of the word's image in the marble a size may miss a
 // line.
