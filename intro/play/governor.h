@@ -36,10 +36,8 @@ struct Governor {
     static_assert(kInBetweens[kSixes] <= kPlaces);
 
     static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
-    // Coarseness: that of `draft`, of `play`, and the least. Exactly 0 is not used: `film` takes more samples
-    // of textures than any blend, and that step would be seen.
-    static constexpr int kSteps = sizeof kRange / sizeof *kRange - 1;
-    static constexpr float kPlay = 1, kFinest = 0.1f;
+    static constexpr int kSteps = sizeof kRange / sizeof *kRange - 1; // the coarseness of `draft`
+    static constexpr float kPlay = 1, kFinest = 0;
 
     // --- The budget, and the averages that are compared with it ---
 

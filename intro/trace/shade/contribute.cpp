@@ -95,16 +95,16 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     else if (c.bounces > (m.onlyGlows() ? 1 : 0) && shape.traits().bounded)
         rest = rest * saturate(min(shape.half.x, shape.half.z) * 2 / load(run.width + i) - 1.f);
     Int8 cell = {}, states = {};
-    bool mean = m.faint() && !c.quality.faint;
+    float contrast = m.faint() ? c.quality.faint : 1;
     if (m.diffuse > 0 || m.specular > 0) {
         rest += weight * load(run.highlight, i);
         light = weight * load(run.diffuse, i);
         states = loadInts(run.states + i);
-        if (mean && scene.lines == 0)
-            albedo = broadcast(scene.mean[shape.material]);
-        else if (m.diffuse > 0)
+        if (m.diffuse > 0 && (contrast > 0 || scene.lines != 0))
             albedo = diffuseColour(scene, shape, load(run.p, i), d, load(run.cosine + i), load(run.width + i),
                                    cell);
+        if (contrast < 1 && scene.lines == 0)
+            albedo = lerp(broadcast(scene.mean[shape.material]), albedo, broadcast(contrast));
     }
     if (scene.fog > 0) rest += radiance(scene.sky, d) * pick(in.weight) * (1.f - load(run.clear + i));
     Int8 id = loadInts(run.id + i);
@@ -123,7 +123,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     Int8 marked = maxComponent(weight) * scene.exposure > c.quality.markWeight;
     Int8 mark = marked & hash(pick(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
     addRest(c, in, run.ray + i, count, brings, mark);
-    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || mean) return;
+    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || contrast < 1) return;
     // A dark texture does not count, unless it mirrors: then it may show a light
     if (m.reflect == 0) marked &= maxComponent(brings) * scene.exposure > c.quality.markWeight * 0.3f;
     for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)

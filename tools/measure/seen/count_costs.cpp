@@ -83,13 +83,13 @@ int run(common::CommandLine &line) {
         for (double seconds : at) {
             // Between two levels the cost hardly bends, but just before `play` and `draft` it falls: the
             // smallest squares are those of the better quality until then
-            for (float level : {1.f, 2.f, 0.1f, 0.99f, 1.99f}) {
+            for (float level : {1.f, 2.f, 0.f, 0.99f, 1.99f}) {
                 if (large && level != 1 && level != 2) break;
                 count(seconds, 0, level, size, [&] { picture(intro, 0, seconds, qualityOf(level)); });
             }
             // The part of an in-between that is traced again depends on gap and level
             for (int gap : {2, 4, 6})
-                for (float level : {1.f, 2.f, 0.1f}) {
+                for (float level : {1.f, 2.f, 0.f}) {
                     if (large && level != 1) break;
                     picture(intro, 0, seconds - kSixtieth * gap / 2, qualityOf(level));
                     picture(intro, 1, seconds + kSixtieth * gap / 2, qualityOf(level));
