@@ -64,6 +64,9 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
 
 double duration() { return kFilm.endRow / kRowsPerSecond; }
 
+double shotStart(double seconds) {
+    return momentAt(kFilm, seconds * kRowsPerSecond).shot->row / kRowsPerSecond;
+}
 int sceneAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).shot->scene; }
 
 const char *sceneName(int scene) { return kScenes[scene].name; }

@@ -41,6 +41,7 @@ double duration(); // seconds
 // The scene that is shown at a time, and its name.
 inline constexpr int kMaxScenes = 16;
 int sceneAt(double seconds); // below kMaxScenes
+double shotStart(double seconds); // when the shot began, in seconds
 const char *sceneName(int scene);
 
 // Its limits for the governor.

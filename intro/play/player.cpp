@@ -36,6 +36,7 @@ struct Player {
         return theMusic.clock.started() ? theMusic.clock.at(now) : Governor::kNotBegun;
     }
     int sceneOf(double time) const { return sceneAt(time); }
+    double startOf(double time) const { return shotStart(time); }
     Pace paceOf(int scene) const { return odraz::paceOf(scene); }
     void trace(Made &m, int slot, const Governor &governor) {
         m.picture = picture(*intro, slot, m.time,

@@ -57,6 +57,7 @@ struct Queue {
 //   int64_t now()                   nanoseconds of its clock
 //   double filmAt(now)              the film's time at that moment, in seconds; Governor::kNotBegun
 //   int sceneOf(time); Pace paceOf(scene)
+//   double startOf(time)            when the shot that is shown then begins
 //   trace(made, slot, governor)     traces the picture of made.time in slot 0 or 1, with the governor's
 //                                   quality and size
 //   between(made, earlier, later, share, place)
@@ -97,6 +98,11 @@ template <class Player> void makePictures(Player &player, Governor &governor, do
         if (n) governor.spent(m.trace, make / (float)max(count, 1), count);
         last = time;
         time = governor.next(time, player.filmAt(player.now()));
+        // A shot's first picture is traced: in-betweens beside a cut are made from one picture alone, or a
+        // cut would wait for the next picture. A gap of two sixtieths is too short to be cut shorter
+        double start = player.startOf(time) - 1e-3;
+        if (start > last && governor.cadence >= Governor::kFours)
+            for (time = last; time < start;) time += Governor::kSixtieth;
     }
 }
 

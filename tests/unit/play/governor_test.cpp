@@ -73,6 +73,7 @@ public:
         return time < length;
     }
     int sceneOf(double time) const { return sceneAt(time).id; }
+    double startOf(double time) const { return time < cut ? 0 : cut; }
     Pace paceOf(int) const { return pace; }
     void trace(Made &m, int, const Governor &) {
         Scene scene = sceneAt(m.time);
@@ -84,7 +85,8 @@ public:
         spend(later.scene.make * pixels(), hiccup(later.time, true));
     }
 
-    Pace pace; // of all scenes
+    Pace pace;      // of all scenes
+    double cut = 0; // when the second shot begins
     Governor governor;
 
 private:
@@ -370,6 +372,19 @@ TEST(Governor, TracesFewWhereMakingIsCheap) {
     EXPECT_TRUE(all.back().cadence >= Governor::kFours && all.back().cadence <= Governor::kSixes);
     EXPECT_EQ(seen(all, 1, 10).drops, 0);
     EXPECT_LT(all.back().level, 1);
+}
+
+// ... and the first picture of each shot is traced, on its sixtieth.
+TEST(Governor, TracesAtCuts) {
+    for (int sixtieth = 300; sixtieth < 312; ++sixtieth) {
+        Player player(withScreen(2), 10, always(kUsual), {0, 0.1f, 0.1f, 0.1f, 9});
+        player.cut = sixtieth / 60.0;
+        auto all = player.play();
+        EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Decision &d) {
+            return std::abs(d.time - player.cut) < 1e-6;
+        })) << sixtieth;
+        EXPECT_LE(seen(all, 1, 10).drops, 1);
+    }
 }
 
 // ... from its first picture on, whatever the scene before gave up.

@@ -37,6 +37,7 @@ public:
 
     bool goesOn(double time) const { return time < to; }
     int sceneOf(double time) const { return sceneAt(time); }
+    double startOf(double time) const { return shotStart(time); }
     Pace paceOf(int scene) const { return machine.paceOf(scene); }
     void trace(Made &m, int, const Governor &governor) {
         before = traced;
