@@ -12,6 +12,7 @@
          const Progress &progress), (intro, s, arena, workers, gl, progress)) \
     FILM(double, duration, (), ()) \
     FILM(int, sceneAt, (double seconds), (seconds)) \
+    FILM(double, shotStart, (double seconds), (seconds)) \
     FILM(const char *, sceneName, (int scene), (scene)) \
     FILM(Pace, paceOf, (int scene), (scene)) \
     FILM(CameraKey, cameraAt, (double seconds), (seconds)) \
