@@ -1,10 +1,9 @@
-// trace_once: traces one subject once, or makes one picture of the film, for programs that count instructions
-// (tools/measure/bench/instructions, tools/measure/seen/costs).
+// trace_once: traces one subject once, for programs that count instructions
+// (tools/measure/bench/instructions).
 //
 // Under such a program solving the hall takes half an hour. So one run poses the scene and another traces it.
 // Between them a file holds the memory, mapped at the same address; only the program that wrote it can use
 // it.
-#include "play/governor.h"
 #include "tools/common/command_line.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/bench/peer_scenes.h"
@@ -23,17 +22,15 @@ namespace odraz::measure {
 
 namespace {
 
-constexpr double kSixtieth = 1 / 60.0; // seconds
 constexpr char kSceneHelp[] = "A, or another scene of tradeoff trace",
                kSettingHelp[] = "a quality, or one with knobs turned: draft,threshold=0.02,cutoff=1/64",
-               kKeptHelp[] = "what `pose` or `film` kept";
+               kKeptHelp[] = "what `pose` kept";
 
 struct Kept {
     Intro *intro; // behind this header
     View view;
     IntroSettings settings;
     char scene[64];
-    double seconds; // the moment, if the film is kept
 };
 
 size_t bytesFor(const IntroSettings &settings) { return sizeof(Kept) + memoryNeeded(settings, 1, true); }
@@ -48,17 +45,6 @@ void *map(const std::string &file, size_t bytes, bool make) {
         throw common::Refused(file + " cannot be " + (make ? "written" : "read"));
     close(from);
     return place;
-}
-
-// Work that other threads can share runs in a function of this name, by which it is counted.
-[[gnu::noinline]] void inParallel(Workers &w, int count, int size, void (*body)(const void *, int, int, int),
-                                  const void *context) {
-    serialWorkers().run(w, count, size, body, context);
-}
-Workers oneWorker() {
-    Workers workers = serialWorkers();
-    workers.run = inParallel;
-    return workers;
 }
 
 Kept &keep(const std::string &file, const IntroSettings &settings, Workers &workers, bool hall) {
@@ -88,38 +74,10 @@ int pose(common::CommandLine &line) {
     return 0;
 }
 
-void levelOption(common::CommandLine &line, float &level) {
-    line.option("--level", "L", level, {0, Governor::kSteps},
-                "a quality as the player blends them: 0 film, 1 play, 2 draft");
-}
-int film(common::CommandLine &line) {
-    std::string file, moment;
-    float level = 1;
-    int gap = 2;
-    IntroSettings size = {1280, 720};
-    line.about(
-        "Keeps the film in a file, with two of its pictures: a moment lies in the middle between them.");
-    line.argument("FILE", file, "the file to write");
-    line.argument("SECONDS", moment, "the moment");
-    levelOption(line, level);
-    line.option("--gap", "N", gap, {1, 60}, "sixtieths of a second from one picture to the other");
-    sizeOption(line, "--size", size, "the pictures' size");
-    line.parse();
-    double seconds = common::numberOf("SECONDS", moment, {0, duration()}),
-           from = seconds - kSixtieth * gap / 2, to = from + kSixtieth * gap;
-    size.pairs = true;
-    Workers workers = serialWorkers();
-    Kept &kept = keep(file, size, workers, needsHall(from, to));
-    kept.seconds = seconds;
-    picture(*kept.intro, 0, from, qualityOf(level));
-    picture(*kept.intro, 1, to, qualityOf(level));
-    return 0;
-}
-
 // What a file keeps, on one thread.
 struct Reopened {
     Kept &kept;
-    Workers workers = oneWorker();
+    Workers workers = serialWorkers();
     explicit Reopened(const std::string &file) : kept(*(Kept *)map(file, 0, false)) {
         kept.intro->workers = &workers;
     }
@@ -161,24 +119,6 @@ int develop(common::CommandLine &line) {
     return 0;
 }
 
-int makePicture(common::CommandLine &line) {
-    std::string file;
-    float level = 1;
-    line.about("Makes the film's picture of the moment, as it is shown.");
-    line.argument("FILE", file, kKeptHelp);
-    levelOption(line, level);
-    line.parse();
-    Reopened from(file);
-    picture(from.intro(), 0, from.kept.seconds, qualityOf(level));
-    return 0;
-}
-
-int makeBetween(common::CommandLine &line) {
-    Reopened from(fileOf(line, "Makes the picture of the moment from the two that are kept."));
-    between(from.intro(), 0, 1, 0.5);
-    return 0;
-}
-
 int pov(common::CommandLine &line) {
     std::string scene;
     line.about("Prints a scene as POV-Ray reads it.");
@@ -192,12 +132,9 @@ int pov(common::CommandLine &line) {
 int run(common::CommandLine &line) {
     line.about("Does one part of a picture's work once, for programs that count instructions.");
     return line.run({{"pose", "keep a posed scene in a file", pose},
-                     {"film", "keep the film in a file, with two of its pictures", film},
                      {"again", "pose the kept scene once more", again},
                      {"trace", "trace the kept scene", trace},
                      {"develop", "develop its picture", develop},
-                     {"picture", "make the kept film's picture of the moment", makePicture},
-                     {"between", "make it between the two that are kept", makeBetween},
                      {"pov", "print a scene for POV-Ray", pov}});
 }
 
