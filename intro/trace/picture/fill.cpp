@@ -154,12 +154,13 @@ void finishTile(Tile &t) {
             if (s.owner[p] == kDone) continue;
             __m128i owners = _mm_loadu_si128((const __m128i *)(s.owner + p));
             Int8 owner = (Int8)_mm256_cvtepu16_epi32(owners);
-            int left = laneBits((owner < kDone) & (kLanes < t.width - x));
+            const Int8 inside = kLanes < t.width - x; // beside it owners are of an earlier tile
+            int left = laneBits((owner < kDone) & inside);
             if (left) {
                 Rgb8 light = {load(s.light[0] + p), load(s.light[1] + p), load(s.light[2] + p)};
                 while (left) {
                     int shape = owner[__builtin_ctz((unsigned)left)];
-                    Int8 mine = owner == shape;
+                    Int8 mine = (owner == shape) & inside;
                     Rgb8 a = albedoOf(t, (uint16_t)shape, x, y, mine);
                     sum = select(mine, sum + a * light, sum);
                     left &= ~laneBits(mine);
