@@ -142,12 +142,12 @@ struct Governor {
         if (w < width) w &= -kWidthStep;
         return {w, width ? (w * height + width / 2) / width : 0};
     }
-    // The number of in-betweens between two traced pictures that are `gap` sixtieths apart. None after a
-    // hiccup, when the gap is far larger than planned.
-    int between(int gap) const { return gap > 2 * kGap[cadence] ? 0 : kInBetweens[cadence]; }
-    // The sixtieths from the i-th in-between, counted from 1, to the traced picture after it.
-    int ahead(int i) const {
-        return (kInBetweens[cadence] + 1 - i) * kGap[cadence] / (kInBetweens[cadence] + 1);
+    // The sixtieths from a picture to the next one, in-betweens included.
+    int apart() const { return kGap[cadence] / (kInBetweens[cadence] + 1); }
+    // The number of in-betweens between two traced pictures that are `gap` sixtieths apart: before a cut the
+    // gap may be shorter than planned. None after a hiccup, when it is far longer.
+    int between(int gap) const {
+        return gap > 2 * kGap[cadence] ? 0 : min(kInBetweens[cadence], (gap - 1) / apart());
     }
     // The film's time of the picture to trace next, in seconds, if the last one is that of `time` and the
     // film is at `now`. It and all in-betweens before it must be ready when they are due. If they cannot be,
@@ -158,7 +158,8 @@ struct Governor {
         // How far ahead the picture must be for its first in-between to be in time, and for the last one; if
         // there are none, for itself
         float first = tracing, last = work();
-        if (count) first += making + (float)(ahead(1) * kSixtieth), last += (float)(ahead(count) * kSixtieth);
+        float each = (float)(apart() * kSixtieth);
+        if (count) first += making + (float)count * each, last += each;
         double soonest = now + max(first, last) - kTolerance;
         for (time += step(); time < soonest;) time += kSixtieth;
         return time;

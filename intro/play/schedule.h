@@ -85,7 +85,7 @@ template <class Player> void makePictures(Player &player, Governor &governor, do
         for (int i = 1; i <= count; ++i) {
             player.await(placeFreeAt[place]);
             int64_t begun = player.now();
-            double share = 1 - (double)governor.ahead(i) / gap;
+            double share = 1 - (double)((count + 1 - i) * governor.apart()) / gap;
             Made b = {};
             b.time = last + (time - last) * share;
             player.between(b, !slot, slot, share, place);
