@@ -25,8 +25,8 @@
 // it. ld.so, or the start code of a static program, does relocations, libraries, thread-local storage and
 // constructors as always. The file stays mapped.
 //
-// ERRORS are as in format.h, after the name by which the program was called; one more is for a missing
-// interpreter.
+// ERRORS are as in format.h, after the name by which the program was called; one more is for the interpreter,
+// with the error's number in two digits: errno of the call that failed, 80 if the file is no whole ELF file.
 #pragma once
 
 #include "packer/stub/format.h"

@@ -3,8 +3,8 @@
 // actions and its results; the decoder is that of stub.S. The kernel starts it directly, so rdx is 0 as for any static
 // program.
 //
-// Registers: rbx the payload header, r12 the program as it lies in memory, xmm15 the stack as the kernel made it, which
-// the decoder leaves alone.
+// Registers: rbx the payload header, later the program's entry; r12 the program as it lies in memory; xmm15 the stack as
+// the kernel made it, which the decoder leaves alone.
 
 #define NOTHING_IS_EARLY
 #include "stub_memory.S"
@@ -31,6 +31,7 @@
 .section .stub, "ax"
 start:
     movq xmm15, rsp
+    push rdx // 0: an error has no number
     lea rbx, [rip + payload_header]
 
     lea rdi, [rip + start - LOADER_FRONT]
@@ -41,22 +42,23 @@ damaged:
 no_memory:
     call refuse
     .asciz ": not enough free memory\n"
-refuse: // "NAME: text"
+refuse: // "NAME: text", and what lies on the stack: the address of a text, or 0
     movq rax, xmm15
     mov rsi, [rax + 8]
     call print
     pop rsi
     call print
+    pop rsi
+    call print
     push 60 // exit
     pop rax
-    push 1
-    pop rdi
+    dec edi // 1
     syscall
 print: // the string at rsi, to standard error; nothing if there is none, as a program may have no name
-    or rdx, -1
+    or edx, -1
     test rsi, rsi
     je 2f
-1:  inc rdx
+1:  inc edx
     cmp byte ptr [rsi + rdx], 0
     jne 1b
     push 1 // write
@@ -94,31 +96,46 @@ get_memory:
     mov r14, r12
     or ebp, -1
     call load
-    mov r8, r13
-    add r8, [r12 + E_ENTRY] // of the program
-    mov r9, r8              // where to go
-    xor r10d, r10d          // where the interpreter lies
+    mov rbx, r13
+    add rbx, [r12 + E_ENTRY] // of the program
+    mov r9, rbx              // where to go
+    xor r10d, r10d           // where the interpreter lies
     test r15, r15
     je give_vector
 
     // Map the interpreter, whose headers lie in its first page
-    push r8
-    lea rdi, [r13 + r15]
-    xor esi, esi
-    push 2 // open
-    pop rax
+    lea rsi, [r13 + r15]
+    push -100 // relative to the folder where the program was called
+    pop rdi
+    mov eax, 257 // openat, as ld.so does: some lists of allowed calls lack open
+    cdq
     syscall
+    test eax, eax
+    js no_interpreter
     mov ebp, eax
-    mov edx, PAGE
+    xchg edi, eax
+    mov dh, PAGE / 256
     sub rsp, rdx
     mov r14, rsp
-    mov edi, ebp
-    mov rsi, rsp
+    push rsp
+    pop rsi
     xor eax, eax // read
     syscall
-    cmp eax, PAGE // an error, or less
-    jne no_interpreter
-    cmp dword ptr [r14], 0x464c457f // of an ELF file
+    cmp eax, edx
+    je 1f
+no_interpreter: // eax is an error, or how many bytes there are if they are no whole interpreter
+    neg eax
+    jg 2f
+    push 80 // what the kernel finds wrong with those
+    pop rax
+2:  mov cl, 10
+    div cl
+    add eax, 0xa3030 // "NN\n"
+    push rax
+    push rsp
+    call refuse
+    .asciz ": no interpreter: errno "
+1:  cmp dword ptr [r14], 0x464c457f // of an ELF file
     jne no_interpreter
     // The last segment's end is the size: segments are in order of address
     call headers
@@ -129,7 +146,7 @@ get_memory:
 2:  add rdi, PHDR
     loop 1b
     call map
-    js no_memory
+    js no_interpreter
     mov r13, rax
     call load
     mov edi, ebp
@@ -139,14 +156,14 @@ get_memory:
     mov r10, r13
     mov r9, r13
     add r9, [r14 + E_ENTRY]
-    mov r8, [rsp + PAGE]
 
 // The auxiliary vector lies behind the arguments and the environment. It must describe the program, not this file
 give_vector:
     mov r14, r12
     call headers
     movq rsp, xmm15
-    mov rax, [rsp]
+    pop rax
+    push rax
     lea rsi, [rsp + rax * 8 + 16]
 1:  lodsq
     test rax, rax
@@ -162,7 +179,7 @@ give_vector:
     cmove rdx, r10
     je 3f
     cmp eax, AT_ENTRY
-    cmove rdx, r8
+    cmove rdx, rbx
     jne 4f
 3:  mov [rsi], rdx
 4:  add rsi, 8
@@ -217,7 +234,7 @@ load_next:
     and edx, 7
     mov rdi, r9
     mov rsi, [r8 + P_MEMSZ]
-    and rdi, -PAGE
+    and di, -PAGE
     add rsi, r9
     sub rsi, rdi
     push 10 // mprotect
@@ -230,10 +247,8 @@ load_next:
     add rdi, PHDR
     loop load_next
     ret
-no_interpreter:
-    call refuse
-    .asciz ": interpreter missing\n"
 not_allowed: // by SELinux, or systemd's MemoryDenyWriteExecute
+    push 0
     call refuse
     .asciz ": may not run packed\n"
 

@@ -76,9 +76,17 @@ check "a damaged one prints that" refuses 1 "./damaged: damaged: get it afresh" 
 head -c 3900 c.packed >short && chmod +x short
 check "... one cut short, too" refuses 1 "./short: damaged: get it afresh" ./short
 check "... one without memory" refuses 1 "./c.packed: not enough free memory" bash -c 'ulimit -v 30000; exec ./c.packed'
-sed 's/ld-linux-x86-64.so.2/ld-linux-x86-64.so.9/' c >lost && chmod +x lost
-"$pack" lost -o lost.packed "${small[@]}" >/dev/null
-check "a missing interpreter, too" refuses 1 "./lost.packed: interpreter missing" ./lost.packed
+for interpreter in lib64/lost=02 .=21 dev/null=80; do # one that is missing, a folder, and one without a page
+    name=$(printf %27s "${interpreter%=*}" | tr ' ' /)
+    sed "s|/lib64/ld-linux-x86-64.so.2|$name|" c >lost && chmod +x lost
+    "$pack" lost -o lost.packed "${small[@]}" >/dev/null
+    check "... with the interpreter $name, too" refuses 1 "./lost.packed: no interpreter: errno ${interpreter#*=}" ./lost.packed
+done
+for call in open openat; do # refused, as by a list of the calls that are allowed
+    check "... compiles what refuses $call" gcc -DCALL=SYS_$call "$SOURCE/tests/programs/pack/deny.c" -o deny_$call
+done
+check "... runs without open, as its interpreter does" prints "the last 'x'" eval './deny_open ./c.packed x; true'
+check "... and prints that it cannot openat" refuses 1 "./c.packed: no interpreter: errno 01" ./deny_openat ./c.packed
 if can_be_unwritten; then
     check "that it may not run" refuses 1 "./c.packed: may not run packed" "${UNWRITTEN[@]}" ./c.packed
 fi
