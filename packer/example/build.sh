@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # build.sh PACK FOLDER [--pe]: makes FOLDER/hello.elf and packs it to FOLDER/hello; with --pe the same for Windows,
 # FOLDER/hello_windows.elf and hello.exe.
-set -euo pipefail
+set -euo pipefail; unset CDPATH
 here=$(cd "$(dirname "$0")" && pwd)
 name=hello out=hello library=libdl.so.2 functions=(dlopen dlsym) packing=()
 [ "${3-}" != --pe ] || name=hello_windows out=hello.exe library=kernel32.dll functions=(LoadLibraryA GetProcAddress) packing=(--pe)

@@ -2,6 +2,7 @@
 #
 # A test fails for a wrong result, not for a busy machine: it waits for a condition, not for a fixed time, and gives up
 # after PATIENCE seconds, when something hangs. ctest's time-out (tests/CMakeLists.txt) is longer.
+unset CDPATH
 BUILD=$(cd "$1" && pwd) || exit 1
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
 [ -d "$SOURCE/intro" ] || SOURCE=$(cd "$(dirname "$0")/../../.." && pwd) # from long/, windows/

@@ -23,6 +23,11 @@ tools/radiosity/read/mesh.h tools/radiosity/solution/solution.h
 tools/picture/flip.cpp tests/support/open_room.h
 PLANTED
 
+# Scripts find the house where cd prints
+for script in watch test golden ledger new-film release render measure/all; do
+    check "tools/$script with CDPATH" eval '(cd "$SOURCE" && CDPATH=.:/tmp "tools/$script" --help) >"$WORK/help"'
+done
+
 # The film is made of intro/ and packer/ alone
 if command -v ninja >/dev/null && [ -e "$BUILD/build.ninja" ]; then
     ninja -C "$BUILD" -t inputs odraz odraz-safe | sed "s|^$SOURCE/||" >"$WORK/inputs"
