@@ -79,8 +79,6 @@ struct ForReports {
         if (!o.symbols.empty()) symbols = common::readWhole(o.symbols);
         if (!o.rooms.empty()) rooms = common::parseFile(o.rooms, readRooms);
         if (!o.than.empty()) before = common::parseFile(o.than, readJson);
-        for (const std::string &path : {o.out, o.report, o.html, o.text, o.saveModel})
-            if (!path.empty() && path != "-") common::checkWritable(path);
     }
 };
 

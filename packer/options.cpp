@@ -1,12 +1,13 @@
 #include "packer/options.h"
 
 #include "packer/model/model_parameters.h"
-
-#include <filesystem>
+#include "tools/common/whole_file.h"
 
 namespace pack {
 
 namespace {
+
+using namespace std::string_literals;
 
 constexpr double kMostNumber = 1e9;
 
@@ -32,26 +33,14 @@ double secondsOf(const std::string &effort) {
     }
 }
 
-bool sameFile(const std::string &a, const std::string &b) {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    auto whole = [&](const std::string &path) { return fs::weakly_canonical(fs::absolute(path), ignored); };
-    return !a.empty() && !b.empty() && a != "-" && whole(a) == whole(b) && !fs::is_character_file(a, ignored);
-}
-
 // No output may replace an input or another output. But a found model may replace the given one, and a report
 // the earlier one.
-void checkPaths(const Options &o) {
-    const std::string outputs[] = {o.out, o.report, o.html, o.text, o.saveModel},
-                      inputs[] = {o.in, o.unpack, o.map, o.symbols, o.rooms};
-    for (const std::string &output : outputs) {
-        for (const std::string &input : inputs)
-            if (sameFile(output, input))
-                throw common::Refused(input + " would be written over: give another name");
-        for (const std::string *other = outputs; other != &output; ++other)
-            if (sameFile(output, *other))
-                throw common::Refused(output + " is named for two outputs: give another name");
-    }
+void claimFiles(const Options &o) {
+    for (const std::string &input : {o.in, o.unpack, o.map, o.symbols, o.rooms})
+        if (!input.empty()) common::noteInput(input);
+    for (auto [output, old] :
+         {std::pair{o.out, ""s}, {o.report, o.than}, {o.html, ""}, {o.text, ""}, {o.saveModel, o.modelFile}})
+        if (!output.empty() && output != "-") common::claimOutput(output, old);
 }
 
 void check(const common::CommandLine &line, Options &o) {
@@ -66,7 +55,7 @@ void check(const common::CommandLine &line, Options &o) {
     if (o.map.empty() && !o.symbols.empty()) line.refuse("--symbols needs --map");
     if (o.map.empty() && !o.rooms.empty()) line.refuse("--rooms needs --map");
     if (!o.than.empty() && o.html.empty() && o.text.empty()) line.refuse("--than needs --html or --text");
-    checkPaths(o);
+    claimFiles(o);
     if (!o.modelFile.empty()) o.model = readParameters(o.modelFile);
 }
 

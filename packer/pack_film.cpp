@@ -23,6 +23,7 @@ void packFilm(char **words) {
                 map = words[6], symbols = words[7], reportPath = words[8];
     long budget = std::atol(words[5]);
     bool pe = how == "pe";
+    for (const std::string &output : {out, reportPath}) common::claimOutput(output);
     checkSafeName(safeName);
     Bytes file = readBytes(in);
     Program program = readProgram(file, pe ? kWindows : kLinux);

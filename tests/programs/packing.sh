@@ -46,6 +46,12 @@ check "... comes out there" eval 'await grep -q "^}" "$WORK/piped" && [ -p "$WOR
 if mknod -m 666 "$WORK/null" c 1 3 2>/dev/null && : 2>/dev/null >"$WORK/null"; then
     check "a report into nothing leaves the device" eval '"${packs[@]}" -o "$WORK/again" --report "$WORK/null" >/dev/null && test -c "$WORK/null"'
 fi
+cp "$hello" "$WORK/in"
+for words in "in -o ./in" "in -o x --html in" "in -o x --model model --report model"; do
+    check "refused: $words" refuses 2 "would be written over" bash -c "cd '$WORK' && exec '$pack' $words"
+done
+check "... and it stays" cmp "$hello" "$WORK/in"
+check "contexts may replace those that were given" bash -c "cd '$WORK' && exec '$pack' in -o in.packed --model model --save-model model >/dev/null"
 ls "$WORK" >"$WORK/list"
 check "refusals leave nothing behind" lacks '^x|part' "$WORK/list"
 finish

@@ -61,6 +61,13 @@ check "compare exits 1 over the threshold" bash -c "'$BUILD/compare' '$WORK/a.pp
 check "compare exits 0 within it" prints 'largest difference 20,' "$BUILD/compare" "$WORK/a.ppm" "$WORK/b.ppm" --max 20
 check "compare refuses what is no picture" refuses 2 "its format is unknown" "$BUILD/compare" "$WORK/a.ppm" "$BUILD/CMakeCache.txt"
 
+for words in "base.ppm b.ppm --diff ./base.ppm" "b.ppm base.ppm --diff base.ppm" "--png base.ppm base.ppm"; do
+    check "compare $words is refused" refuses 2 "base.ppm would be written over" bash -c "cd '$WORK' && cp a.ppm base.ppm && exec '$BUILD/compare' $words"
+    check "... and changes nothing" cmp "$WORK/a.ppm" "$WORK/base.ppm"
+done
+check "a picture into a pipe" eval '"$BUILD/compare" --png "$WORK/a.ppm" /dev/stdout | cat >"$WORK/a.png" && "$BUILD/compare" "$WORK/a.png" "$WORK/a.ppm" >/dev/null'
+check "contact_sheet spares its film" refuses 2 "would be written over" "$BUILD/contact_sheet" "$WORK/a.ppm" "$WORK/a.ppm"
+
 # All channels, all bits and all pictures of a file count
 differ() { # differ PATTERN COMMAND...: exit status 1, and prints what matches
     "${@:2}" >"$WORK/printed"

@@ -118,6 +118,43 @@ check "too little memory" refuses 1 "more than the 3 of --memory" "$radiosity" s
 check "two methods at once" refuses 2 "--rays and --patch do not go together" "$radiosity" solve cube.obj -o x.rad --rays 64 --patch 2
 head -c 100000 cube.rad >cut.rad
 check "a solution cut short" refuses 1 "damaged" "$radiosity" export cut.rad --csv x.csv
+# No output may be an input, by whatever name; nor a model, which may be the solution's
+printf 'newmtl m\nKd .5 .5 .5\nmap_Kd kd.ppm\nmap_bump -bm 1 bump.ppm\n' >in.mtl
+printf 'mtllib in.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 -1\nusemtl m\nf 1 2 3\n' >in.obj
+printf '{"asset":{"version":"2.0"},"images":[{"uri":"kd.ppm"}],"buffers":[{"uri":"in.obj","byteLength":9}]}' >in.gltf
+printf 'P6 2 1 255 abcdef' | tee kd.ppm bump.ppm >sky.ppm
+cp cube.rad in.rad && ln -s in.rad in.link && ln -s in.obj soft && ln in.obj hard && mkdir parts && cksum in.* soft hard ./*.ppm cube.obj >before
+while read -r words; do
+    check "refused: $words" refuses 2 "would be written over" "$radiosity" $words
+done <<'END'
+solve in.obj -o in.obj
+solve in.obj -o soft
+solve soft -o hard
+solve in.obj -o ./parts/../in.mtl
+solve in.obj -o kd.ppm
+solve in.gltf -o in.gltf
+solve in.gltf -o kd.ppm
+solve in.obj --sky sky.ppm -o sky.ppm
+export in.rad --csv in.rad
+export in.rad --obj in.obj
+export in.rad --obj cube.obj
+render in.rad -o in.rad
+render in.rad -o in.link
+render in.link -o soft
+END
+check "... and nothing was" cmp before <(cksum in.* soft hard ./*.ppm cube.obj)
+check "but an export by a later one" eval '"$radiosity" export cube.rad --obj lit.obj && grep -q "^f" lit.obj'
+
+# Pipes and open descriptors are written to
+check "a pipe as standard output" cmp cube.csv <("$radiosity" export cube.rad --csv /dev/stdout | cat)
+check "... as another descriptor" cmp cube.csv <({ "$radiosity" export cube.rad --csv /dev/fd/3 3>&1 >&2; } | cat)
+check "... by the shell" eval '"$radiosity" export cube.rad --csv >(cat >piped) && await cmp -s piped cube.csv'
+check "a file that is appended to" eval 'echo first >appended && "$radiosity" export cube.rad --csv /dev/stdout >>appended && cmp appended <(echo first; cat cube.csv)'
+check "a picture into a pipe" cmp film.png <("$radiosity" render cube.rad -o /dev/stdout --eye 0,5,4.9 --at 0,4,-5 --size 160x90 --tone film | cat)
+check "a solution, which has no state then" eval '"$radiosity" solve cube.obj "${few[@]}" --keep-every 0.01 -o /dev/fd/3 3>piped >out && cmp piped cube.rad && ! ls /dev/fd/*.state /dev/*.state 2>/dev/null'
+check "a descriptor that is closed" refuses 2 "cannot write /dev/fd/9: Bad file descriptor" "$radiosity" export cube.rad --csv /dev/fd/9
+check "a file beyond the limit" refuses 1 "cannot write x.csv: File too large" bash -c "ulimit -f 8; exec '$radiosity' export cube.rad --csv x.csv"
+check "... leaves no half" eval '! ls | grep -E "^x.csv|part$"'
 "$radiosity" --help | head -n 1 >help
 check "a closed pipe" grep -q "Computes the light" help
 

@@ -1,11 +1,13 @@
 #include "tools/common/command_line.h"
 
 #include "tools/common/text.h"
+#include "tools/common/whole_file.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -136,6 +138,7 @@ void CommandLine::choice(const std::string &name, const std::vector<std::string>
 
 void CommandLine::parse() {
     CLI::App &app = parser->app;
+    forgetFiles();
     try {
         app.parse(
             std::vector<std::string>(parser->words.rbegin(), parser->words.rend())); // CLI11 pops the last
@@ -247,6 +250,7 @@ static int printError(const char *name, const std::exception &e, int status) {
 }
 
 int runProgram(const char *name, int argc, char **argv, int (*body)(CommandLine &)) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit (ulimit -f) is a write that fails
     try {
         CommandLine line(name, {argv + std::min(argc, 1), argv + argc});
         int status = 0;
@@ -258,6 +262,8 @@ int runProgram(const char *name, int argc, char **argv, int (*body)(CommandLine 
             throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
         return status;
     } catch (const Refused &e) {
+        return printError(name, e, 2);
+    } catch (const WouldReplace &e) {
         return printError(name, e, 2);
     } catch (const std::exception &e) {
         return printError(name, e, 1);

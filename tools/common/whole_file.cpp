@@ -4,13 +4,18 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <map>
+#include <mutex>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace common {
+
+namespace fs = std::filesystem;
 
 static constexpr long kMostBytes = 4l << 30;
 
@@ -32,6 +37,7 @@ static OpenFile openRegular(const std::string &path, struct stat &s) {
 
 WholeFile readWholeFile(const std::string &path) {
     struct stat s;
+    noteInput(path);
     OpenFile f = openRegular(path, s);
     if (s.st_size > kMostBytes) throw Refused("cannot read " + path + ": it has more than 4 GB");
     auto size = (size_t)s.st_size;
@@ -52,23 +58,79 @@ std::string readStart(const std::string &path, size_t size) {
 
 std::string readWhole(const std::string &path) { return std::string(readWholeFile(path).view()); }
 
-// The file that a symbolic link leads to, or the path itself.
-static std::string targetOf(std::filesystem::path path) {
+// Where a path leads to: a file, perhaps a missing one, or what is written to directly: a device, a pipe, or
+// an open descriptor of this process (/dev/stdout, /dev/fd/3), which may have no name that can be opened.
+struct Target {
+    std::string path;
+    bool direct = false;
+    int descriptor = -1;
+};
+static Target targetOf(const std::string &given) {
     std::error_code none;
-    for (int i = 0; i < 40 && std::filesystem::is_symlink(path, none); ++i)
-        path = path.parent_path() / std::filesystem::read_symlink(path, none);
-    return path;
+    fs::path path = given;
+    for (int i = 0; i < 40; ++i) {
+        const std::string name = path.filename();
+        if (name.find_first_not_of("0123456789") == name.npos &&
+            fs::equivalent(path.parent_path(), "/proc/self/fd", none))
+            return {given, true, std::atoi(name.c_str())};
+        if (!fs::is_symlink(path, none)) break;
+        path = path.parent_path() / fs::read_symlink(path, none);
+    }
+    struct stat s;
+    if (stat(given.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode)) return {given, true};
+    return {path};
 }
 
 void checkWritable(const std::string &given) {
-    std::string path = targetOf(given);
+    const auto [path, direct, descriptor] = targetOf(given);
     struct stat s;
-    bool exists = stat(path.c_str(), &s) == 0;
-    if (exists && S_ISDIR(s.st_mode)) throw Refused("cannot write " + path + ": it is a folder");
+    if (stat(path.c_str(), &s) == 0 && S_ISDIR(s.st_mode))
+        throw Refused("cannot write " + path + ": it is a folder");
     size_t slash = path.rfind('/');
     std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
-    bool direct = exists && !S_ISREG(s.st_mode);
-    if (access(direct ? path.c_str() : folder.c_str(), W_OK) != 0) throw Refused(cannot("write", path));
+    const int flags = fcntl(descriptor, F_GETFL);
+    errno = EBADF;
+    if (descriptor < 0 ? access(direct ? path.c_str() : folder.c_str(), W_OK) != 0
+                       : flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
+        throw Refused(cannot("write", path));
+}
+
+// --- The files of a run ---
+
+static constexpr char kReplaced[] = " would be written over: give another name";
+static std::mutex theLock;
+static std::map<std::string, std::string> theInputs, theOutputs; // their names, by identityOf() them
+
+// A regular file as the system knows it, or a missing one by its path; empty for others.
+static std::string identityOf(const std::string &path) {
+    struct stat s;
+    if (stat(path.c_str(), &s) == 0)
+        return S_ISREG(s.st_mode) ? std::to_string(s.st_dev) + ":" + std::to_string(s.st_ino) : "";
+    std::error_code none;
+    return fs::weakly_canonical(fs::absolute(targetOf(path).path, none), none);
+}
+
+void noteInput(const std::string &path) {
+    std::lock_guard lock(theLock);
+    const std::string id = identityOf(path);
+    if (theOutputs.count(id)) throw WouldReplace(path + kReplaced);
+    if (!id.empty()) theInputs.emplace(id, path);
+}
+
+bool claimOutput(const std::string &path, const std::string &replaces) {
+    checkWritable(path);
+    std::lock_guard lock(theLock);
+    const std::string id = identityOf(path);
+    const bool direct = targetOf(path).direct;
+    if (id.empty() || (!replaces.empty() && id == identityOf(replaces))) return !direct;
+    if (auto input = theInputs.find(id); input != theInputs.end()) throw Refused(input->second + kReplaced);
+    need(theOutputs.emplace(id, path).second, path + " is named for two outputs: give another name");
+    return !direct;
+}
+
+void forgetFiles() {
+    std::lock_guard lock(theLock);
+    theInputs.clear(), theOutputs.clear();
 }
 
 // Writes all bytes and closes the file. Returns 0, or what went wrong as errno.
@@ -78,7 +140,7 @@ static int writeAndClose(int file, std::string_view bytes) {
         ssize_t n = write(file, bytes.data(), bytes.size());
         if (n > 0)
             bytes.remove_prefix((size_t)n);
-        else
+        else if (n == 0 || errno != EINTR)
             wrong = n < 0 ? errno : ENOSPC;
     }
     if (close(file) && !wrong) wrong = errno;
@@ -86,11 +148,10 @@ static int writeAndClose(int file, std::string_view bytes) {
 }
 
 void writeWhole(const std::string &given, std::string_view bytes, unsigned mode) {
-    std::string path = targetOf(given);
-    struct stat s;
-    bool direct = stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
+    const auto [path, direct, descriptor] = targetOf(given);
     std::string part = path;
-    int file = direct ? open(path.c_str(), O_WRONLY) : -1;
+    if (descriptor == STDOUT_FILENO) std::fflush(stdout);
+    int file = descriptor >= 0 ? dup(descriptor) : direct ? open(path.c_str(), O_WRONLY) : -1;
     if (!direct) errno = EEXIST;
     for (int i = 0; i < 100 && file < 0 && errno == EEXIST; ++i) {
         part = path + "." + std::to_string(getpid() + i) + ".part";

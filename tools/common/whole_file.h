@@ -1,4 +1,5 @@
-// Reads whole files, and writes them whole or not at all.
+// Reads whole files, and writes them whole or not at all. No output of a run replaces an input or another
+// output.
 #pragma once
 
 #include "tools/common/command_line.h"
@@ -43,9 +44,23 @@ template <class Parse> auto parseFile(const std::string &path, Parse parse) {
 // Throws Refused if a file certainly cannot be written, so that minutes of work are not lost.
 void checkWritable(const std::string &path);
 
-// Writes a file beside `path` and renames it; a pipe or a device is written to directly, and of a symbolic
-// link the target is written. `mode`: the file's permissions, as chmod takes them; 0 for those of any new
-// file. Throws std::runtime_error with a line that names the file and the reason.
+// What a run reads and will write: a program claims the outputs that its user names, before it works, and
+// notes the inputs that it does not read whole, which are noted by themselves. An output that is an input, by
+// whatever name, is refused by the later of both calls; but `replaces` may be written over. So is one that
+// cannot be written, or is another output. claimOutput() returns false for a pipe or a device. Each command
+// line begins a run.
+void noteInput(const std::string &path);
+bool claimOutput(const std::string &path, const std::string &replaces = "");
+void forgetFiles();
+// Thrown instead of Refused by readers, some of which go on without a file that they cannot read.
+struct WouldReplace : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Writes a file beside `path` and renames it; of a symbolic link the target is written. A pipe or a device is
+// written to directly, as is an open descriptor (/dev/stdout). `mode`: the file's permissions, as chmod takes
+// them; 0 for those of any new file. Throws std::runtime_error with a line that names the file and the
+// reason.
 void writeWhole(const std::string &path, std::string_view bytes, unsigned mode = 0);
 
 } // namespace common

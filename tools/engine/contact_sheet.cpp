@@ -144,7 +144,8 @@ int run(common::CommandLine &line) {
     line.option("--quality", "NAME", quality, "the film's quality (default play, for a poster film)");
     line.flag("--poster", asPoster, "make a poster");
     line.parse();
-    common::checkWritable(out);
+    common::noteInput(program);
+    common::claimOutput(out);
     if (quality.empty()) quality = asPoster ? "film" : "play";
     if (asPoster) {
         Image page = poster(program, width.value_or(1600), quality);

@@ -133,7 +133,9 @@ int run(common::CommandLine &line) {
     line.option("--by", "N", by, {1, 16}, "with --linear: average squares of N x N pixels");
     line.parse();
 
+    if (!s.diff.empty()) common::claimOutput(s.diff);
     if (!toPng && !toLinear) return compareFiles(pathA, pathB, s);
+    common::claimOutput(pathB);
     Picture a = readPicture(pathA);
     writePng(pathB, toLinear ? common::inFile(pathA, [&] { return linearToImage(a, by); }) : toImage(a));
     return 0;

@@ -13,7 +13,7 @@ void Sweep::read(common::CommandLine &line) {
     line.option("--plot", "FILE", plot, "write a plot of it, as SVG");
     line.parse();
     for (const std::string &file : {csv, plot})
-        if (!file.empty()) common::checkWritable(file);
+        if (!file.empty()) common::claimOutput(file);
 }
 
 Table::Table(const std::string &head, pictures::Plot plot) : plot(std::move(plot)) { row(head); }

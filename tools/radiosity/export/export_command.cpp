@@ -1,6 +1,7 @@
 #include "tools/engine/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"
+#include "tools/radiosity/read/mesh.h"
 #include "tools/radiosity/transfer/relight_options.h"
 
 #include <cstdio>
@@ -62,6 +63,7 @@ int runExport(common::CommandLine &line) {
         throw common::Refused("export needs a solution and a file: radiosity export OUT --csv FILE");
     if (auto given = line.givenOf({kAtlas}); !given.empty() && kind->write != writeAtlas)
         throw common::Refused(given[0].option + " belongs to --atlas DIR");
+    if (kind->write != writeAtlas) claimOutput(out);
     Workers workers = allProcessors();
     kind->write(readLit(in, relight, line, workers), out, s);
     return 0;

@@ -5,6 +5,7 @@
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/psnr.h"
+#include "tools/radiosity/read/mesh.h"
 
 #include <algorithm>
 #include <cstring>
@@ -113,11 +114,10 @@ void exportPolygons(const Solution &solution, const std::string &path, bool ply)
     LitCorners corners(solution);
     const char *type = length(solution.place) > 0 ? "double" : "float";
     std::string text;
-    common::append(
-        text,
-        ply ? "ply\nformat ascii 1.0\ncomment radiosity by odraz; colours are sRGB, 1 stands for %g\n"
-            : "# radiosity by odraz: colours after the coordinates are sRGB, 1 stands for %g\n",
-        1 / (double)shown.scale);
+    common::append(text,
+                   ply ? "ply\nformat ascii 1.0\ncomment %s; colours are sRGB, 1 stands for %g\n"
+                       : "%s: colours after the coordinates are sRGB, 1 stands for %g\n",
+                   kExportedObj, 1 / (double)shown.scale);
     if (ply)
         common::append(text,
                        "element vertex %zu\nproperty %s x\nproperty %s y\nproperty %s z\n"

@@ -1,7 +1,7 @@
-#include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/export/render.h"
+#include "tools/radiosity/read/mesh.h"
 #include "tools/radiosity/transfer/relight_options.h"
 
 #include <cstdio>
@@ -20,7 +20,7 @@ int runRender(common::CommandLine &line) {
     line.parse();
     if (in.empty() || out.empty()) throw common::Refused("render needs a solution and -o FILE.png");
     camera.finish(line);
-    common::checkWritable(out);
+    claimOutput(out);
     Workers workers = allProcessors();
     RenderSettings &s = camera.settings;
     auto eyeFor = [&](const Solution &solution, const TransferRoom *room) {

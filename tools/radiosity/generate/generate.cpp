@@ -173,8 +173,8 @@ int runGenerate(common::CommandLine &line) {
             "generate makes a cube, columns, a corner, a vault or a terrain: name one of them");
     if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
         throw common::Refused("name a file with -o MODEL.obj");
-    common::checkWritable(out);
     std::string mtl = out.substr(0, out.size() - 4) + ".mtl", name = mtl.substr(mtl.rfind('/') + 1);
+    for (const std::string &path : {out, mtl}) common::claimOutput(path);
     std::string materials = generateMtl(changes);
     size_t triangles = 0;
     std::string model = generateObj(kind, area, &triangles);

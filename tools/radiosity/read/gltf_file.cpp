@@ -113,6 +113,9 @@ void GltfFile::readJson(std::string_view text, std::string_view binary) {
     json all = parseGltf(text);
     json list = listOf(all, "buffers");
     images = listOf(all, "images");
+    for (const json &image : images) // also those that are not used
+        if (const std::string uri = textOf(image, "uri"); !uri.empty() && !isData(uri) && !hasScheme(uri))
+            common::noteInput(findFile(folderOf(path), nameOf(uri)));
     tinygltf::TinyGLTF reader;
     std::string error, warning;
     try {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <set>
 
 namespace odraz::radiosity {
@@ -100,6 +101,15 @@ bool isModel(const std::string &path) {
     return std::any_of(std::begin(kFormats), std::end(kFormats), [&](const Format &format) {
         return isNamed(format, path) || (format.sure && format.begins(start));
     });
+}
+
+bool claimOutput(const std::string &path) {
+    std::error_code none;
+    const std::string there = std::filesystem::canonical(path, none); // empty: nothing
+    common::need(!std::filesystem::is_regular_file(there, none) || !isModel(there) ||
+                     common::readStart(there, kStart).starts_with(kExportedObj),
+                 path + " is a model, and would be written over: give another name");
+    return common::claimOutput(path);
 }
 
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {

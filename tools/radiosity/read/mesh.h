@@ -70,6 +70,11 @@ struct ReadSettings {
 // Whether a file's name has the ending of a model format, or its content is that of one.
 bool isModel(const std::string &path);
 
+// Claims an output (whole_file.h) of what is made of a solution. Throws Refused if a model lies there that
+// export did not write: it may be the solution's, which is not read again.
+inline constexpr char kExportedObj[] = "# radiosity by odraz";
+bool claimOutput(const std::string &path);
+
 // Reads a model. Its content selects the format: glTF 2.0, otherwise Wavefront OBJ. Divides
 // polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for each thing that
 // was repaired or ignored. Throws ModelError, or Refused for changes that do not fit.

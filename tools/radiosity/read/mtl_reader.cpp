@@ -1,5 +1,6 @@
 #include "tools/radiosity/read/mtl_reader.h"
 
+#include "tools/common/whole_file.h"
 #include "tools/radiosity/read/mesh_builder.h"
 #include "tools/radiosity/read/text_lines.h"
 
@@ -132,6 +133,7 @@ struct Reader {
         }
         if (name.empty()) return;
         to.path = findFile(folder, std::string(name));
+        common::noteInput(to.path);
         picture = to;
     }
 

@@ -40,6 +40,8 @@ struct SolveJob {
     std::string model, out;
     std::string resume;    // a state to continue from
     double keepEvery = 60; // seconds
+    bool keeps = false;    // OUT is a file, beside which OUT.state can lie
+    std::string state() const { return out + ".state"; }
     SolveOptions options;
     std::unique_ptr<Kept> kept; // the state that `resume` names; null: none
 };
@@ -54,7 +56,7 @@ std::unique_ptr<SolveJob> readJob(const std::vector<std::string> &words) {
         job = std::make_unique<SolveJob>(kept->words);
         job->resume = state, job->kept = std::move(kept);
     }
-    common::checkWritable(job->out);
+    if ((job->keeps = claimOutput(job->out))) common::claimOutput(job->state());
     return job;
 }
 
@@ -121,10 +123,10 @@ public:
             solved = solve();
         }
         solved.solution.save(job.out);
-        if (solved.report.whole) std::remove(stateFile().c_str());
+        if (solved.report.whole && job.keeps) std::remove(job.state().c_str());
         printReport(mesh, solved, job.options.settings);
-        if (!solved.report.whole && !solved.patches)
-            std::printf("to continue: radiosity solve --resume %s\n", stateFile().c_str());
+        if (!solved.report.whole && !solved.patches && job.keeps)
+            std::printf("to continue: radiosity solve --resume %s\n", job.state().c_str());
     }
 
 private:
@@ -135,8 +137,6 @@ private:
     Gl gl = {};
     std::unique_ptr<ProgressBar> bar;
 
-    std::string stateFile() const { return job.out + ".state"; }
-
     void read(std::vector<std::string> &notes) {
         mesh = readModel(job.model, job.options.read, notes);
         toKeep.model = sumOf(mesh, job.options.settings.surroundings.sky);
@@ -146,10 +146,11 @@ private:
         SolveSettings &settings = job.options.settings;
         if (job.kept) settings.resumed = job.kept->rows;
         settings.keepEvery = job.keepEvery;
-        settings.keep = [this](const std::string &rows) {
-            toKeep.rows = rows;
-            toKeep.save(stateFile());
-        };
+        if (job.keeps)
+            settings.keep = [this](const std::string &rows) {
+                toKeep.rows = rows;
+                toKeep.save(job.state());
+            };
         settings.needs = [](size_t bytes) {
             std::printf("needs about %zu MB of memory\n", bytes >> 20);
             std::fflush(stdout);

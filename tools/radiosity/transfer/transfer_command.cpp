@@ -1,4 +1,3 @@
-#include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_options.h"
@@ -60,7 +59,7 @@ void readJob(common::CommandLine &line, Job &job) {
         throw common::Refused("--sky belongs to --check: a room is solved for any sky");
     job.options.finish(line);
     s.solve = job.options.settings, s.upIsZ = job.options.upIsZ;
-    common::checkWritable(job.out);
+    claimOutput(job.out);
 }
 
 void printReport(const Mesh &mesh, const TransferRoom &room, const TransferReport &r) {

@@ -1,5 +1,4 @@
 #include "host/process.h"
-#include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/solve/solve.h"
@@ -67,7 +66,7 @@ void readJob(common::CommandLine &line, Job &job) {
     job.solve.upIsZ = job.camera.settings.upIsZ;
     job.camera.finish(line);
     job.solve.finish(line);
-    if (!job.view.screenshot.empty()) common::checkWritable(job.view.screenshot);
+    if (!job.view.screenshot.empty()) claimOutput(job.view.screenshot);
     job.view.name = job.in.substr(job.in.rfind('/') + 1);
     job.view.placed = job.camera.placed;
 }
