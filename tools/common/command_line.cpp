@@ -136,6 +136,17 @@ void CommandLine::choice(const std::string &name, const std::vector<std::string>
     parser->add(name, join("|"), take, what, fallback < names.size() ? names[fallback] : "");
 }
 
+// Refuses the first word that was taken for an option and is none.
+void CommandLine::refuseWord() const {
+    for (const std::string &word : parser->words) {
+        if (word == "--") return;
+        const bool isName = word.size() > 1 && word[0] == '-' && !std::strchr("0123456789.", word[1]);
+        const size_t end = word[isName] == '-' ? std::min(word.find('='), word.size()) : 2;
+        if (isName && !parser->app.get_option_no_throw(word.substr(0, end)))
+            refuse("'" + word + "' is no option, and a file of that name is ./" + word);
+    }
+}
+
 void CommandLine::parse() {
     CLI::App &app = parser->app;
     forgetFiles();
@@ -145,13 +156,14 @@ void CommandLine::parse() {
     } catch (const CLI::CallForHelp &) {
         std::fputs(app.help().c_str(), stdout);
         throw HelpPrinted();
-    } catch (const CLI::ExtrasError &) {
-        refuse("cannot use '" + app.remaining().front() + "'");
-    } catch (const CLI::ArgumentMismatch &e) {
-        const std::string &last = parser->words.back();
-        refuse(last[0] == '-' && last.find('=') == last.npos ? last + " needs a value" : e.what());
     } catch (const CLI::ParseError &e) {
-        refuse(e.what());
+        refuseWord();
+        if (!app.remaining().empty()) refuse("cannot use '" + app.remaining().front() + "'");
+        const std::string &last = parser->words.back();
+        refuse(dynamic_cast<const CLI::ArgumentMismatch *>(&e) && last[0] == '-' &&
+                       last.find('=') == last.npos
+                   ? last + " needs a value"
+                   : e.what());
     }
     std::vector<size_t> taken(parser->rows.size());
     for (const CLI::Option *option : app.parse_order())
