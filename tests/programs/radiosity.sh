@@ -132,6 +132,7 @@ solve in.obj -o soft
 solve soft -o hard
 solve in.obj -o ./parts/../in.mtl
 solve in.obj -o kd.ppm
+transfer in.obj -o bump.ppm
 solve in.gltf -o in.gltf
 solve in.gltf -o kd.ppm
 solve in.obj --sky sky.ppm -o sky.ppm

@@ -204,7 +204,7 @@ private:
             bool known = corner.coordinate >= 0 && (size_t)corner.coordinate < given.coordinates.size();
             for (size_t c = 0; c < 2; ++c)
                 at[2 * k + c] = known ? given.coordinates[(size_t)corner.coordinate][c] : NAN;
-            placed &= known;
+            placed &= !std::isnan(at[2 * k]);
         }
         if (isFlat(t)) {
             ++mesh.flat;

@@ -19,8 +19,8 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-constexpr const char *kMaterialWords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke"};
-enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap };
+constexpr const char *kMaterialWords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke", "d", "Tr"};
+enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap, kOpacity, kClearness };
 
 // Whether a keyword names a picture.
 bool isMap(std::string_view word) {
@@ -33,15 +33,17 @@ struct Reader {
     const std::string &model;
     std::vector<std::string> &notes;
     std::vector<MeshMaterial> materials = {};
-    NotedKinds unused = {};                       // maps
+    NotedKinds unused = {};                       // maps and the like
     std::set<std::string> files = {}, known = {}; // that were read; names of materials
 
     void note(const std::string &name, const std::string &what) {
         notes.push_back(model + ": material " + name + ": " + what);
     }
+    void leave(const std::string &what) { unused[what].push_back("material " + m.name); }
 
     // The material that is being read.
     MeshMaterial m = {};
+    MeshPicture other = {}; // one that is not used
     Colour kd = {}, ke = {}, ka = {};
     bool open = false, hasKd = false;
     std::string noKd = {}; // the reason
@@ -76,6 +78,14 @@ struct Reader {
              0.0557 * x - 0.2040 * y + 1.0570 * z};
         for (double &v : c) v = std::max(v, 0.); // negative values are outside the gamut
         return true;
+    }
+
+    // Files disagree on whether a Tr of 1 is clear.
+    void readOpacity(TextLines &line, bool isD) {
+        double x;
+        if (line.rest.starts_with("-halo")) takeWord(line.rest);
+        if (takeNumber(line.rest, x) && x < 1 && (isD || x > 0))
+            leave("opacity is not used, and all is opaque");
     }
 
     void begin(const std::string &name) {
@@ -118,6 +128,8 @@ struct Reader {
             const std::string word(takeWord(rest));
             auto list = numbers.find(word);
             if (list == numbers.end() && !others.count(word)) break;
+            if (&picture != &other && word != "-clamp" && word != "-s" && word != "-o")
+                leave(std::string(line.word) + "'s " + word + " is not used");
             if (list == numbers.end()) {
                 std::string_view value = takeWord(rest);
                 if (word == "-clamp") to.clamp = value == "on";
@@ -165,9 +177,13 @@ struct Reader {
             case kEmissionMap:
                 picture(folderOf(path), lines, m.glow);
                 break;
+            case kOpacity:
+            case kClearness:
+                readOpacity(lines, keyword == kOpacity);
+                break;
             default:
                 if (isMap(lines.word) && !rest.empty())
-                    unused[std::string(lines.word) + " is not used"].push_back("material " + m.name);
+                    leave(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
             }
         }
         finish();

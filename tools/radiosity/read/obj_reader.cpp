@@ -18,6 +18,12 @@ namespace {
 
 constexpr const char *kKeywords[] = {"v", "vt", "f", "fo", "usemtl", "mtllib"};
 enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary };
+// What is left out, by the words of lines
+const std::map<std::string_view, const char *> kLeftOut = {{"p", "points and lines are left out"},
+                                                           {"l", "points and lines are left out"},
+                                                           {"curv", "curves and surfaces are left out"},
+                                                           {"surf", "curves and surfaces are left out"},
+                                                           {"call", "other files (call) are not read"}};
 
 struct ObjContent {
     Polygons polygons;                  // materials are indices into `asked`
@@ -51,6 +57,9 @@ public:
                 break;
             case kLibrary:
                 if (!lines.rest.empty()) libraries.emplace_back(lines.rest);
+                break;
+            default:
+                if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end()) leave(found->second);
             }
         }
         if (polygons.points.empty() && !lines.isText) throw ModelError(path + ": is not a text file");
@@ -59,6 +68,9 @@ public:
                                      std::to_string(polygons.points.size()));
         for (const auto &[word, keyword] : lines.otherCase)
             notes.push_back(path + ": " + word + " is read as " + keyword);
+        for (const auto &[what, where] : unused)
+            notes.push_back(path + ": " + what + ": line " + std::to_string(where.first) +
+                            (where.second ? " and " + std::to_string(where.second) + " more" : ""));
         return std::move(*this);
     }
 
@@ -69,6 +81,14 @@ private:
     int material = -1;
     int farthest = 0; // the largest number of a point
     size_t farthestLine = 0;
+    std::map<std::string, std::pair<size_t, size_t>, std::less<>> unused; // first line, count of others
+
+    void leave(std::string_view what) {
+        if (auto known = unused.find(what); known != unused.end())
+            ++known->second.second;
+        else
+            unused.emplace(what, std::pair(lines.number, 0));
+    }
 
     [[noreturn]] void refuse(size_t line, const std::string &what) const {
         throw ModelError(path + ":" + std::to_string(line) + ": " + what);
@@ -88,11 +108,16 @@ private:
             if (!(std::fabs(p[k]) < 1e18)) refuse(lines.number, "a coordinate is not a number below 1e18");
         }
         polygons.points.push_back(p);
+        double weight = 0;
+        if (!lines.rest.empty() && !(takeNumber(lines.rest, weight) && lines.rest.empty() && weight == 1))
+            leave(lines.rest.empty() ? "weights of points are not used" : "colours of points are not used");
     }
 
     void readCoordinate() {
-        double u = 0, v = 0;
-        takeNumber(lines.rest, u), takeNumber(lines.rest, v);
+        double u = NAN, v = 0; // the second may lack
+        if (!takeNumber(lines.rest, u) || !(lines.rest.empty() || takeNumber(lines.rest, v)) ||
+            !std::isfinite(u + v))
+            u = NAN, leave("coordinates of pictures (vt) are not numbers");
         polygons.coordinates.push_back({(float)u, (float)v});
     }
 

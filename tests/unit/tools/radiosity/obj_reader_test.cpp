@@ -38,8 +38,7 @@ TEST(ObjReader, TakesAllFormsOfLines) {
          {"f 1 2 3 4", "f 1/ 2/ 3/ 4/", "f 1// 2// 3// 4//", "f 1//0 2//0 3//0 4//0", "f 1/0/0 2/0 3/0/ 4",
           "f -4 -3/-1 -2//-1 -1/1/1", "fo 1 2 3 4", "f 1 2 \\\n3 4", "f 1 2 3 4 # 5", "f 1/9/9 2//9 3/-9 4",
           "f\t1\t2\t3\t4", "  f 1 2 3 4  \r", "f 1 2 3 4\r\r",
-          "o\ng\ng a b c\ns off\ns 1\nf 1 2 3\ns\nf 1 3 4", "mg 1 0.5\nbevel on\n$!?\ncall x.obj\nf 1 2 3 4",
-          "p 1 2\nl 1 2 3\nf 1 2 3 4", "vp 0 1\ncstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\nf 1 2 3 4",
+          "o\ng\ng a b c\ns off\ns 1\nf 1 2 3\ns\nf 1 3 4", "mg 1 0.5\nbevel on\n$!?\nf 1 2 3 4",
           "v 5 5 5\nf 1 2 3 4", "usemtl\nmtllib\nf 1 2 3 4"}) {
         ReadObj r(kObjSquare + "vt 0 0\nvn 0 1 0\n" + polygon + "\n");
         EXPECT_EQ(r.error, "") << polygon;
@@ -143,6 +142,28 @@ TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
               Lines{"m.mtl: is not a text file, and has no materials"});
 }
 
+// Each kind once, with the place of the first.
+TEST(ObjReader, NotesWhatIsNotUsed) {
+    const std::string obj =
+        "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 0 1 1.0\nv 0 0 1 2\nvt nan 0\nvt 1 inf\nvt\nvt "
+        ".5\nl 1 2\np 1\nvp 0 1\ncstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\ncall x.obj\nusemtl a\nf 1/1 2/4 "
+        "3/4\n";
+    ReadObj r(obj, "newmtl a\nKd 1 0 0\nd 0.5\nmap_Kd -mm 0 .5 -s 1 1 -clamp on -boost 2 a.png\nbump -bm 1 "
+                   "b.png\nnewmtl b\nd 1\nTr 1\nTr 0.5\nmap_Ke -mm 0 1 a.png\n");
+    EXPECT_EQ(
+        r.notes,
+        (Lines{"m.obj: colours of points are not used: line 2 and 1 more",
+               "m.obj: coordinates of pictures (vt) are not numbers: line 6 and 2 more",
+               "m.obj: curves and surfaces are left out: line 14",
+               "m.obj: other files (call) are not read: line 16",
+               "m.obj: points and lines are left out: line 10 and 1 more",
+               "m.obj: weights of points are not used: line 5", "m.obj: bump is not used: material a",
+               "m.obj: map_Kd's -boost is not used: material a",
+               "m.obj: map_Kd's -mm is not used: material a", "m.obj: map_Ke's -mm is not used: material b",
+               "m.obj: opacity is not used, and all is opaque: material a and 1 more",
+               "m.obj: coordinates of pictures are missing, and their means are used: a"}));
+}
+
 TEST(ObjReader, TakesColours) {
     auto with = [](const std::string &line) {
         return ReadObj("mtllib m.mtl\n" + kObjSquare + "usemtl a\nf 1 2 3 4\n", "newmtl a\n" + line + "\n");
@@ -156,7 +177,7 @@ TEST(ObjReader, TakesColours) {
         {"Kd 0.5", {.5f, .5f, .5f}, ""},
         {"  Kd 1 0 0  \nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0.5\nTr 0.5\nNs 9\nNi 1.5\nPr 0.5",
          {1, 0, 0},
-         ""},
+         "m.obj: opacity is not used, and all is opaque: material a"},
         {"Ks 1 1 1", {.7f, .7f, .7f}, "m.obj: material a: it has no Kd: it reflects 0.7"},
         {"Kd spectral a.rfl 1",
          {.7f, .7f, .7f},
