@@ -74,8 +74,8 @@ differ() { # differ PATTERN COMMAND...: exit status 1, and prints what matches
     "${@:2}" >"$WORK/printed"
     [ $? = 1 ] && grep -qE -- "$1" "$WORK/printed"
 }
-tga() { # tga BITS BYTES: 1 x 1
-    printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0'"\\$(printf %o "$1")"'\40'"$2"
+tga() { # tga BITS BYTES: 1 x 1; of 32 bits 8 are alpha
+    printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0'"\\$(printf '%o\\%o' "$1" $((32 + ($1 == 32 ? 8 : 0))))$2"
 }
 tga 32 'abc\377' >"$WORK/opaque.tga"
 tga 32 'abc\0' >"$WORK/clear.tga"
@@ -95,6 +95,14 @@ check "... as does its lack" refuses 2 "the numbers of pictures differ: 2 and 1"
 { printf 'P5\n1500 1500\n65535\n'; head -c 4500000 /dev/zero; } >"$WORK/large.pgm"
 check "one without memory for it is refused" refuses 2 "there is not enough memory" bash -c "ulimit -v 20000; '$BUILD/compare' '$WORK/large.pgm' '$WORK/large.pgm'"
 exr=$SOURCE/tests/support/pictures
+# What files say of their numbers and is not used
+with() { head -c "$2" "$exr/small.$1" && printf "$3" && tail -c +$(($2 + 1)) "$exr/small.$1"; } # with TYPE PLACE BYTES
+with png 33 '\0\0\0\4gAMA\0\1\206\240\61\350\226\137' >"$WORK/gamma.png"
+with jpg 2 '\377\341\0\42Exif\0\0II*\0\10\0\0\0\1\0\22\1\3\0\1\0\0\0\6\0\0\0\0\0\0\0' >"$WORK/turned.jpg"
+check "gamma that one picture has" differ '^not compared, and not alike: gAMA$' "$BUILD/compare" "$exr/small.png" "$WORK/gamma.png" --max 255
+check "... that both have" prints 'largest difference 0,' "$BUILD/compare" "$WORK/gamma.png" "$WORK/gamma.png"
+check "a turned picture" differ '^not compared, and not alike: orientation$' "$BUILD/compare" "$WORK/turned.jpg" "$exr/small.jpg"
+check "... is noted when it is copied" eval '"$BUILD/compare" --png "$WORK/turned.jpg" "$WORK/is.png" 2>&1 | grep -q "turned.jpg: orientation is not used"'
 check "floats" prints '^psnr inf dB, largest difference 0, 0 of 399 pixels differ$' "$BUILD/compare" "$exr/zips_half.exr" "$exr/tiled_piz_half.exr"
 check "... of 16 and 32 bits" prints '^A has floats of 16 bits, B has floats of 32 bits and alpha$' "$BUILD/compare" "$exr/zips_half.exr" "$exr/zip_rgba.exr" --psnr 1
 check "... against whole numbers" refuses 2 "one picture has floats" "$BUILD/compare" "$WORK/a.ppm" "$exr/zip_grey.exr"

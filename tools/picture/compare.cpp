@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace pictures {
 
@@ -69,6 +70,13 @@ bool compare(const Picture &a, const Picture &b, const Settings &s, std::string 
     if (d.values > 3 * a.pixels()) common::append(text, ", %zu in alpha", d.transparent);
     std::string kindA = kindOf(a), kindB = kindOf(b);
     text += kindA == kindB ? "\n" : "\nA has " + kindA + ", B has " + kindB + "\n";
+    // What both say alike makes no difference
+    std::set<std::string> unlike;
+    for (auto [one, other] : {std::pair{&a, &b}, {&b, &a}})
+        for (const auto &said : one->unused)
+            if (auto same = other->unused.find(said.first); same == other->unused.end() || *same != said)
+                unlike.insert(said.first);
+    for (const std::string &what : unlike) text += "not compared, and not alike: " + what + "\n";
     if (s.seen) {
         Image imageA = toImage(a), imageB = toImage(b);
         common::append(text, "mean flip %.4f, psnr in linear light %.2f dB, in sRGB %.2f dB\n",
@@ -76,7 +84,7 @@ bool compare(const Picture &a, const Picture &b, const Settings &s, std::string 
                        linearPsnr(imageA.rgb, imageB.rgb), psnr(imageA.rgb, imageB.rgb));
     }
     if (!s.diff.empty()) writePng(s.diff, d.enlarged);
-    return d.largest <= s.most || (s.leastPsnr != HUGE_VAL && db >= s.leastPsnr);
+    return unlike.empty() && (d.largest <= s.most || (s.leastPsnr != HUGE_VAL && db >= s.leastPsnr));
 }
 
 size_t countRest(PictureFile &file) {
@@ -119,7 +127,10 @@ int run(common::CommandLine &line) {
         "without\n"
         "alpha is opaque. Floats are linear, and 1 is 255. Of files with several pictures all are compared, "
         "in\n"
-        "order. Exit status 1: a largest difference is over --max and the PSNR is under --psnr (if given).");
+        "order. What files say of their numbers and is not used (gamma, profiles, orientation, animations) "
+        "must\n"
+        "be alike. Exit status 1: it is not, or a largest difference is over --max and the PSNR is under "
+        "--psnr (if given).");
     line.argument("A", pathA, "a picture: PNG, JPEG, TGA, BMP, PNM, Radiance HDR or OpenEXR");
     line.argument("B", pathB, "another; with --png or --linear the file to write");
     line.option("--max", "N", s.most, {0, 255}, "the largest difference of a channel that passes");
@@ -137,6 +148,8 @@ int run(common::CommandLine &line) {
     if (!toPng && !toLinear) return compareFiles(pathA, pathB, s);
     common::claimOutput(pathB);
     Picture a = readPicture(pathA);
+    for (const auto &[what, hash] : a.unused)
+        std::fprintf(stderr, "compare: %s: %s is not used\n", pathA.c_str(), what.c_str());
     writePng(pathB, toLinear ? common::inFile(pathA, [&] { return linearToImage(a, by); }) : toImage(a));
     return 0;
 }

@@ -3,6 +3,7 @@
 #include "tools/common/command_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 
@@ -111,6 +112,12 @@ private:
             if (name == "compression") compression = value.number<uint8_t>();
             if (name == "dataWindow") data = value.number<Window>();
             if (name == "displayWindow") display = value.number<Window>();
+            if (name == "chromaticities") readPrimaries(value);
+            if (name == "envmap" && value.rest != std::string_view("\0", 1)) // 0 is a panorama
+                picture.leave("envmap (a cube)", value.rest);
+            if ((name == "pixelAspectRatio" || name == "gamma") &&
+                value.rest != std::string_view("\0\0\x80\x3f", 4))
+                picture.leave(name, value.rest); // not 1
             if (name == "tiles")
                 chunkWidth = value.number<uint32_t>(), chunkHeight = value.number<uint32_t>();
         }
@@ -126,6 +133,14 @@ private:
             need(w.width() > 0 && w.height() > 0 && w.width() <= kMostPixels &&
                      w.width() * w.height() <= kMostPixels,
                  "it has no pixels, or more than 2^27");
+    }
+
+    void readPrimaries(Bytes value) {
+        bool usual = true;
+        const std::string_view bytes = value.rest;
+        for (float x : {.64f, .33f, .3f, .6f, .15f, .06f, .3127f, .329f})
+            usual &= std::fabs(value.number<float>() - x) < 0.002f;
+        if (!usual) picture.leave("chromaticities", bytes);
     }
 
     void readChannels(Bytes from) {
@@ -151,6 +166,8 @@ private:
         for (const auto &[name, ignored] : number) {
             const std::string layer = name.substr(0, name.rfind('.') + 1);
             auto has = [&](char c) { return number.count(layer + c) > 0; };
+            need(!has('Y') || !(number.count(layer + "RY") || number.count(layer + "BY")),
+                 "it has luminance and chroma (Y, RY and BY), which are not read");
             std::string order = has('R') && has('G') && has('B') ? "RGB" : has('Y') && !has('X') ? "Y" : "";
             if (!order.empty() && has('A')) order += 'A';
             if (!order.empty() && (found.empty() || found.back().first != layer))

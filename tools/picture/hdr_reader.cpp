@@ -7,7 +7,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <map>
+#include <vector>
 
 namespace pictures {
 
@@ -72,6 +75,25 @@ private:
                 readFactors(line, 1);
             else if (line.starts_with("COLORCORR="))
                 readFactors(line, 3);
+            else
+                readOther(line);
+    }
+
+    // Primaries and white are those of sRGB, or those that Radiance means without such a line.
+    void readOther(const std::string &line) {
+        static const std::map<std::string, std::vector<double>> kUsual = {
+            {"PRIMARIES", {.64, .33, .295, .6, .15, .06, .323, .331}}, {"GAMMA", {1}}, {"PIXASPECT", {1}}};
+        const size_t end = line.find('=');
+        auto known = kUsual.find(line.substr(0, end));
+        if (known == kUsual.end()) return;
+        const char *p = line.c_str() + end + 1;
+        bool usual = true;
+        for (double x : known->second) {
+            char *after;
+            usual &= std::fabs(std::strtod(p, &after) - x) < 0.011;
+            p = after;
+        }
+        if (!usual) picture.leave(known->first, line);
     }
 
     void readFormat(std::string format) {

@@ -1,6 +1,7 @@
 #include "tools/picture/picture.h"
 
 #include "tools/common/command_line.h"
+#include "tools/common/hash.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/psnr.h"
 
@@ -15,6 +16,17 @@
 #pragma GCC diagnostic pop
 
 namespace pictures {
+
+void Picture::leave(const std::string &name, std::string_view bytes) {
+    uint64_t &hash = unused.try_emplace(name, common::kFnvStart).first->second;
+    hash = common::fnv1a(bytes, hash);
+}
+
+void Picture::needUsual(const std::string &name) const {
+    for (const auto &[what, hash] : unused)
+        common::need(light.empty(),
+                     name + ": it would be other light than is meant: " + what + " is not used");
+}
 
 std::array<double, 4> Picture::steps(size_t pixel) const {
     std::array<double, 4> all;

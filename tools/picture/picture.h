@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pictures {
@@ -21,8 +23,14 @@ struct Picture {
     std::vector<uint16_t> encoded = {}; // 65535 is 1; empty if there are floats
     std::vector<float> light = {};      // 1 is white
     std::string others = {};            // the names of all channels, if some are not read
+    // What else the file says of its numbers, unless that is usual: by name, with a hash of its bytes. None
+    // of it is used
+    std::map<std::string, uint64_t> unused = {};
 
     size_t pixels() const { return (size_t)width * (size_t)height; }
+    void leave(const std::string &name, std::string_view bytes); // adds to `unused`
+    // Throws Refused for floats with anything that is not used: they would be other light
+    void needUsual(const std::string &name) const;
     bool hasAlpha() const { return channels % 2 == 0; }
     // Red, green, blue and alpha, 255 for 1; 255 without alpha
     std::array<double, 4> steps(size_t pixel) const;

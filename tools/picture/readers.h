@@ -1,5 +1,6 @@
 // Readers of one format each, for picture_file.h, which chooses. Each takes the first picture from `file`: it
-// removes that, and what follows unless it is another picture. All throw Refused for what is damaged.
+// removes that, and what follows unless it is another picture. All throw Refused for what is damaged, and note
+// in Picture::unused what the head says and is not used.
 #pragma once
 
 #include "tools/picture/picture.h"

@@ -13,7 +13,9 @@
 namespace odraz::radiosity {
 
 pictures::Picture MeshPicture::read() const {
-    return bytes ? pictures::readPicture(path, *bytes) : pictures::readPicture(path);
+    pictures::Picture p = bytes ? pictures::readPicture(path, *bytes) : pictures::readPicture(path);
+    p.needUsual(path);
+    return p;
 }
 
 Vec3d normalOf(const Mesh &m, const Triangle &t) {

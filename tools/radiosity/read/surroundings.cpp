@@ -1,6 +1,7 @@
 #include "tools/radiosity/read/surroundings.h"
 
 #include "base/maths.h"
+#include "tools/common/text.h"
 #include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/upright.h"
 
@@ -180,8 +181,21 @@ BallLamp ballLamp(const Vec3d &centre, double radius, const Rgb &radiance) {
     return {toFloat(centre), (float)radius, radiance, toFloat(centre - toDouble(toFloat(centre)))};
 }
 
-SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns) {
-    return SkyReader(pictures::readPicture(path), upIsZ).read(suns);
+pictures::Picture readPanorama(const std::string &path, std::vector<std::string> *notes) {
+    pictures::Picture p = pictures::readPicture(path);
+    p.needUsual(path);
+    if (!notes) return p;
+    for (const auto &[what, hash] : p.unused) notes->push_back(path + ": " + what + " is not used");
+    if (p.width != 2 * p.height)
+        notes->push_back(path + common::format(": it is %d x %d, not twice as wide as high, and is read as a "
+                                               "panorama",
+                                               p.width, p.height));
+    return p;
+}
+
+SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns,
+                   std::vector<std::string> *notes) {
+    return SkyReader(readPanorama(path, notes), upIsZ).read(suns);
 }
 
 } // namespace odraz::radiosity

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "tools/engine/vec3d.h"
+#include "tools/picture/picture.h"
 
 #include <string>
 #include <vector>
@@ -50,8 +51,12 @@ BallLamp ballLamp(const Vec3d &centre, double radius, const Rgb &radiance);
 
 SkyPicture evenSky(const Rgb &radiance);
 
-// Reads a picture, and adds its bright pixels to `suns`. Throws Refused.
-SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns);
+// Reads the picture of a sky. Adds notes of what it says and is not used, and if it has not the shape of a
+// panorama. Throws Refused, also for a picture of light that would be another (Picture::needUsual()).
+pictures::Picture readPanorama(const std::string &path, std::vector<std::string> *notes = nullptr);
+// The same as a sky; adds its bright pixels to `suns`.
+SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns,
+                   std::vector<std::string> *notes = nullptr);
 
 // The direction to a sun. Both angles are in degrees: elevation above the horizon, azimuth from -z (+y if z
 // is up) towards +x.

@@ -108,7 +108,7 @@ void SolveOptions::finish(const common::CommandLine &line) {
     else if (!sky.empty() && sky.find_first_not_of("0123456789.,+-eE") == std::string::npos)
         throw common::Refused("--sky takes R,G,B or a picture, not '" + sky + "'");
     else if (!sky.empty())
-        to.sky = readSky(sky, upIsZ, to.suns);
+        to.sky = readSky(sky, upIsZ, to.suns, &skyNotes);
     for (const std::string &text : suns) {
         auto s = common::numbersOf("--sun", text, 5);
         to.suns.push_back({sunTowards(s[0], s[1], upIsZ), lightOf("--sun", &s[2])});
@@ -121,6 +121,7 @@ void SolveOptions::finish(const common::CommandLine &line) {
 }
 
 void SolveOptions::addLights(const Mesh &mesh, Surroundings &to, std::vector<std::string> &notes) const {
+    notes.insert(notes.end(), skyNotes.begin(), skyNotes.end());
     to.lamps.insert(to.lamps.end(), mesh.lights.lamps.begin(), mesh.lights.lamps.end());
     if (suns.empty())
         to.suns.insert(to.suns.end(), mesh.lights.suns.begin(), mesh.lights.suns.end());

@@ -26,7 +26,8 @@ public:
 
     // Call it after parse(): chooses the method, reads the sky, suns and lamps. Throws Refused.
     void finish(const common::CommandLine &line);
-    // Adds the suns and lamps of a model to those of the options; with --sun only the lamps.
+    // Adds the suns and lamps of a model to those of the options; with --sun only the lamps. Adds the notes
+    // of the sky, too.
     void addLights(const Mesh &mesh, Surroundings &to, std::vector<std::string> &notes) const;
 
     ReadSettings read;
@@ -36,7 +37,7 @@ public:
     bool progress = false; // report in lines if stderr is not a terminal
 
 private:
-    std::vector<std::string> suns, lamps;
+    std::vector<std::string> suns, lamps, skyNotes;
     double megabytes = 8192;
 };
 

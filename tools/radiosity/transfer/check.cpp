@@ -161,14 +161,16 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         std::fill(lighting.lamps.begin(), lighting.lamps.end(), 0.f);
     }
     for (const std::string &path : skies) {
-        Projected projected = readEnvironment(path, room.upIsZ);
+        std::vector<std::string> notes;
+        Projected projected = readEnvironment(path, room.upIsZ, &notes);
         TriedSky sky = {path.substr(path.rfind('/') + 1), projected.light, {}, {}};
         sky.sky = readSky(path, room.upIsZ, sky.suns);
         relight(sky.light);
         std::vector<Rgb> lit = freshLight(mesh, settings, rays, sky, workers, stop);
         if (stopped()) return false;
         printErrors(sky.name, rows, clusters, lit, nullptr);
-        std::printf("        (%s)\n", lossOf(sky.name, projected, room.bands).c_str());
+        notes.push_back(lossOf(sky.name, projected, room.bands));
+        for (const std::string &note : notes) std::printf("        (%s)\n", note.c_str());
     }
 
     // As in the lecture: the same number of stored floats, in one subspace or in one for each cluster

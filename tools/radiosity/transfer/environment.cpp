@@ -1,7 +1,6 @@
 #include "tools/radiosity/transfer/environment.h"
 
 #include "tools/common/text.h"
-#include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/upright.h"
 #include "tools/radiosity/solve/solve_options.h"
 
@@ -62,9 +61,9 @@ Projected project(const Rgb &even) {
     return p;
 }
 
-Projected readEnvironment(const std::string &sky, bool upIsZ) {
+Projected readEnvironment(const std::string &sky, bool upIsZ, std::vector<std::string> *notes) {
     if (std::optional<Rgb> even = evenRadiance(sky)) return project(*even);
-    pictures::Picture picture = pictures::readPicture(sky);
+    pictures::Picture picture = readPanorama(sky, notes);
     for (float &x : picture.light) x = std::max(x, 0.f);
     return project(picture, upIsZ);
 }

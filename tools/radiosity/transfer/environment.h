@@ -19,8 +19,8 @@ struct Projected {
 Projected project(const pictures::Picture &picture, bool upIsZ);
 Projected project(const Rgb &even);
 
-// Reads the value of --sky: R,G,B or the name of a picture. Throws Refused.
-Projected readEnvironment(const std::string &sky, bool upIsZ);
+// Reads the value of --sky: R,G,B or the name of a picture, with notes as readPanorama(). Throws Refused.
+Projected readEnvironment(const std::string &sky, bool upIsZ, std::vector<std::string> *notes = nullptr);
 
 // One line: the share of the energy that this number of bands holds, and the share that they lose.
 std::string lossOf(const std::string &name, const Projected &projected, int bands);

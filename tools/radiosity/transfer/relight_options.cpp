@@ -1,5 +1,6 @@
 #include "tools/radiosity/transfer/relight_options.h"
 
+#include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/transfer/find_transfer.h"
 
 #include <algorithm>
@@ -80,12 +81,14 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
     light.lighting.bands = bands ? bands : room.bands, light.lighting.rank = rank;
     if (clusters && rank < 0) light.lighting.rank = room.clusters.rank;
     light.lighting.lamps = readLamps(lamps, room);
+    std::vector<std::string> notes;
     if (!sky.empty())
-        light.sky = readEnvironment(sky, room.upIsZ);
+        light.sky = readEnvironment(sky, room.upIsZ, &notes);
     else if (room.lamps.empty())
         light.sky = project(Rgb{1, 1, 1});
     if (!sky.empty() && light.sky.held[0] < 1)
         std::printf("%s\n", lossOf(sky.substr(sky.rfind('/') + 1), light.sky, light.lighting.bands).c_str());
+    printNotes(notes);
     light.lighting.sky = turnedSky(light.sky.light, room, around, up);
     return light;
 }

@@ -75,8 +75,10 @@ TEST(Exr, ReadsOtherWriters) {
 }
 
 // Other channels beside the colours, as renderers write them: whole numbers, and floats of 16 and 32 bits.
+// What else the head says of the colours is named.
 TEST(Exr, ReadsColoursAmongOtherChannels) {
-    auto made = [](const std::string &channels) { // 2 x 2; its number fills each channel
+    // 2 x 2; its number fills each channel
+    auto made = [](const std::string &channels, const std::string &more = "", const std::string &value = "") {
         auto number = [](auto n) { return std::string((const char *)&n, sizeof n); };
         std::string file = "\x76\x2f\x31\x01\2\0\0\0"s, list, line;
         auto attribute = [&](const std::string &name, const std::string &type, const std::string &value) {
@@ -96,6 +98,7 @@ TEST(Exr, ReadsColoursAmongOtherChannels) {
         attribute("compression", "compression", "\0"s);
         for (const char *window : {"dataWindow", "displayWindow"})
             attribute(window, "box2i", number(0) + number(0) + number(1) + number(1));
+        if (!more.empty()) attribute(more, more, value);
         file += '\0';
         const size_t first = file.size() + 16;
         for (size_t y = 0; y < 2; ++y) file += number((uint64_t)(first + y * (line.size() + 8)));
@@ -116,6 +119,22 @@ TEST(Exr, ReadsColoursAmongOtherChannels) {
               "Layer.Normal.X half Layer.Normal.Y half Layer.Normal.Z half"),
         (Light{2, 1, 0}));
     EXPECT_EQ(light("Y float Z float"), Light{0});
+    auto unused = [&](const std::string &name, const std::string &value) {
+        return readExr(made("B float G float R float", name, value)).unused.size();
+    };
+    auto floats = [](const std::vector<float> &list) {
+        return std::string((const char *)list.data(), list.size() * sizeof(float));
+    };
+    EXPECT_EQ(unused("chromaticities", floats({.64f, .33f, .3f, .6f, .15f, .06f, .3127f, .329f})), 0u);
+    EXPECT_EQ(unused("chromaticities", floats({1, 0, 0, 1, 0, 0, 1 / 3.f, 1 / 3.f})), 1u);
+    for (const char *name : {"pixelAspectRatio", "gamma"}) {
+        EXPECT_EQ(unused(name, floats({1})), 0u);
+        EXPECT_EQ(unused(name, floats({2})), 1u);
+    }
+    EXPECT_EQ(unused("envmap", "\0"s), 0u);
+    EXPECT_EQ(unused("envmap", "\1"), 1u);
+    EXPECT_NE(thrown<common::Refused>([&] { readExr(made("BY half RY half Y half")); }).find("luminance"),
+              std::string::npos);
     for (const char *channels :
          {"a.B half a.G half a.R half b.B half b.G half b.R half", "X half Y half Z half"})
         EXPECT_NE(thrown<common::Refused>([&] { readExr(made(channels)); }).find("only R, G and B, or Y"),

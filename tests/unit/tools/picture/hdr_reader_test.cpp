@@ -113,6 +113,20 @@ TEST(Hdr, TurnsXyzIntoSrgbsPrimaries) {
     EXPECT_TRUE(refuses("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 4", pixels, "format 32-bit_rle_spec"));
 }
 
+// Primaries are sRGB's, or those that Radiance means without such a line.
+TEST(Hdr, NamesWhatItDoesNotUse) {
+    auto unused = [](const std::string &line) {
+        return read(line, "-Y 1 +X 1", bytes({1, 2, 3, 136})).unused.size();
+    };
+    for (const char *line :
+         {"PRIMARIES=0.640 0.330 0.290 0.600 0.150 0.060 0.333 0.333\n",
+          "PRIMARIES= .64 .33 .3 .6 .15 .06 .3127 .329\n", "GAMMA=1\n", "PIXASPECT= 1.0\n", "VIEW= -vtl\n"})
+        EXPECT_EQ(unused(line), 0u) << line;
+    for (const char *line :
+         {"PRIMARIES= .3 .6 .64 .33 .15 .06 .3127 .329\n", "PRIMARIES=\n", "GAMMA=2.2\n", "PIXASPECT=2\n"})
+        EXPECT_EQ(unused(line), 1u) << line;
+}
+
 // One picture of three columns and two rows, 10 11 12 above 20 21 22, in all orders.
 TEST(Hdr, ReadsAllOrders) {
     struct Order {

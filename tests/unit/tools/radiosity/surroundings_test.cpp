@@ -1,4 +1,5 @@
 // Pictures of the sky: no light is lost, and suns replace pixels that are too bright.
+#include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 #include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
@@ -31,10 +32,11 @@ std::string hdr(int width, int height, const std::function<Rgb(int, int)> &colou
     return file;
 }
 
-SkyPicture read(const std::string &file, bool upIsZ, std::vector<Sun> &suns) {
+SkyPicture read(const std::string &file, bool upIsZ, std::vector<Sun> &suns,
+                std::vector<std::string> *notes = nullptr) {
     common::TemporaryFolder folder;
     common::writeWhole(folder / "sky.hdr", file);
-    return readSky(folder / "sky.hdr", upIsZ, suns);
+    return readSky(folder / "sky.hdr", upIsZ, suns, notes);
 }
 
 // The integral of light over all directions, over pi.
@@ -52,6 +54,21 @@ Rgb all(const SkyPicture &sky, const std::vector<Sun> &suns) {
 }
 
 } // namespace
+
+// Other primaries would be other light; another shape is noted.
+TEST(Sky, IsAPanoramaOfItsLight) {
+    std::vector<Sun> suns;
+    std::vector<std::string> notes;
+    std::string file = hdr(8, 4, [](int, int) { return Rgb{1, 1, 1}; });
+    read(file, false, suns, &notes);
+    EXPECT_TRUE(notes.empty());
+    read(hdr(8, 8, [](int, int) { return Rgb{1, 1, 1}; }), false, suns, &notes);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].find("sky.hdr: it is 8 x 8, not twice as wide as high"), std::string::npos);
+    file.insert(file.find('\n') + 1, "PRIMARIES= .3 .6 .64 .33 .15 .06 .3127 .329\n");
+    EXPECT_NE(thrown<common::Refused>([&] { read(file, false, suns); }).find("PRIMARIES is not used"),
+              std::string::npos);
+}
 
 TEST(Sky, IsAsBrightAsItsPicture) {
     for (int width : {8, 64, 129, 512}) {
