@@ -160,10 +160,9 @@ void CommandLine::parse() {
         refuseWord();
         if (!app.remaining().empty()) refuse("cannot use '" + app.remaining().front() + "'");
         const std::string &last = parser->words.back();
-        refuse(dynamic_cast<const CLI::ArgumentMismatch *>(&e) && last[0] == '-' &&
-                       last.find('=') == last.npos
-                   ? last + " needs a value"
-                   : e.what());
+        const bool lacks =
+            e.get_name() == "ArgumentMismatch" && last[0] == '-' && last.find('=') == last.npos;
+        refuse(lacks ? last + " needs a value" : e.what());
     }
     std::vector<size_t> taken(parser->rows.size());
     for (const CLI::Option *option : app.parse_order())
@@ -273,12 +272,9 @@ int runProgram(const char *name, int argc, char **argv, int (*body)(CommandLine 
         if (std::fflush(stdout) || std::ferror(stdout))
             throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
         return status;
-    } catch (const Refused &e) {
-        return printError(name, e, 2);
-    } catch (const WouldReplace &e) {
-        return printError(name, e, 2);
     } catch (const std::exception &e) {
-        return printError(name, e, 1);
+        const bool refused = dynamic_cast<const Refused *>(&e) || dynamic_cast<const WouldReplace *>(&e);
+        return printError(name, e, refused ? 2 : 1);
     }
 }
 

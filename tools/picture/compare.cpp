@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
 
 namespace pictures {
 
@@ -71,12 +71,10 @@ bool compare(const Picture &a, const Picture &b, const Settings &s, std::string 
     std::string kindA = kindOf(a), kindB = kindOf(b);
     text += kindA == kindB ? "\n" : "\nA has " + kindA + ", B has " + kindB + "\n";
     // What both say alike makes no difference
-    std::set<std::string> unlike;
-    for (auto [one, other] : {std::pair{&a, &b}, {&b, &a}})
-        for (const auto &said : one->unused)
-            if (auto same = other->unused.find(said.first); same == other->unused.end() || *same != said)
-                unlike.insert(said.first);
-    for (const std::string &what : unlike) text += "not compared, and not alike: " + what + "\n";
+    std::map<std::string, uint64_t> unlike;
+    std::set_symmetric_difference(a.unused.begin(), a.unused.end(), b.unused.begin(), b.unused.end(),
+                                  std::inserter(unlike, unlike.end()));
+    for (const auto &[what, hash] : unlike) text += "not compared, and not alike: " + what + "\n";
     if (s.seen) {
         Image imageA = toImage(a), imageB = toImage(b);
         common::append(text, "mean flip %.4f, psnr in linear light %.2f dB, in sRGB %.2f dB\n",

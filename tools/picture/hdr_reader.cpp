@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <map>
+#include <sstream>
 #include <vector>
 
 namespace pictures {
@@ -86,14 +86,10 @@ private:
         const size_t end = line.find('=');
         auto known = kUsual.find(line.substr(0, end));
         if (known == kUsual.end()) return;
-        const char *p = line.c_str() + end + 1;
-        bool usual = true;
-        for (double x : known->second) {
-            char *after;
-            usual &= std::fabs(std::strtod(p, &after) - x) < 0.011;
-            p = after;
-        }
-        if (!usual) picture.leave(known->first, line);
+        std::istringstream values(line.substr(end + 1));
+        double got;
+        for (double x : known->second)
+            if (!(values >> got) || std::fabs(got - x) > 0.011) return picture.leave(known->first, line);
     }
 
     void readFormat(std::string format) {

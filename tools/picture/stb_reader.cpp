@@ -3,11 +3,12 @@
 #include "tools/common/command_line.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 #include <zlib.h>
 
 // A PNG may have empty parts: nothing is copied to nowhere
@@ -58,26 +59,23 @@ Picture read(std::string_view file, Sample *(*load)(stbi__context *, int *, int 
     return p;
 }
 
-// The orientation in EXIF; 1: as it is stored, or there is none.
-uint32_t orientationOf(std::string_view exif) {
-    const bool big = exif.starts_with("MM");
-    auto number = [&](size_t at, size_t size) {
-        uint32_t n = 0;
-        for (size_t k = 0; k < size; ++k) {
-            size_t i = at + (big ? k : size - 1 - k);
-            n = n << 8 | (i < exif.size() ? (uint8_t)exif[i] : 0);
-        }
-        return n;
-    };
-    const size_t first = number(4, 4), count = number(first, 2);
-    for (size_t at = first + 2; at < first + 2 + 12 * count; at += 12)
-        if (number(at, 2) == 0x112) return number(at + 8, 2);
-    return 1;
+// A number; bytes behind the end are 0.
+uint32_t numberIn(std::string_view bytes, size_t at, size_t size, bool highestFirst = true) {
+    uint32_t n = 0;
+    for (size_t k = 0; k < size; ++k) {
+        size_t i = at + (highestFirst ? k : size - 1 - k);
+        n = n << 8 | (i < bytes.size() ? (uint8_t)bytes[i] : 0);
+    }
+    return n;
 }
 
+// Of EXIF, only the orientation changes what is seen.
 void leaveExif(Picture &p, std::string_view exif) {
-    const uint32_t orientation = orientationOf(exif);
-    if (orientation > 1 && orientation <= 8) p.leave("orientation", std::to_string(orientation));
+    auto number = [&](size_t at, size_t size) { return numberIn(exif, at, size, exif[0] == 'M'); };
+    const size_t first = number(4, 4) + 2, end = first + 12 * number(first - 2, 2);
+    for (size_t at = first; at < end; at += 12)
+        if (uint32_t to = number(at + 8, 2); number(at, 2) == 0x112 && to > 1 && to <= 8)
+            p.leave("orientation", std::to_string(to));
 }
 
 // Whether a JPEG has tables before its pixels, of codes and of steps, and of codes at most 256 in each, as
@@ -101,11 +99,10 @@ bool hasTables(std::string_view jpeg, Picture &p) {
         }
         codes |= mark == 0xc4, steps |= mark == 0xdb;
         if (mark == 0xda && !(codes && steps)) return false;
-        size_t end = at + (size_t)(byte(at) * 256 + byte(at + 1));
-        std::string_view content = jpeg.substr(at, end - at).substr(std::min<size_t>(end - at, 2));
-        if (mark == 0xe1 && content.starts_with(std::string_view("Exif\0", 6)))
-            leaveExif(p, content.substr(6));
-        if (mark == 0xe2 && content.starts_with("ICC_PROFILE")) p.leave("an ICC profile", content);
+        size_t end = at + numberIn(jpeg, at, 2);
+        std::string_view part = jpeg.substr(at, end - at); // with its size
+        if (mark == 0xe1 && part.size() > 8 && part.substr(2, 4) == "Exif") leaveExif(p, part.substr(8));
+        if (mark == 0xe2 && part.find("ICC_PROFILE") == 2) p.leave("an ICC profile", part);
         for (size_t table = at + 2; mark == 0xc4 && table < end;) {
             int count = 0;
             for (size_t k = 1; k <= 16; ++k) count += byte(table + k);
@@ -122,49 +119,32 @@ constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
 // The size of a PNG, whose parts must have their checksums: stb_image ignores these. What `p` does not use is
 // noted there.
 size_t checkedSize(std::string_view png, Picture &p) {
-    constexpr std::array kPrimaries = {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}; // of sRGB
-    bool isSrgb = false;
-    auto number = [&](size_t at) {
-        uint32_t n = 0;
-        for (size_t k = 0; k < 4; ++k) n = n << 8 | (uint8_t)png[at + k];
-        return n;
-    };
+    // That of sRGB. Profiles and codes of others have nothing usual
+    static const std::map<std::string, std::vector<uint32_t>> kUsual = {
+        {"gAMA", {45455}},
+        {"cHRM", {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}},
+        {"cICP", {}},
+        {"iCCP", {}}};
     for (size_t at = kPng.size(); at + 12 <= png.size();) {
-        const size_t size = number(at);
+        const size_t size = numberIn(png, at, 4);
         if (size > png.size() - at - 12) break;
         std::string_view part = png.substr(at + 4, size + 4); // its kind, of four letters, and its content
-        common::need(crc32(0, (const Bytef *)part.data(), (uInt)part.size()) == number(at + 8 + size),
+        common::need(crc32(0, (const Bytef *)part.data(), (uInt)part.size()) ==
+                         numberIn(png, at + 8 + size, 4),
                      "it is damaged: a checksum is wrong");
         const std::string kind(part.substr(0, 4));
-        auto near = [&](size_t k, int usual) {
-            return size >= 4 * k + 4 && std::abs((int64_t)number(at + 8 + 4 * k) - usual) < 100;
-        };
-        bool usual = kind == "gAMA" && near(0, 45455);
-        if (kind == "cHRM") {
-            usual = true;
-            for (size_t k = 0; k < kPrimaries.size(); ++k) usual &= near(k, kPrimaries[k]);
+        if (auto known = kUsual.find(kind); known != kUsual.end()) {
+            bool usual = !known->second.empty();
+            for (size_t k = 0; k < known->second.size(); ++k)
+                usual &= std::abs((int64_t)numberIn(part, 4 + 4 * k, 4) - known->second[k]) < 100;
+            if (!usual) p.leave(kind, part);
         }
-        if (kind == "cICP") usual = part.substr(4) == std::string_view("\1\15\0\1", 4);
-        if (!usual && (kind == "gAMA" || kind == "cHRM" || kind == "cICP" || kind == "iCCP"))
-            p.leave(kind, part);
         if (kind == "acTL" || kind == "fcTL" || kind == "fdAT") p.leave("an animation (APNG)", part);
-        if (kind == "eXIf") leaveExif(p, part.substr(4));
-        isSrgb |= kind == "sRGB"; // it goes before gAMA and cHRM
+        if (kind == "eXIf" && size) leaveExif(p, part.substr(4));
         at += size + 12;
-        if (kind != "IEND") continue;
-        if (isSrgb) p.unused.erase("gAMA"), p.unused.erase("cHRM");
-        return at;
+        if (kind == "IEND") return at;
     }
     throw common::Refused("it is damaged: it ends before its last pixel");
-}
-
-// Whether a TGA counts bits of alpha, and does not call them undefined in the extension of version 2.
-bool hasAlpha(std::string_view tga) {
-    constexpr std::string_view kMark("TRUEVISION-XFILE.\0", 18);
-    uint32_t extension = 0;
-    if (tga.size() > 44 && tga.ends_with(kMark)) std::memcpy(&extension, tga.end() - 26, sizeof extension);
-    const bool undefined = extension && extension + 495ul <= tga.size() && tga[extension + 494] < 3;
-    return tga[17] & 15 && !undefined;
 }
 
 void dropAlpha(Picture &p) {
@@ -208,17 +188,10 @@ Picture takeByStb(std::string_view &rest) {
                     ? read<stbi__uint16>(file, stbi__load_and_postprocess_16bit)
                     : read<stbi_uc>(file, stbi__load_and_postprocess_8bit);
     if (isTga && file[17] & 0x10) mirror(p);
-    const bool isBmp = file.starts_with("BM");
-    auto word = [&](size_t at) {
-        uint32_t n = 0;
-        if (isBmp && at + sizeof n <= file.size()) std::memcpy(&n, file.data() + at, sizeof n);
-        return n;
-    };
-    // Before version 4 of its head a BMP has no alpha, unless a mask says so
-    if (p.hasAlpha() && (isTga ? !hasAlpha(file) : isBmp && word(14) == 40 && word(30) == 0)) dropAlpha(p);
-    const uint32_t space = word(14) >= 108 ? word(70) : 0;
-    if (space && space != 0x73524742 /* sRGB */ && space != 0x57696e20 /* Windows's, which is it */)
-        p.leave("a colour space", file.substr(70, 54));
+    // TGA counts bits of alpha, and BMP has some only with a mask or in a later head; else such bytes are not
+    // alpha
+    if (p.hasAlpha() && (isTga ? !(file[17] & 15) : file.starts_with("BM") && file[14] == 40 && !file[30]))
+        dropAlpha(p);
     p.unused.merge(head.unused);
     return p;
 }

@@ -21,8 +21,7 @@ enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary };
 // What is left out, by the words of lines
 const std::map<std::string_view, const char *> kLeftOut = {{"p", "points and lines are left out"},
                                                            {"l", "points and lines are left out"},
-                                                           {"curv", "curves and surfaces are left out"},
-                                                           {"surf", "curves and surfaces are left out"},
+                                                           {"surf", "surfaces are left out"},
                                                            {"call", "other files (call) are not read"}};
 
 struct ObjContent {
@@ -68,9 +67,9 @@ public:
                                      std::to_string(polygons.points.size()));
         for (const auto &[word, keyword] : lines.otherCase)
             notes.push_back(path + ": " + word + " is read as " + keyword);
-        for (const auto &[what, where] : unused)
-            notes.push_back(path + ": " + what + ": line " + std::to_string(where.first) +
-                            (where.second ? " and " + std::to_string(where.second) + " more" : ""));
+        for (const auto &[what, in] : unused)
+            notes.push_back(path + ": " + std::string(what) + ": line " + std::to_string(in[0]) +
+                            (in.size() > 1 ? " and " + std::to_string(in.size() - 1) + " more" : ""));
         return std::move(*this);
     }
 
@@ -81,14 +80,8 @@ private:
     int material = -1;
     int farthest = 0; // the largest number of a point
     size_t farthestLine = 0;
-    std::map<std::string, std::pair<size_t, size_t>, std::less<>> unused; // first line, count of others
-
-    void leave(std::string_view what) {
-        if (auto known = unused.find(what); known != unused.end())
-            ++known->second.second;
-        else
-            unused.emplace(what, std::pair(lines.number, 0));
-    }
+    std::map<std::string_view, std::vector<size_t>> unused; // kinds, and their lines
+    void leave(const char *kind) { unused[kind].push_back(lines.number); }
 
     [[noreturn]] void refuse(size_t line, const std::string &what) const {
         throw ModelError(path + ":" + std::to_string(line) + ": " + what);

@@ -154,11 +154,10 @@ TEST(ObjReader, NotesWhatIsNotUsed) {
         r.notes,
         (Lines{"m.obj: colours of points are not used: line 2 and 1 more",
                "m.obj: coordinates of pictures (vt) are not numbers: line 6 and 2 more",
-               "m.obj: curves and surfaces are left out: line 14",
                "m.obj: other files (call) are not read: line 16",
                "m.obj: points and lines are left out: line 10 and 1 more",
-               "m.obj: weights of points are not used: line 5", "m.obj: bump is not used: material a",
-               "m.obj: map_Kd's -boost is not used: material a",
+               "m.obj: surfaces are left out: line 14", "m.obj: weights of points are not used: line 5",
+               "m.obj: bump is not used: material a", "m.obj: map_Kd's -boost is not used: material a",
                "m.obj: map_Kd's -mm is not used: material a", "m.obj: map_Ke's -mm is not used: material b",
                "m.obj: opacity is not used, and all is opaque: material a and 1 more",
                "m.obj: coordinates of pictures are missing, and their means are used: a"}));
