@@ -158,11 +158,11 @@ void writeModel(const std::string &path, const ModelParameters &parameters) {
 }
 
 // In: the comment's text `t`, or the page `s` itself; out: what the decoder makes of it, a script, which is
-// run with the program. The decoder works on a thread of its own, so that the page answers.
+// run with the program. The decoder works on a thread of its own, so that the page answers. What fails, as
+// workers, scripts and WebAssembly do by a Content-Security-Policy, is one sentence.
 constexpr char kLoader[] =
-    R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],w
-if(!self.DecompressionStream||!self.Worker||!self.WebAssembly)
-throw document.body.textContent='This browser lacks WebAssembly, workers or DecompressionStream: it cannot play the film.'
+    R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],w,e=onerror=onunhandledrejection=()=>{
+document.body.textContent='This browser or site allows no WebAssembly, workers or DecompressionStream: it cannot play the film.'}
 if(document.characterSet[0]=='w'){
 [...new TextDecoder('latin1').decode(Uint8Array.from({length:256},(_,i)=>i))].map((c,i)=>m[c]=i)
 s=[...t].map(c=>m[c])
@@ -171,7 +171,9 @@ for(;o.length<COUNT;){let c=s[i++];o.push((c==1?s[i++]^64:c)^KEY)}
 o=new Uint8Array(o)
 w=new Worker(URL.createObjectURL(new Blob([`onmessage=async({data:[h,o]})=>{let x=(await WebAssembly.instantiate(h.slice(
 MODEL))).instance.exports,b=new Uint8Array(x.memory.buffer),i=x.i()
-b.set(h.slice(0,MODEL),i);b.set(o,i+MODEL);i=x.d();postMessage(b.slice(i,i+ALL))}`])))
+b.set(h.slice(0,MODEL),i);b.set(o,i+MODEL);i=x.d();postMessage(b.slice(i,i+ALL))}
+onunhandledrejection=e=>{throw e}`])))
+w.onerror=e
 w.onmessage=({data:s})=>{w.terminate()
 new Function('data',new TextDecoder().decode(s.slice(0,SCRIPT)))(s.slice(SCRIPT))}
 s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))

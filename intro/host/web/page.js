@@ -17,17 +17,14 @@ const main = async (wasm, scripts) => {
   }
   const kZero = [65, 0, 253, 15] // i32.const 0, i8x16.splat
   if (!can(kZero)) return fail('This browser has no WebAssembly SIMD.')
-  if (!self.AudioContext) return fail('This browser has no Web Audio.')
   const relaxed = can([...kZero, ...kZero, ...kZero, 253, 133, 2])
   const module = await WebAssembly.compile(relaxed ? wasm : plain(wasm))
   const x = (await WebAssembly.instantiate(module, { env: new Proxy({}, { get: () => () => 0 }) })).exports
 
-  // --- Workers: as large as the screen is what they draw, so that they are ready before the click ---
+  // --- Workers ---
   const cores = navigator.hardwareConcurrency || 2, count = Math.min(cores, 8), most = cores > 4 ? 1920 : 1280
   const full = q.get('full') != '0', dpr = devicePixelRatio || 1
-  const [across, down] = (full ? [screen.width, screen.height] : [innerWidth, innerHeight]).sort((a, b) => b - a)
-  const w = Math.max(16, Math.min(most, Math.round(across * dpr))), h = Math.max(9, Math.round(w * down / across))
-  canvas.width = w, canvas.height = h
+  let w, h, tracers = [], solver
   const draw = canvas.getContext('2d', { alpha: false })
   const url = URL.createObjectURL(new Blob([scripts], { type: 'text/javascript' }))
   const start = (heard, ...first) => {
@@ -41,11 +38,10 @@ const main = async (wasm, scripts) => {
 
   // --- Pictures: an idle worker makes the next one. The first ones are made before the click ---
   const kAhead = 8 // pictures that stand ready, besides those being made
-  const from = +q.get('from') || 0, duration = x.duration(), ready = [], idle = [], spare = []
-  let next, planned = from, lit = 0, solved = 0, unlit, playing
+  const duration = x.duration(), from = Math.max(0, Math.min(parseFloat(q.get('from')) || 0, duration - 1))
+  let ready, idle, spare, next, planned, lit, solved, unlit, playing
   let shown = 0, skipped = 0, first = 0, shownTime = -1
-  x.begin(from, w, h)
-  const filmAt = () => !playing ? -1e9 : holds.size ? stopped : x.at(now())
+  const filmAt = () => !playing ? -1e9 : going ? x.at(now()) : stopped
   const give = () => {
     while (idle.length && !over && planned < duration && ready.length + count - idle.length < kAhead + count) {
       const [time, level, width, height] = next ??= [...new Float64Array(x.memory.buffer, x.plan(filmAt(), count), 4)]
@@ -74,19 +70,33 @@ const main = async (wasm, scripts) => {
     }
     idle.push(k), give()
   }
-  const tracers = Array.from({ length: count }, () => start(heard, 'trace', module, w, h))
-  tracers[0].postMessage(['picture', { time: 35, level: 1, width: 0, height: 0, still: 1 }])
   const leaveOut = why => {
     unlit = `The light of the hall could not be solved (${why}): the scenes from 64 to 152 s are left out.`
     release('hall'), give()
   }
-  const solver = start(d => {
-    if (d.progress) solved = d.progress
-    if (d.hall) solver.terminate(), light(d.hall)
-  }, 'solve', module, w, h)
-  const solverWrong = solver.onmessage
-  solver.onmessage = e => e.data.wrong ? leaveOut(e.data.wrong) : solverWrong(e)
-  solver.onerror = e => leaveOut(e.message)
+  // What they draw is as large as the screen, so that they are ready before the click; or as the page at the click,
+  // which may have had another size, or none
+  const prepare = () => {
+    const [across, down] = (full ? [screen.width, screen.height] : [innerWidth || 1280, innerHeight || 720])
+      .sort((a, b) => b - a)
+    const wide = Math.max(16, Math.min(most, Math.round(across * dpr)))
+    const high = Math.max(9, Math.round(wide * down / across))
+    if (wide == w && high == h) return
+    for (const k of tracers) k.terminate()
+    solver?.terminate()
+    canvas.width = w = wide, canvas.height = h = high
+    ready = [], idle = [], spare = [], planned = from, next = unlit = null, lit = solved = 0
+    x.begin(from, w, h)
+    tracers = Array.from({ length: count }, () => start(heard, 'trace', module, w, h))
+    tracers[0].postMessage(['picture', { time: 35, level: 1, width: 0, height: 0, still: 1 }])
+    solver = start(d => {
+      if (d.progress) solved = d.progress
+      if (d.hall) solver.terminate(), light(d.hall)
+    }, 'solve', module, w, h)
+    const wrong = solver.onmessage
+    solver.onmessage = e => e.data.wrong ? leaveOut(e.data.wrong) : wrong(e)
+    solver.onerror = e => leaveOut(e.message)
+  }
 
   // --- Music: scheduled ten seconds ahead, so that it goes on whatever else the machine does ---
   const kChunk = 100, kComposed = 10, kFirst = 2 // blocks at a time; seconds, and those before the click
@@ -118,38 +128,47 @@ const main = async (wasm, scripts) => {
       : audio.currentTime - (audio.outputLatency || 0))
   }
 
-  // --- The clock stands while something holds the film ---
+  // --- The clock stands while something holds the film, or while its sound does ---
   const holds = new Set
-  let stopped = from
+  let stopped = from, going
+  const check = () => {
+    const t = now(), goes = playing && !holds.size && (silent || audio.state == 'running')
+    if (!goes == !going) return
+    if (!goes) stopped = x.at(t)
+    going = goes
+    if (!goes) return
+    x.start(stopped - (silent ? 0 : 0.1), t)
+    settled = t + 400
+    say(unlit && x.lit(stopped) ? unlit : '')
+  }
   const hold = why => {
-    if (!holds.size) stopped = playing ? x.at(now()) : from, audio?.suspend()
-    holds.add(why)
+    if (!holds.size) audio?.suspend()
+    holds.add(why), check()
   }
   const release = why => {
     if (!holds.delete(why) || holds.size) return
     navigator.wakeLock?.request('screen').catch(() => {}) // phones would sleep
-    const t = now()
     if (!playing) {
       playing = 1
       if (!silent) zero = audio.currentTime + 0.1, schedule()
-    } else audio.resume()
-    x.start(stopped - (silent ? 0 : 0.1), t)
-    settled = t + 400
-    say(unlit && x.lit(stopped) ? unlit : '')
+    }
+    audio?.resume(), check()
   }
 
   // --- A refresh of the screen ---
   let lastSixtieth = -1, begun
   const step = (t = now()) => {
     if (over) return
+    check()
     if (holds.has('start')) {
       const needs = x.lit(from) && lit < count && !unlit, share = Math.min(1, ready.length / 3)
       bar.style.width = 100 * (needs ? solved * 0.8 : (x.lit(from) ? 0.8 + share / 5 : share)) + '%'
       say(needs ? 'The light of the hall is being solved.' : '')
-      if (audio.state != 'running' && t - clicked > 1500) silent = 1
-      const heard = silent || audio.state == 'running' && waiting.length > 3
+      const sounds = audio?.state == 'running'
+      if (!sounds && t - clicked > 1500) silent = 1
+      const heard = silent || sounds && waiting.length > 3
       if (heard && (ready.length >= 3 || unlit && x.lit(from))) bar.style.width = 0, begun = now(), release('start')
-    } else if (!holds.size) {
+    } else if (going) {
       if (!silent && audio.currentTime > zero) t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
       const film = x.at(t)
       if (film >= duration) return end()
@@ -187,7 +206,7 @@ const main = async (wasm, scripts) => {
   if (q.has('stats')) setInterval(() => { if (shown) printed.textContent = statistics() }, 1000)
   const end = () => {
     over = 1
-    audio.close()
+    audio?.close()
     document.exitFullscreen?.().catch(() => {})
     if (q.has('stats')) printed.textContent = statistics()
     else location.reload()
@@ -199,28 +218,33 @@ const main = async (wasm, scripts) => {
     .then(() => screen.orientation.lock('landscape')).catch(() => {}) // phones turn it
   const play = () => {
     if (over) return
-    if (playing != null) return audio.resume()
+    if (playing != null) return audio?.resume()
+    prepare()
     playing = 0, clicked = now()
     body.className = 'on'
     draw.fillRect(0, 0, w, h)
     fullScreen()
-    audio = new AudioContext({ sampleRate: kRate })
-    audio.resume()
-    gain = audio.createGain()
-    gain.connect(audio.destination)
+    try {
+      audio = new AudioContext({ sampleRate: kRate })
+      audio.resume()
+      gain = audio.createGain()
+      gain.connect(audio.destination)
+    } catch { silent = 1 }
     holds.add('start')
     step()
   }
   onclick = play
   onkeydown = e => {
+    const is = letter => [e.key.toUpperCase(), e.code.slice(3)].includes(letter) // on a key, or in its place
     if (e.key == 'Enter' || e.key == ' ') play()
-    if (e.key == 'm' && gain) gain.gain.value = 1 - gain.gain.value
-    if (e.key == 'f') document.fullscreenElement ? document.exitFullscreen() : fullScreen()
+    if (is('M') && gain) gain.gain.value = 1 - gain.gain.value
+    if (is('F')) document.fullscreenElement ? document.exitFullscreen() : fullScreen()
     if (e.key == 'Escape' && playing != null) end()
   }
   document.onvisibilitychange = () => {
     if (playing != null && !over) document.hidden ? hold('hidden') : release('hidden')
   }
+  prepare()
   compose()
   button.textContent = '\u25b6 play'
   // For tests

@@ -1,7 +1,9 @@
 // node page.mjs chromium|firefox PAGE OUT SECONDS...: opens the page as a viewer does. Writes pictures of these
 // seconds, 320x180, as `film` draws them, and the music's hash, into OUT; plays; prints what is wrong. OUT gets the file
 // `plain` if the browser has no relaxed SIMD.
-import { writeFileSync } from 'node:fs'
+import { once } from 'node:events'
+import { readFileSync, writeFileSync } from 'node:fs'
+import { createServer } from 'node:http'
 import { open, later } from './browser.mjs'
 
 const [kind, page, out, ...seconds] = process.argv.slice(2)
@@ -105,6 +107,36 @@ try {
   check('answers', false, String(e.stack))
 }
 await b.close()
+
+// --- From a server, as sites have it: another charset, a policy, a frame that is hidden while it loads ---
+const frame = '<iframe id=f src="/?full=0" style="display:none;position:fixed;left:0;top:0;width:1000px;height:500px">'
+const policies = { '/policy': "default-src 'self' 'unsafe-inline'", '/wasm': "default-src 'self' 'unsafe-inline' blob:",
+  '/sandbox': 'sandbox allow-scripts' }
+const server = createServer(({ url }, answer) => {
+  const policy = policies[url.split('?')[0]]
+  answer.setHeader('Content-Type', 'text/html' + (policy ? '' : '; charset=utf-8'))
+  if (policy) answer.setHeader('Content-Security-Policy', policy)
+  answer.end(url == '/frame' ? frame : readFileSync(page))
+}).listen(0, '127.0.0.1')
+await once(server, 'listening')
+const site = `http://127.0.0.1:${server.address().port}`
+for (const path of Object.keys(policies)) {
+  const s = await open(kind, `${site}${path}?full=0`), play = 'self.film && film.state().shown > 0'
+  await until(s, 'self.film?.state().ready > 2 || /cannot play/.test(document.body?.innerText)', 120)
+  const says = await s.evaluate('self.film ? "" : document.body.innerText')
+  if (!says) await s.click()
+  check(path + ' plays, or says why it cannot', says ? /cannot play the film\.$/.test(says) : await until(s, play, 60), says)
+  await s.close()
+}
+const hidden = await open(kind, site + '/frame')
+check('loads hidden', await until(hidden, 'f.contentWindow.film?.state().ready > 2', 120), 0)
+await hidden.evaluate('f.style.display = "block"')
+await hidden.click()
+check('... and plays', await until(hidden, 'f.contentWindow.film.state().shown > 0', 60), 0)
+const wide = await hidden.evaluate('f.contentDocument.querySelector("canvas").width')
+check('... as large as it is then', wide == 1000, wide)
+await hidden.close()
+server.close()
 
 if (kind == 'chromium') {
   const url = 'file://' + page + '?full=0&from=63.5'

@@ -6,10 +6,11 @@ const [program, ...scripts] = process.argv.slice(2)
 const kWorkers = 2, kSeconds = 8
 
 // `cost`: milliseconds that a worker takes for all of 1280x720 pixels in `draft`. Returns the milliseconds from the
-// click to the first picture, how many were left out after 1.5 s, the fewest that were shown in a second, and how far the
-// sound was off, in seconds.
-const play = async (cost, from) => {
-  let clock = 0, skippedAtStart = 0, off = 0
+// click to the first picture, how many were left out after 1.5 s, the fewest that were shown in a second, how far the
+// sound was off, in seconds, and whether keys mute it. `pauses`: the system stops the sound from 3 to 7 s after the
+// click. `silent`: there is none to be had.
+const play = async (cost, from, { pauses, silent, query = from } = {}) => {
+  let clock = 0, skippedAtStart = 0, off = 0, context, muted
   const events = [], shown = [], elements = {}
   const at = (when, what) => { events.push({ when, what }), events.sort((a, b) => a.when - b.when) }
   const element = () => ({ style: {}, getContext: () => ({ fillRect() {}, putImageData: p => shown.push(p.time) }) })
@@ -33,15 +34,20 @@ const play = async (cost, from) => {
   }
   class AudioContext {
     state = 'suspended'
-    get currentTime() { return this.begun ? (clock - this.begun) / 1e3 : 0 }
-    resume() { at(clock + 100, () => { this.begun ??= clock, this.state = 'running' }) }
-    createGain() { return { connect() {} } }
+    ran = 0
+    constructor() { context = this }
+    get currentTime() { return (this.ran + (this.state == 'running' && clock - this.begun)) / 1e3 }
+    resume() { at(clock + 100, () => { this.state == 'running' || (this.begun = clock), this.state = 'running' }) }
+    suspend() { this.ran = 1e3 * this.currentTime, this.state = 'suspended' }
+    close() {}
+    gain = { value: 1 }
+    createGain() { return { gain: this.gain, connect() {} } }
     createBuffer() { return { copyToChannel() {} } }
     createBufferSource() { return { connect() {}, start() {} } }
   }
   const self = {
-    WebAssembly, Worker, AudioContext, Uint8ClampedArray: Picture, ImageData: Picture, Blob: class {},
-    URL: { createObjectURL() {} }, location: { search: `?full=0&from=${from}` }, performance: { now: () => clock },
+    WebAssembly, Worker, AudioContext: silent ? undefined : AudioContext, Uint8ClampedArray: Picture, ImageData: Picture, Blob: class {},
+    URL: { createObjectURL() {} }, location: { search: `?full=0&from=${query}`, reload() {} }, performance: { now: () => clock },
     document: { querySelector: s => elements[s] ??= element(), body: {} }, navigator: { hardwareConcurrency: kWorkers },
     innerWidth: 1280, innerHeight: 720, devicePixelRatio: 1,
     requestAnimationFrame: f => at(Math.floor(clock * 0.06 + 1.001) / 0.06, () => f(clock)),
@@ -51,6 +57,9 @@ const play = async (cost, from) => {
     has: (o, k) => k in o || /^on/.test(k), get: (o, k) => k == 'self' ? self : o[k],
   }))(readFileSync(program), '')
   at(12000, () => self.onclick())
+  if (pauses) at(15000, () => context.suspend()), at(19000, () => context.resume())
+  const keys = [['m', 'KeyM'], ['M', 'KeyM'], ['\u044c', 'KeyM'], ['M', 'Semicolon']]
+  at(12600, () => muted = keys.map(([key, code]) => { self.onkeydown({ key, code }); return context?.gain.value }) + '')
   const each = Array(kSeconds).fill(0)
   for (let film = -1; film < from + kSeconds; ) {
     const { when, what } = events.shift()
@@ -60,18 +69,25 @@ const play = async (cost, from) => {
     const s = self.film.state()
     film = s.film
     if (film < from + 1.5) skippedAtStart = s.skipped
-    else off = Math.max(off, Math.abs(s.heard - film))
+    else if (s.heard != null) off = Math.max(off, Math.abs(s.heard - film))
+    if (s.over) break
   }
   for (const t of shown) if (t >= from && t < from + kSeconds) ++each[Math.floor(t - from)]
   const { first, skipped } = self.film.state()
-  return { first, skipped: skipped - skippedAtStart, least: Math.min(...each), off }
+  const last = shown.at(-1), least = Math.min(...each.slice(0, Math.ceil(last - from)))
+  return { first, skipped: skipped - skippedAtStart, least, off, last, muted }
 }
 
 let wrong = false
-for (const cost of [60, 120, 240])
-  for (const from of [0, 20, 46, 66, 96, 130, 153]) {
-    const r = await play(cost, from), right = r.first <= 300 && !r.skipped && r.least >= 24 && r.off < 0.02
-    console.log(`${right ? 'ok' : 'FAILED'}: ${cost} ms a picture, from ${from} s: ${JSON.stringify(r)}`)
-    wrong ||= !right
-  }
+const check = async (cost, from, how = {}) => {
+  const r = await play(cost, from, how), last = Math.min(from + kSeconds, 162) - 0.1
+  const right = r.first <= (how.silent ? 1600 : 300) && !r.skipped && r.least >= 24 && r.off < 0.02 && r.last >= last &&
+    r.muted == (how.silent ? ',,,' : '0,1,0,1')
+  console.log(`${right ? 'ok' : 'FAILED'}: ${cost} ms a picture, from ${from} s ${Object.keys(how)}: ${JSON.stringify(r)}`)
+  wrong ||= !right
+}
+for (const cost of [60, 120, 240]) for (const from of [0, 20, 46, 66, 96, 130, 153]) await check(cost, from)
+await check(120, 46, { pauses: 1 })
+await check(120, 46, { silent: 1 })
+for (const [query, from] of [['1e9', 161], ['-5', 0], ['60,5', 60], ['x', 0]]) await check(120, from, { query })
 process.exit(wrong ? 1 : 0)
