@@ -42,7 +42,7 @@ template <size_t N> Kind numbers() {
 const Kind kIndex = {"a whole number below 2^31", isIndex},
            kSize = {"a whole number below 2^53", [](const json &x) { return isWhole(x, 53); }},
            kIndices = {"a list of whole numbers below 2^31", eachIs<isIndex>},
-           kNumber = {"a number", isNumber},
+           kNumber = {"a number", isNumber}, kNumbers = {"a list of numbers", eachIs<isNumber>},
            kFactor = {"a number, or a list of numbers",
                       [](const json &x) { return x.is_number() || eachIs<isNumber>(x); }},
            kFlag = {"true or false", [](const json &x) { return x.is_boolean(); }},
@@ -57,11 +57,13 @@ const std::map<std::string, Kind> kKinds = [] {
     };
     add(kIndex, {"attributes.*", "buffer", "bufferView", "byteLength", "byteOffset", "byteStride", "camera"});
     add(kIndex, {"componentType", "count", "index", "inverseBindMatrices", "light", "material", "mesh"});
-    add(kIndex, {"mode", "primitives.indices", "sampler", "scene", "skin", "source", "texCoord"});
+    add(kIndex,
+        {"mode", "primitives.indices", "sampler", "scene", "skin", "source", "targets.*", "texCoord"});
     // tinygltf takes those of sparse accessors as int
     add(kSize, {"accessors.byteOffset", "accessors.count", "bufferViews.byteLength", "bufferViews.byteOffset",
                 "bufferViews.byteStride", "buffers.byteLength"});
     add(kIndices, {"children", "joints", "scenes.nodes"});
+    add(kNumbers, {"weights"});
     add(kNumber, {"KHR_texture_transform.rotation", "emissiveStrength", "intensity", "range"});
     add(numbers<2>(), {"KHR_texture_transform.offset", "KHR_texture_transform.scale"});
     add(numbers<3>(), {"emissiveFactor", "lights.color", "nodes.scale", "nodes.translation"});
@@ -73,7 +75,7 @@ const std::map<std::string, Kind> kKinds = [] {
         {"asset", "attributes", "baseColorTexture", "diffuseTexture", "emissiveTexture", "extensions",
          "extensions.*", "pbrMetallicRoughness", "sparse", "sparse.indices", "sparse.values"});
     add(kObjects, {"accessors", "animations", "bufferViews", "buffers", "images", "lights", "materials",
-                   "meshes", "nodes", "primitives", "samplers", "scenes", "skins", "textures"});
+                   "meshes", "nodes", "primitives", "samplers", "scenes", "skins", "targets", "textures"});
     return all;
 }();
 

@@ -7,6 +7,7 @@
 #include "tools/radiosity/read/mtl_reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstring>
 
@@ -20,7 +21,6 @@ namespace {
 
 constexpr size_t kMostEmpty = 1 << 20;                  // items of an accessor without a buffer
 constexpr uint32_t kKinds[] = {0x4e4f534a, 0x004e4942}; // of chunks: JSON, binary
-constexpr char kBase64[] = ";base64,";
 
 uint32_t word(std::string_view bytes, size_t at) {
     uint32_t value = 0;
@@ -49,15 +49,8 @@ size_t sizeOf(const json &object, const char *name) {
 
 bool isData(const std::string &uri) { return uri.starts_with("data:"); }
 
-// What a data URI holds.
-std::string dataOf(const std::string &uri) {
-    size_t at = uri.find(kBase64);
-    need(at != std::string::npos && uri.size() < (1u << 31), "a data URI is not in base64");
-    return tinygltf::base64_decode(uri.substr(at + sizeof kBase64 - 1));
-}
-
-// A file's name: %20 and the like are characters.
-std::string nameOf(const std::string &uri) {
+// Part of a URI, as a file's name: %20 and the like are characters.
+std::string nameOf(std::string_view uri) {
     std::string name;
     for (size_t i = 0; i < uri.size(); ++i) {
         unsigned code = 0;
@@ -68,6 +61,16 @@ std::string nameOf(const std::string &uri) {
             name += uri[i];
     }
     return name;
+}
+
+// What a data URI holds.
+std::string dataOf(std::string_view uri) {
+    const size_t comma = uri.find(',');
+    need(comma != std::string::npos && uri.size() < (1u << 31), "a data URI has no data");
+    std::string data = nameOf(uri.substr(comma + 1));
+    if (!uri.substr(0, comma).ends_with(";base64")) return data;
+    std::erase_if(data, [](unsigned char c) { return std::isspace(c); });
+    return tinygltf::base64_decode(data);
 }
 
 } // namespace
@@ -116,6 +119,14 @@ void GltfFile::readJson(std::string_view text, std::string_view binary) {
     for (const json &image : images) // also those that are not used
         if (const std::string uri = textOf(image, "uri"); !uri.empty() && !isData(uri) && !hasScheme(uri))
             common::noteInput(findFile(folderOf(path), nameOf(uri)));
+    // tinygltf lacks some defaults. Of animations, only the names are used
+    auto each = [&](const char *name, auto change) {
+        if (auto found = all.find(name); found != all.end())
+            std::for_each(found->begin(), found->end(), change);
+    };
+    each("skins", [](json &skin) { skin.emplace("inverseBindMatrices", -1); });
+    each("animations", [](json &one) { one = {{"name", textOf(one, "name")}}; });
+    all.erase("cameras");
     tinygltf::TinyGLTF reader;
     std::string error, warning;
     try {
@@ -224,7 +235,7 @@ std::vector<double> GltfFile::numbers(int number, int type) const {
 
 MeshPicture GltfFile::picture(int texture) {
     const tinygltf::Texture &t = at(model.textures, texture, "texture");
-    MeshPicture &picture = pictures[texture];
+    MeshPicture picture = pictures[texture];
     if (t.source < 0 || !picture.path.empty()) return picture;
     need((size_t)t.source < images.size(), "there is no image " + std::to_string(t.source));
     const json &image = images[(size_t)t.source];
@@ -237,7 +248,7 @@ MeshPicture GltfFile::picture(int texture) {
     else
         picture.bytes = std::make_shared<const std::string>(
             view((int)std::min(sizeOf(image, "bufferView"), (size_t)1 << 30)));
-    return picture;
+    return pictures[texture] = picture;
 }
 
 } // namespace odraz::radiosity

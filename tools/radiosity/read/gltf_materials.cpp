@@ -46,7 +46,7 @@ private:
     std::map<std::string, int> names; // and how often they are used
     std::string name;                 // of the material that is being read
 
-    void note(const char *what) { kinds[what].push_back("material " + name); }
+    void note(const std::string &what) { kinds[what].push_back("material " + name); }
 
     // Materials are changed by their names, so these must differ.
     void giveName(const std::string &given, size_t number) {
@@ -104,7 +104,12 @@ private:
     void place(GltfMaterial &to, const tinygltf::TextureInfo &info, MeshPicture &picture,
                const std::array<float, 3> &tint) {
         if (info.index < 0) return;
-        MeshPicture found = file.picture(info.index);
+        MeshPicture found;
+        try {
+            found = file.picture(info.index);
+        } catch (const common::Refused &e) { // a picture does not cost the model
+            return note(std::string("a picture is damaged: ") + e.what());
+        }
         if (found.path.empty()) return note("a picture's format is not read");
         if (!found.bytes && hasScheme(found.path))
             return note("a picture's URI has a scheme, and is not read");

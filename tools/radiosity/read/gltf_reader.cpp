@@ -80,6 +80,8 @@ private:
         std::vector<double> given;
         std::vector<int> numbers;
     };
+    // Of a node, by their accessor and the morph targets
+    using AllPoints = std::map<std::pair<int, std::vector<std::map<std::string, int>>>, Points>;
 
     void readMesh(const tinygltf::Node &n, int node) {
         const tinygltf::Mesh &mesh = GltfFile::at(model.meshes, n.mesh, "mesh");
@@ -89,20 +91,36 @@ private:
             const tinygltf::Skin &skin = GltfFile::at(model.skins, n.skin, "skin");
             kinds["skins are not bent: meshes stand as they were bound"].push_back(
                 named("node", n.name, node));
-            if (!skin.joints.empty() && skin.inverseBindMatrices >= 0) {
+            if (!skin.joints.empty()) {
                 GltfFile::at(model.nodes, skin.joints[0], "node");
-                auto bound = file.numbers(skin.inverseBindMatrices, TINYGLTF_TYPE_MAT4);
-                need(bound.size() >= 16, "a skin has no matrix");
-                place = nodes.places[(size_t)skin.joints[0]] * placingOf(bound.data());
+                place = nodes.places[(size_t)skin.joints[0]];
+                if (skin.inverseBindMatrices >= 0) {
+                    auto bound = file.numbers(skin.inverseBindMatrices, TINYGLTF_TYPE_MAT4);
+                    need(bound.size() >= 16, "a skin has no matrix");
+                    place = place * placingOf(bound.data());
+                }
             }
         }
-        std::map<int, Points> points; // of this node, by their accessors
+        AllPoints points;
         for (const tinygltf::Primitive &p : mesh.primitives)
-            readPrimitive(p, named("mesh", mesh.name, n.mesh), place, points);
+            readPrimitive(p, named("mesh", mesh.name, n.mesh), place,
+                          n.weights.empty() ? mesh.weights : n.weights, points);
+    }
+
+    // Adds the morph targets by their weights to the points.
+    void morph(const tinygltf::Primitive &p, const std::string &name, const std::vector<double> &weights,
+               std::vector<double> &points) {
+        for (size_t i = 0; i < std::min(weights.size(), p.targets.size()); ++i) {
+            auto found = p.targets[i].find("POSITION");
+            if (weights[i] == 0 || found == p.targets[i].end()) continue;
+            const std::vector<double> moved = file.numbers(found->second, TINYGLTF_TYPE_VEC3);
+            need(moved.size() == points.size(), name + " has a morph target of another number of points");
+            for (size_t k = 0; k < moved.size(); ++k) points[k] += weights[i] * moved[k];
+        }
     }
 
     void readPrimitive(const tinygltf::Primitive &p, const std::string &name, const Placing &place,
-                       std::map<int, Points> &allPoints) {
+                       const std::vector<double> &weights, AllPoints &allPoints) {
         auto attribute = [&](const std::string &which) {
             auto found = p.attributes.find(which);
             return found == p.attributes.end() ? -1 : found->second;
@@ -111,13 +129,13 @@ private:
             return kinds["points and lines are left out"].push_back(name);
         need(p.mode <= TINYGLTF_MODE_TRIANGLE_FAN, name + " has a primitive of an unknown mode");
         if (attribute("COLOR_0") >= 0) kinds["colours of points (COLOR_0) are not used"].push_back(name);
-        if (!p.targets.empty()) kinds["morph targets are not used"].push_back(name);
         const int number = attribute("POSITION");
         if (number < 0) return kinds["primitives without POSITION are left out"].push_back(name);
-        auto [entry, added] = allPoints.try_emplace(number);
+        auto [entry, added] = allPoints.try_emplace({number, p.targets});
         Points &points = entry->second;
         if (added) {
             points.given = file.numbers(number, TINYGLTF_TYPE_VEC3);
+            morph(p, name, weights, points.given);
             points.numbers.assign(points.given.size() / 3, -1);
         }
         const size_t count = points.numbers.size();

@@ -173,6 +173,23 @@ TEST(GltfReader, PlacesNodes) {
                            kFan));
     expectNear(skinned.facing(), {0, 0, 3});
     EXPECT_EQ(skinned.notes, Lines{"m.gltf: skins are not bent: meshes stand as they were bound: node 0"});
+    // ... which leaves points alone if it has no matrix
+    Read bare(square("'nodes':[{'mesh':0,'skin':0,'scale':[9,9,9]},{'scale':[2,1,1]}],"
+                     "'skins':[{'joints':[1]}]," +
+                     kMesh));
+    EXPECT_EQ(bare.error, "");
+    expectNear(bare.facing(), {0, 0, 2});
+    // Morph targets by the weights of the mesh, unless the node has its own. What is not used may lack
+    // anything
+    for (const auto &[own, area] :
+         {std::pair{"", 4.}, {",'weights':[0]", 1.}, {",'weights':[0.5,7]", 2.25}}) {
+        Read morphed(square("'nodes':[{'mesh':0" + std::string(own) +
+                            "}],'cameras':[{}],'animations':[{'name':'a','channels':[{'sampler':0}]}],"
+                            "'meshes':[{'weights':[1],'primitives':[{'attributes':{'POSITION':0},'indices':1,"
+                            "'targets':[{'POSITION':0}]}]}]"));
+        expectNear(morphed.facing(), {0, 0, area});
+        EXPECT_EQ(morphed.notes, Lines{"m.gltf: animations are not used: animation a"});
+    }
 }
 
 TEST(GltfReader, TakesMaterials) {
@@ -241,7 +258,8 @@ TEST(GltfReader, TakesPictures) {
     EXPECT_EQ(r.mesh.coordinates[0], (std::array<float, 6>{0, 1, 1, 1, 1, 0}));
     r = read("'extensions':{'KHR_texture_transform':{'texCoord':1,'offset':[0.25,0],"
              "'rotation':1.5707963267948966,'scale':[2,1]}}",
-             "{'uri':'data:image/x-portable-anymap;base64," + base64(pnm) + "'}");
+             "{'uri':'data:image/x-portable-anymap,P6 1%202%0a255%20%ff%FF%ff%00%00%00'}");
+    EXPECT_EQ(r.notes, Lines{});
     const std::array<float, 6> at = r.mesh.coordinates[0], right = {0.25f, 1, 0.25f, 3, 1.25f, 3};
     for (size_t k = 0; k < 6; ++k) EXPECT_NEAR(at[k], right[k], 1e-6) << k;
     EXPECT_FLOAT_EQ(r.picture.linear(0)[0], 1);
@@ -249,6 +267,25 @@ TEST(GltfReader, TakesPictures) {
     EXPECT_FLOAT_EQ(read(plain, "{'uri':'a%20b.ppm'}").picture.linear(0)[0], 1);
     EXPECT_EQ(read(plain, "{'uri':'https://a/b.ppm'}").notes,
               Lines{"m.gltf: a picture's URI has a scheme, and is not read: material unnamed 0"});
+    // A damaged one does not cost the model
+    for (const auto &[image, why] : {std::pair{"{'uri':'data:image/png'}", "a data URI has no data"},
+                                     {"{'bufferView':9}", "there is no bufferView 9"},
+                                     {"{}", "a bufferView is missing"}})
+        EXPECT_EQ(read(plain, image).notes,
+                  Lines{std::string("m.gltf: a picture is damaged: ") + why + ": material unnamed 0"});
+}
+
+// Base64 in lines, and percent-coded.
+TEST(GltfReader, TakesDataUris) {
+    for (const char *by : {"\\n", " ", "%0A", "\\t\\r"}) {
+        Writer w = Writer().add("VEC3", kSquare);
+        std::string text = base64(w.bytes);
+        for (size_t at = text.size(); at -= 8;) text.insert(at, by);
+        for (size_t at; (at = text.find('g')) != std::string::npos;) text.replace(at, 1, "%67");
+        Read r(w.text(kNode + kFan, ",'uri':'data:;base64," + text + "'"));
+        EXPECT_EQ(r.error, "");
+        expectNear(r.facing(), {0, 0, 1});
+    }
 }
 
 TEST(GltfReader, TakesLights) {
