@@ -133,6 +133,7 @@ solve soft -o hard
 solve in.obj -o ./parts/../in.mtl
 solve in.obj -o kd.ppm
 transfer in.obj -o bump.ppm
+transfer in.obj --check --sky sky.ppm -o sky.ppm
 solve in.gltf -o in.gltf
 solve in.gltf -o kd.ppm
 solve in.obj --sky sky.ppm -o sky.ppm

@@ -10,7 +10,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-using TextureCorners = std::array<TexturePoint, 3>;
 using Shade = std::array<int, 3>; // a colour in steps of kStep
 
 constexpr size_t kMostParts = 8192; // of a material

@@ -19,8 +19,8 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-constexpr const char *kMaterialWords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke", "d", "Tr"};
-enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap, kOpacity, kClearness };
+constexpr const char *kMaterialWords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke"};
+enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap };
 
 // Whether a keyword names a picture.
 bool isMap(std::string_view word) {
@@ -78,14 +78,6 @@ struct Reader {
              0.0557 * x - 0.2040 * y + 1.0570 * z};
         for (double &v : c) v = std::max(v, 0.); // negative values are outside the gamut
         return true;
-    }
-
-    // Files disagree on whether a Tr of 1 is clear.
-    void readOpacity(TextLines &line, bool isD) {
-        double x;
-        if (line.rest.starts_with("-halo")) takeWord(line.rest);
-        if (takeNumber(line.rest, x) && x < 1 && (isD || x > 0))
-            leave("opacity is not used, and all is opaque");
     }
 
     void begin(const std::string &name) {
@@ -177,13 +169,13 @@ struct Reader {
             case kEmissionMap:
                 picture(folderOf(path), lines, m.glow);
                 break;
-            case kOpacity:
-            case kClearness:
-                readOpacity(lines, keyword == kOpacity);
-                break;
             default:
                 if (isMap(lines.word) && !rest.empty())
                     leave(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
+                // (files disagree on whether a Tr of 1 is clear)
+                if (double x;
+                    (lines.word == "d" || lines.word == "Tr") && takeNumber(lines.rest, x) && x > 0 && x < 1)
+                    leave("opacity is not used, and all is opaque");
             }
         }
         finish();

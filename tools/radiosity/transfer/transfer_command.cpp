@@ -1,3 +1,4 @@
+#include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_options.h"
@@ -59,6 +60,7 @@ void readJob(common::CommandLine &line, Job &job) {
         throw common::Refused("--sky belongs to --check: a room is solved for any sky");
     job.options.finish(line);
     s.solve = job.options.settings, s.upIsZ = job.options.upIsZ;
+    for (const std::string &sky : job.skies) common::noteInput(sky); // they are read after the room is saved
     claimOutput(job.out);
 }
 

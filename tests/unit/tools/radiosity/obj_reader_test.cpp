@@ -174,7 +174,7 @@ TEST(ObjReader, TakesColours) {
     } cases[] = {
         {"Kd .5 .25 .125 # a wall", {.5f, .25f, .125f}, ""},
         {"Kd 0.5", {.5f, .5f, .5f}, ""},
-        {"  Kd 1 0 0  \nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0.5\nTr 0.5\nNs 9\nNi 1.5\nPr 0.5",
+        {"  Kd 1 0 0  \nKs 1 1 1\nTf 1 1 1\nillum 7\nd 0.5\nTr 0.5\nNs 9\nNi 1.5\nPr 0.5",
          {1, 0, 0},
          "m.obj: opacity is not used, and all is opaque: material a"},
         {"Ks 1 1 1", {.7f, .7f, .7f}, "m.obj: material a: it has no Kd: it reflects 0.7"},
