@@ -1,6 +1,6 @@
 // Readers of one format each, for picture_file.h, which chooses. Each takes the first picture from `file`: it
-// removes that, and what follows unless it is another picture. All throw Refused for what is damaged, and note
-// in Picture::unused what the head says and is not used.
+// removes that, and what follows unless it is another picture. All throw Refused for what is damaged, and
+// note in Picture::unused what the head says and is not used.
 #pragma once
 
 #include "tools/picture/picture.h"
@@ -36,6 +36,7 @@ inline bool isExr(std::string_view file) { return file.starts_with("\x76\x2f\x31
 Picture readExr(std::string_view file);
 
 // PNG, JPEG, TGA and BMP by stb_image, with 16 bits where the file has them: up to 2^26 pixels and 256 MB.
+// Alpha is left out where TGA counts no bits of it, or BMP has neither a mask nor a later head.
 Picture takeByStb(std::string_view &file);
 
 } // namespace pictures
