@@ -66,7 +66,7 @@ for words in "base.ppm b.ppm --diff ./base.ppm" "b.ppm base.ppm --diff base.ppm"
     check "... and changes nothing" cmp "$WORK/a.ppm" "$WORK/base.ppm"
 done
 check "a picture into a pipe" eval '"$BUILD/compare" --png "$WORK/a.ppm" /dev/stdout | cat >"$WORK/a.png" && "$BUILD/compare" "$WORK/a.png" "$WORK/a.ppm" >/dev/null'
-check "a name like an option" refuses 2 "'-dash.png' is no option, and a file of that name is ./-dash.png" "$BUILD/compare" -dash.png "$WORK/a.ppm"
+check "a name like an option" refuses 2 "cannot use '-dash.png', which is no option; a file of that name is ./-dash.png" "$BUILD/compare" -dash.png "$WORK/a.ppm"
 check "contact_sheet spares its film" refuses 2 "would be written over" "$BUILD/contact_sheet" "$WORK/a.ppm" "$WORK/a.ppm"
 
 # All channels, all bits and all pictures of a file count

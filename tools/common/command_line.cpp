@@ -136,17 +136,6 @@ void CommandLine::choice(const std::string &name, const std::vector<std::string>
     parser->add(name, join("|"), take, what, fallback < names.size() ? names[fallback] : "");
 }
 
-// Refuses the first word that was taken for an option and is none.
-void CommandLine::refuseWord() const {
-    for (const std::string &word : parser->words) {
-        if (word == "--") return;
-        const bool isName = word.size() > 1 && word[0] == '-' && !std::strchr("0123456789.", word[1]);
-        const size_t end = word[isName] == '-' ? std::min(word.find('='), word.size()) : 2;
-        if (isName && !parser->app.get_option_no_throw(word.substr(0, end)))
-            refuse("'" + word + "' is no option, and a file of that name is ./" + word);
-    }
-}
-
 void CommandLine::parse() {
     CLI::App &app = parser->app;
     forgetFiles();
@@ -157,8 +146,9 @@ void CommandLine::parse() {
         std::fputs(app.help().c_str(), stdout);
         throw HelpPrinted();
     } catch (const CLI::ParseError &e) {
-        refuseWord();
-        if (!app.remaining().empty()) refuse("cannot use '" + app.remaining().front() + "'");
+        if (const auto rest = app.remaining(); !rest.empty()) // a name like -a.png, too
+            refuse("cannot use '" + rest[0] + "'" +
+                   (rest[0][0] == '-' ? ", which is no option; a file of that name is ./" + rest[0] : ""));
         const std::string &last = parser->words.back();
         const bool lacks =
             e.get_name() == "ArgumentMismatch" && last[0] == '-' && last.find('=') == last.npos;

@@ -118,7 +118,6 @@ private:
         char text[64];
         return {text, std::to_chars(text, text + sizeof text, x).ptr};
     }
-    void refuseWord() const;
     struct Parser;
     std::unique_ptr<Parser> parser;
 };
