@@ -30,7 +30,7 @@ const main = async (wasm, scripts) => {
   const start = (heard, ...first) => {
     const k = new Worker(url)
     k.onerror = e => fail('The film has stopped: ' + e.message)
-    k.onmessage = ({ data }) => data.wrong ? fail(data.wrong) : heard(data, k)
+    k.onmessage = ({ data }) => data.wrong ? (k == solver ? leaveOut : fail)(data.wrong) : heard(data, k)
     k.postMessage(first)
     return k
   }
@@ -93,8 +93,6 @@ const main = async (wasm, scripts) => {
       if (d.progress) solved = d.progress
       if (d.hall) solver.terminate(), light(d.hall)
     }, 'solve', module, w, h)
-    const wrong = solver.onmessage
-    solver.onmessage = e => e.data.wrong ? leaveOut(e.data.wrong) : wrong(e)
     solver.onerror = e => leaveOut(e.message)
   }
 
@@ -134,9 +132,7 @@ const main = async (wasm, scripts) => {
   const check = () => {
     const t = now(), goes = playing && !holds.size && (silent || audio.state == 'running')
     if (!goes == !going) return
-    if (!goes) stopped = x.at(t)
-    going = goes
-    if (!goes) return
+    if (!(going = goes)) return stopped = x.at(t)
     x.start(stopped - (silent ? 0 : 0.1), t)
     settled = t + 400
     say(unlit && x.lit(stopped) ? unlit : '')
@@ -148,10 +144,8 @@ const main = async (wasm, scripts) => {
   const release = why => {
     if (!holds.delete(why) || holds.size) return
     navigator.wakeLock?.request('screen').catch(() => {}) // phones would sleep
-    if (!playing) {
-      playing = 1
-      if (!silent) zero = audio.currentTime + 0.1, schedule()
-    }
+    if (!playing && !silent) zero = audio.currentTime + 0.1, schedule()
+    playing = 1
     audio?.resume(), check()
   }
 
