@@ -67,6 +67,29 @@ check "a square of 5e8" odd "${square//1/5e8}f 1 2 3 4\n" '' 1e16
 check "slivers" odd "${square}v 0.5 0.000002 0.5\nv 1.2 0.5 0.0001\nf 1 4 5\nf 4 6 1\nf 1 2 3 4\n"
 check "a box that is turned inside out" odd 'v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\nf 4 3 2 1\nf 6 7 8 5\nf 2 6 5 1\nf 4 8 7 3\nf 5 8 4 1\nf 3 7 6 2\n' 'no light reaches the fronts'
 check "one part far away" odd "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5 6 7\n"
+
+# --- Rooms, turned by some angle, from lines of two corners, the ceiling's material and the walls' ---
+rooms() { # rooms FILE ANGLE
+    awk -v t="$2" 'BEGIN { print "mtllib rooms.mtl"; c = cos(t); s = sin(t) }
+        { for (k = 0; k < 8; ++k) {
+            x = k > 3 ? $4 : $1; y = int(k / 2) % 2 ? $5 : $2; z = k % 2 ? $6 : $3; u = s * x + c * y
+            printf "v %.6f %.6f %.6f\n", c * x - s * y, c * u - s * z, s * u + c * z }
+          print "usemtl " $8 "\nf -8 -7 -3 -4\nf -8 -4 -2 -6\nf -7 -5 -1 -3\nf -8 -6 -5 -7\nf -4 -3 -1 -2\nusemtl " $7 "\nf -6 -2 -1 -5" }' >"$1.obj"
+}
+printf 'newmtl wall\nKd .5 .5 .5\nnewmtl lamp\nKd 0 0 0\nKe 10 10 10\nnewmtl glow\nKd .5 .5 .5\nKe 1 1 1\n' >rooms.mtl
+for turn in 0 1; do
+    for far in 1e4 5e4 1e6 -5e4; do # a negative one: the room is there, and the triangle here
+        rooms m $turn <<<"$(awk "BEGIN { s = $far < 0 ? $far : 0; print s, 0, 0, s + .4, .3, .5, \"glow glow\" }")"
+        awk "BEGIN { s = $far > 0 ? $far : 0; printf \"v %f 0 0\nv %f 0 0\nv %f 1 0\nf -3 -2 -1\n\", s, s + 1, s }" >>m.obj
+        check "a room of half a metre that glows, beside a triangle $far away, turned by $turn" solved m m.obj
+        check "... has its bounces" table m.csv 'if ($1 < 6) { ++n; if ($9 < 1.999 || $9 > 2.001) ++off }' 'n > 5 && off + 0 == 0'
+    done
+    for next in "1 0 0 2 1 1" "0 1 0 1 2 1"; do # behind a wall of the lit one; behind its lamp
+        rooms m $turn <<<"$(printf '0 0 0 1 1 1 lamp wall\n%s wall wall\n' "$next")"
+        check "a room that shares a wall with one that is lit ($next), turned by $turn" solved m m.obj
+        check "... is dark" table m.csv 'if ($1 > 5) { ++n; if ($9 > 0) ++off } else light += $9' 'n > 5000 && light > 5000 && off + 0 == 0'
+    done
+done
 mkfifo fifo
 printf "mtllib fifo\n${square}f 1 2 3 4\n" >model.obj
 check "a pipe holds no materials" prints 'materials cannot be read.*not a regular file' bash -c "timeout $PATIENCE '$radiosity' solve model.obj -o m.rad --element 0.01 2>&1"

@@ -75,7 +75,7 @@ struct ChartBuilder {
         if (triangles.size() > 1) {
             std::vector<std::array<Vec2d, 2>> flat;
             for (const Edge &e : borders) flat.push_back({place(e.low, frame), place(e.high, frame)});
-            rectangles = rectanglesOf(flat, tiny);
+            rectangles = rectanglesOf(flat, std::min(tiny, 1e-4 * (box.width() + box.height())));
             if (rectangles.empty() && box.twiceArea < 0.6 * box.width() * box.height()) return false;
         }
         int material = mesh.triangles[(size_t)triangles[0]].material;
@@ -84,6 +84,7 @@ struct ChartBuilder {
         chart.facetsCount = (int)regions.facets.size() - chart.firstFacet;
         for (int t : triangles) regions.chartOf[(size_t)t] = (int)regions.charts.size();
         regions.charts.push_back(chart);
+        regions.off.push_back((float)box.off);
         regions.material.push_back(material);
         return true;
     }
@@ -95,6 +96,7 @@ private:
     struct Box { // in the frame
         Vec2d lo = {1e300, 1e300}, hi = {-1e300, -1e300};
         double twiceArea = 0; // of the triangles
+        double off = 0;       // their largest distance from the plane
         double width() const { return hi[0] - lo[0]; }
         double height() const { return hi[1] - lo[1]; }
     };
@@ -125,6 +127,7 @@ private:
         for (int t : triangles) {
             for (int c : mesh.triangles[(size_t)t].corners) {
                 Vec2d p = place(c, frame);
+                box.off = std::max(box.off, std::fabs(dot(mesh.points[(size_t)c] - frame.origin, frame.n)));
                 for (size_t k = 0; k < 2; ++k)
                     box.lo[k] = std::min(box.lo[k], p[k]), box.hi[k] = std::max(box.hi[k], p[k]);
             }
@@ -220,9 +223,11 @@ private:
     bool joins(int a, int b) const {
         const Triangle &s = mesh.triangles[(size_t)a], &t = mesh.triangles[(size_t)b];
         if (s.material != t.material || dot(normals[(size_t)a], normals[(size_t)b]) < kEven) return false;
+        const auto &points = mesh.points;
+        Vec3d origin = points[(size_t)s.corners[0]], side = points[(size_t)s.corners[1]] - origin;
+        double most = std::min(tiny * tiny, 1e-5 * dot(side, side));
         for (int c : t.corners)
-            if (std::fabs(dot(mesh.points[(size_t)c] - mesh.points[(size_t)s.corners[0]],
-                              normals[(size_t)a])) > tiny)
+            if (double off = dot(points[(size_t)c] - origin, normals[(size_t)a]); off * off > most)
                 return false;
         return true;
     }
@@ -258,12 +263,12 @@ Regions joinRegions(const Mesh &mesh, double cell) {
     if (mesh.materials.size() > 65535) throw ModelError("a model may have 65535 materials at most");
     size_t count = mesh.triangles.size();
     Regions regions;
-    regions.off = mesh.size() * 5e-6;
+    const double tiny = mesh.size() * 5e-6;
     regions.chartOf.resize(count);
-    RegionGrower grower(mesh, regions.off);
+    RegionGrower grower(mesh, tiny);
     Sorted<int> members = grower.members();
     Sorted<Edge> borders = grower.borders();
-    ChartBuilder builder = {mesh, regions, regions.off, cell};
+    ChartBuilder builder = {mesh, regions, tiny, cell};
     for (size_t i = 0; i < count; ++i) {
         if (members.of(i).empty() || builder.add(members.of(i), borders.of(i))) continue;
         // The region fills too little of its rectangle: make each triangle a chart

@@ -25,12 +25,6 @@ float polygonFormFactor(const Vec3 &p, const Vec3 &n, const Vec3 *corner, int co
     return std::max(sum, 0.f) * (0.5f / kPi);
 }
 
-bool open(const RayTree &tree, const Vec3 &p, const Vec3 &target) {
-    Vec3 d = target - p;
-    float far = length(d);
-    return far > 0 && !tree.blocked(p, d * (1 / far), far * 0.9999f);
-}
-
 // The light of suns and balls.
 Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, const Vec3 &n,
                 uint32_t seed) {
@@ -57,7 +51,7 @@ Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, 
                   angle = turn + (float)k * 2.3999632f;
             Vec3 d = to + side * (r * std::cos(angle)) + up * (r * std::sin(angle));
             float l = length(d);
-            open += tree.blocked(p, d * (1 / l), l * 0.9999f) ? 0.f : 0.25f;
+            open += tree.blocked(p, d * (1 / l), l) ? 0.f : 0.25f;
         }
         sum += lamp.radiance * (factor * open);
     }
@@ -65,6 +59,16 @@ Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, 
 }
 
 } // namespace
+
+// Near its side, a wall that touches the part hides it.
+bool LampRays::Part::seen(const RayTree &tree, const Vec3 &p, float a, float b) const {
+    Vec3 d = point(a, b) - p;
+    if (a + b > 1) a = 1 - a, b = 1 - b; // as point() does
+    float far = length(d);
+    bool side = std::min(std::min(a, b), 1 - a - b) * least < far * 1.1e-4f;
+    return far > 0 &&
+           !tree.blocked(p, d * (1 / far), far * (side ? 1.000001f : 0.9999f), side ? &n : nullptr);
+}
 
 // The form factor of a part, without shadows. Beyond sqrt(near * area) the part counts as a disc.
 float LampRays::formFactor(const Part &part, const Vec3 &p, const Vec3 &n, float near) {
@@ -111,11 +115,11 @@ Rgb LampRays::fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3
         float seen = 0, weights = 0;
         for (int k = 0; k < own; ++k) {
             const Vec3 &from = p[(seed + (uint32_t)k) % (uint32_t)places];
-            Vec3 target = wholes[i].point(a, b), to = target - from;
+            Vec3 to = wholes[i].point(a, b) - from;
             float square = std::max(dot(to, to), 1e-30f);
             float weight =
                 std::max(dot(to, n), 0.f) * std::max(-dot(to, wholes[i].n), 0.f) / (square * square);
-            if (weights += weight; weight > 0 && open(tree, from, target)) seen += weight;
+            if (weights += weight; weight > 0 && wholes[i].seen(tree, from, a, b)) seen += weight;
             a = std::fmod(a + 0.7548777f, 1.f), b = std::fmod(b + 0.5698403f, 1.f);
         }
         if (seen > 0) all += light * (seen / weights);
@@ -134,7 +138,7 @@ Rgb LampRays::fromSome(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32
                           parts.size() - 1);
         const Part &part = parts[i];
         float a = random(), b = random(), factor = formFactor(part, p, n, kNear);
-        if (factor > 0 && maxComponent(part.radiance) > 0 && open(tree, p, part.point(a, b)))
+        if (factor > 0 && maxComponent(part.radiance) > 0 && part.seen(tree, p, a, b))
             sum += part.radiance * (factor * until.back() / ((float)some * part.area * part.power));
     }
     return sum;

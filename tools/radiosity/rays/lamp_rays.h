@@ -38,12 +38,15 @@ private:
         float area;
         Rgb radiance;
         float power; // brightness, as a share of the brightest part's
+        float least; // of its heights
         Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
         // Maps the unit square evenly to the triangle.
         Vec3 point(float a, float b) const {
             if (a + b > 1) a = 1 - a, b = 1 - b;
             return corner[0] + (corner[1] - corner[0]) * a + (corner[2] - corner[0]) * b;
         }
+        // Whether nothing lies between p and such a point.
+        bool seen(const RayTree &tree, const Vec3 &p, float a, float b) const;
     };
     double emittingShare = 0;
     float brightest = 0;

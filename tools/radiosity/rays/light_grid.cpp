@@ -100,18 +100,21 @@ static Vec3 placeAt(const Chart &c, const Texel &t, int number) {
 }
 
 // The height above a chart's plane at which the rays that look for its triangles start.
-static float above(const Regions &regions, const Chart &c) { return c.off() * 4 + (float)regions.off * 2; }
+static float above(const Regions &regions, int chart) {
+    return regions.charts[(size_t)chart].off() * 4 + regions.off[(size_t)chart] * 2;
+}
 
 // The place just above the triangle that the ray hit after `drop`.
-static Vec3 landed(const Regions &regions, const Chart &c, const Vec3 &p, float drop) {
-    return p + c.n * above(regions, c) - c.n * (drop - c.off());
+static Vec3 landed(const Regions &regions, int chart, const Vec3 &p, float drop) {
+    const Chart &c = regions.charts[(size_t)chart];
+    return p + c.n * above(regions, chart) - c.n * (drop - c.off());
 }
 
 // The drop to the chart's triangle at a place; kNowhere if there is none.
 constexpr float kNowhere = -1;
 static float land(const Regions &regions, const RayTree &tree, int chart, const Vec3 &p) {
     const Chart &c = regions.charts[(size_t)chart];
-    float high = above(regions, c);
+    float high = above(regions, chart);
     RayHit below = tree.nearest(p + c.n * high, -c.n);
     bool there =
         below.triangle >= 0 && below.t <= 2 * high && regions.chartOf[(size_t)below.triangle] == chart;
@@ -139,7 +142,7 @@ std::vector<float> LightGrid::see(const Regions &regions, const RayTree &tree, W
                 if ((k & 1 ? t.x == c.across : t.x == 0) || (k & 2 ? t.y == c.down : t.y == 0)) continue;
                 Vec3 p = placeAt(c, t, k);
                 float drop = land(regions, tree, t.chart, p);
-                if (drop == kNowhere || inside(tree, c, landed(regions, c, p, drop))) continue;
+                if (drop == kNowhere || inside(tree, c, landed(regions, t.chart, p, drop))) continue;
                 drops[(size_t)i * 4 + (size_t)k] = drop;
                 t.visible |= (uint8_t)(1 << k);
             }
@@ -172,7 +175,8 @@ void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drop
             for (int k = 0; k < 4; ++k)
                 if (const Texel &texel = texels[(size_t)t]; texel.visible >> k & 1)
                     places.push_back(
-                        {landed(regions, c, placeAt(c, texel, k), drops[(size_t)t * 4 + (size_t)k]), t});
+                        {landed(regions, (int)index, placeAt(c, texel, k), drops[(size_t)t * 4 + (size_t)k]),
+                         t});
             if (places.size() > first) siteOf[(size_t)t] = (uint32_t)(sites.size() - 1);
             if (!small) end();
         }

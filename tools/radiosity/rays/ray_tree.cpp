@@ -24,7 +24,7 @@ struct RayTree::Ray {
         sx = broadcast(d[kx] / d[kz]), sy = broadcast(d[ky] / d[kz]), sz = broadcast(1 / d[kz]);
     }
     // The distances at which the ray enters eight boxes; kInfinity if beyond the limit. Far sides are moved
-    // out by the possible rounding error (Ize, "Robust BVH Ray Traversal", JCGT 2013).
+    // out by the possible rounding error of distances (Ize, "Robust BVH Ray Traversal", JCGT 2013).
     Float8 enter(const Node &n, float limit) const {
         Float8 ax = (load(n.lo[0]) - o.x) * inverse.x, bx = (load(n.hi[0]) - o.x) * inverse.x;
         Float8 ay = (load(n.lo[1]) - o.y) * inverse.y, by = (load(n.hi[1]) - o.y) * inverse.y;
@@ -72,13 +72,17 @@ struct Waiting {
 constexpr int kWaiting = 512;
 // Factor for distances to backs, so that of a back and a front in one plane the front is hit
 constexpr float kBehind = 1.0001f;
+constexpr float kParallel = 0.9999f; // the least cosine of normals
+constexpr float kSame = 1.000001f;   // two hits at less than this factor, or a rounding error, are one
 
 } // namespace
 
-template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &direction) const {
+template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &direction, bool again) const {
     Ray ray(origin, direction);
     RayHit hit;
-    float limit = kInfinity; // only nearer hits count
+    float limit = kInfinity, reach = kInfinity; // only nearer hits count, or are compared
+    float second = kInfinity;                   // another front
+    int at = 0, lane = 0;                       // of the hit
     Waiting stack[kWaiting];
     int waiting = 0;
     stack[waiting++] = {0, 0};
@@ -89,14 +93,17 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
             const Leaf &l = leaves[(size_t)~next.node];
             Int8 back;
             Float8 t = ray.meet(l, back), far = select(back, kFronts ? broadcast(kInfinity) : t * kBehind, t);
-            for (int lanes = laneBits((far <= broadcast(limit)) & (far < kInfinity)); lanes;
+            for (int lanes = laneBits((far <= broadcast(reach)) & (far < kInfinity)); lanes;
                  lanes &= lanes - 1) {
                 int i = __builtin_ctz((unsigned)lanes);
                 // At equal distances take the first triangle, so that the result does not depend on the tree
-                if (l.number[i] < 0 || far[i] > limit || (far[i] == limit && l.number[i] > hit.triangle))
-                    continue;
-                limit = far[i];
-                hit = {t[i], l.number[i], back[i] != 0};
+                if (l.number[i] < 0) continue;
+                bool nearer = far[i] < limit || (far[i] == limit && l.number[i] < hit.triangle);
+                if (nearer ? !hit.back && hit.triangle >= 0 : !back[i])
+                    second = std::min(second, nearer ? limit : far[i]);
+                if (!nearer) continue;
+                limit = far[i], reach = limit * kSame + wider;
+                hit = {t[i], l.number[i], back[i] != 0}, at = next.node, lane = i;
             }
             continue;
         }
@@ -110,25 +117,40 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
             stack[at] = {n.child[i], e};
         }
     }
-    return hit;
+    // Two fronts meet at an edge that they share, so rounding or a third one decides which is seen: try a ray
+    // a little inside this one
+    if (hit.back || second > reach || again) return hit;
+    const Leaf &l = leaves[(size_t)~at];
+    Vec3 inward =
+        (l.point(0, lane) + l.point(1, lane) + l.point(2, lane)) * (1 / 3.f) - (origin + direction * hit.t);
+    float aside = std::min(4 * wider / hit.t + 1e-6f, 0.01f) / std::max(length(inward), 1e-20f);
+    return find<kFronts>(origin, direction + inward * aside, true);
 }
 
 RayHit RayTree::nearest(const Vec3 &origin, const Vec3 &direction) const {
-    return find<false>(origin, direction);
+    return find<false>(origin, direction, false);
 }
 RayHit RayTree::nearestFront(const Vec3 &origin, const Vec3 &direction) const {
-    return find<true>(origin, direction);
+    return find<true>(origin, direction, false);
 }
 
-bool RayTree::blocked(const Vec3 &origin, const Vec3 &direction, float end) const {
+bool RayTree::blocked(const Vec3 &origin, const Vec3 &direction, float end, const Vec3 *n) const {
     Ray ray(origin, direction);
+    const float before = n ? end * 0.9999f : end;
     int stack[kWaiting], waiting = 0;
     stack[waiting++] = 0;
     while (waiting) {
         int next = stack[--waiting];
         if (next < 0) {
             Int8 back;
-            if (any(ray.meet(leaves[(size_t)~next], back) < broadcast(end))) return true;
+            const Leaf &l = leaves[(size_t)~next];
+            Float8 t = ray.meet(l, back);
+            if (any(t < broadcast(before))) return true;
+            for (int lanes = n ? laneBits(t < broadcast(end)) : 0; lanes; lanes &= lanes - 1) {
+                int i = __builtin_ctz((unsigned)lanes);
+                Vec3 across = cross(l.point(1, i) - l.point(0, i), l.point(2, i) - l.point(0, i));
+                if (std::fabs(dot(across, *n)) < kParallel * length(across)) return true;
+            }
             continue;
         }
         const Node &n = nodes[(size_t)next];
@@ -149,6 +171,10 @@ struct RayTree::Builder {
         int number;
     };
     std::vector<Item> items;
+    // Rounding turns the ray that meets triangles a little: near the edge of a triangle it may hit that, but
+    // miss its box. So boxes are larger by a share of the whole
+    static constexpr float kWider = 2e-7f;
+    float wider;
 
     struct Group {
         int first, count;
@@ -205,8 +231,8 @@ struct RayTree::Builder {
             // Empty children lie infinitely far away
             Bounds b = {{kInfinity, kInfinity, kInfinity}, {kInfinity, kInfinity, kInfinity}};
             if (i < count) b = parts[i].box;
-            n.lo[0][i] = b.lo.x, n.lo[1][i] = b.lo.y, n.lo[2][i] = b.lo.z;
-            n.hi[0][i] = b.hi.x, n.hi[1][i] = b.hi.y, n.hi[2][i] = b.hi.z;
+            n.lo[0][i] = b.lo.x - wider, n.lo[1][i] = b.lo.y - wider, n.lo[2][i] = b.lo.z - wider;
+            n.hi[0][i] = b.hi.x + wider, n.hi[1][i] = b.hi.y + wider, n.hi[2][i] = b.hi.z + wider;
             n.child[i] = i >= count               ? -1
                          : parts[i].count > kLeaf ? build(parts[i], deep + 3)
                                                   : leaf(parts[i]);
@@ -217,7 +243,7 @@ struct RayTree::Builder {
 };
 
 RayTree::RayTree(const std::vector<Corners> &triangles) {
-    Builder b = {triangles, nodes, leaves, {}};
+    Builder b = {triangles, nodes, leaves, {}, 0};
     b.items.resize(triangles.size());
     for (size_t i = 0; i < triangles.size(); ++i) {
         Bounds box = kNoBounds;
@@ -226,7 +252,9 @@ RayTree::RayTree(const std::vector<Corners> &triangles) {
     }
     nodes.reserve(triangles.size() / 12 + 16), leaves.reserve(triangles.size() / 4 + 16);
     auto count = (int)triangles.size();
-    b.build({0, count, b.boxOf(0, count)}, 0);
+    Bounds all = b.boxOf(0, count);
+    if (count) wider = b.wider = sumAbs(all.hi - all.lo) * Builder::kWider;
+    b.build({0, count, all}, 0);
 }
 
 } // namespace odraz::radiosity

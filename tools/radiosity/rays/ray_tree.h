@@ -30,8 +30,9 @@ public:
     RayHit nearest(const Vec3 &origin, const Vec3 &direction) const;
     // The first front that is hit; backs are transparent.
     RayHit nearestFront(const Vec3 &origin, const Vec3 &direction) const;
-    // Whether a triangle, front or back, lies before `end`.
-    bool blocked(const Vec3 &origin, const Vec3 &direction, float end) const;
+    // Whether a triangle, front or back, lies before `end`. One that is parallel to a surface with the normal
+    // n, on which the ray ends, must lie clearly before it.
+    bool blocked(const Vec3 &origin, const Vec3 &direction, float end, const Vec3 *n = nullptr) const;
 
     // The bytes that a tree of this number of triangles needs, including those for building it.
     static size_t bytesFor(size_t triangles) { return triangles * 270; }
@@ -44,12 +45,14 @@ private:
     struct alignas(32) Leaf {
         float corner[3][3][8]; // [corner][axis][triangle]
         int number[8];         // -1: none
+        Vec3 point(int k, int i) const { return {corner[k][0][i], corner[k][1][i], corner[k][2][i]}; }
     };
     struct Builder;
     struct Ray;
     std::vector<Node> nodes;
     std::vector<Leaf> leaves;
-    template <bool kFronts> RayHit find(const Vec3 &origin, const Vec3 &direction) const;
+    float wider = 0; // the largest error of a coordinate by rounding
+    template <bool kFronts> RayHit find(const Vec3 &origin, const Vec3 &direction, bool again) const;
 };
 
 } // namespace odraz::radiosity

@@ -1,5 +1,6 @@
 #include "tools/radiosity/read/mesh_builder.h"
 
+#include "tools/common/statistics.h"
 #include "tools/common/text.h"
 #include "tools/radiosity/read/emission_picture.h"
 #include "tools/radiosity/read/overlaps.h"
@@ -110,7 +111,22 @@ private:
     int shortPolygons = 0;  // with fewer than three points
     bool pictured = false;  // a material has a picture, so texture coordinates are kept
 
-    // Merges points of polygons within a millionth of the model's size.
+    // A small polygon's size and first corner: a sixteenth of some thousand, spread over all, are smaller.
+    std::pair<double, size_t> smallPolygon() const {
+        std::vector<std::pair<double, size_t>> sizes = {{HUGE_VAL, 0}};
+        const auto &all = given.polygons;
+        auto point = [&](size_t corner) { return given.points[(size_t)given.corners[corner].point]; };
+        for (size_t i = 0; i < all.size(); i += 1 + all.size() / 4096) {
+            size_t first = all[i].firstCorner,
+                   end = i + 1 < all.size() ? all[i + 1].firstCorner : given.corners.size();
+            double far = 0;
+            for (size_t k = first; k < end; ++k) far = std::max(far, length(point(k) - point(first)));
+            if (far > 0) sizes.push_back({far, first});
+        }
+        return common::quantile(sizes, 1. / 16);
+    }
+
+    // Merges points of polygons within a millionth of the model's size, or a hundredth of small polygons'.
     void weldPoints() {
         if (given.points.empty()) throw ModelError(path + ": holds no point");
         if (given.corners.empty()) throw ModelError(path + ": holds no polygon");
@@ -124,10 +140,14 @@ private:
         double size = length(hi - lo);
         if (!(size < 1e9)) throw ModelError(path + ": is larger than 1e9: give --scale");
         if (size > 0 && size < 1e-10) throw ModelError(path + ": is smaller than 1e-10: give --scale");
-        grid = std::max(size * 1e-6, 1e-300);
+        auto [small, corner] = smallPolygon();
+        grid = std::max({std::min(size * 1e-6, small * 1e-2), size * 1e-9, 1e-300});
         // Floats are finest near the origin
         Vec3d middle = (lo + hi) / 2;
-        if (length(middle) >= 4 * size) mesh.place = toFloat(middle);
+        if (small < size * 1e-4)
+            mesh.place = toFloat(given.points[(size_t)given.corners[corner].point]);
+        else if (length(middle) >= 4 * size)
+            mesh.place = toFloat(middle);
         if (!(length(middle) < 1e15)) throw ModelError(path + ": lies further than 1e15 from the origin");
         if (size < length(middle) * 1e-11)
             notes.push_back(path + ": lies too far from the origin for precise coordinates: move it closer");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <immintrin.h>
 #include <map>
 #include <ranges>
 
@@ -91,13 +92,13 @@ private:
     }
 
     std::array<size_t, 3> axesOf(const std::vector<Box> &some) const {
-        Box all = some[0];
+        __m128 lo = _mm_loadu_ps(some[0].lo), hi = _mm_loadu_ps(some[0].hi); // the fourth counts for nothing
         for (const Box &b : some)
-            for (size_t k = 0; k < 3; ++k)
-                all.lo[k] = std::min(all.lo[k], b.lo[k]), all.hi[k] = std::max(all.hi[k], b.hi[k]);
+            lo = _mm_min_ps(lo, _mm_loadu_ps(b.lo)), hi = _mm_max_ps(hi, _mm_loadu_ps(b.hi));
+        float size[4];
+        _mm_storeu_ps(size, _mm_sub_ps(hi, lo));
         std::array<size_t, 3> axes = {0, 1, 2};
-        std::sort(axes.begin(), axes.end(),
-                  [&](size_t a, size_t b) { return all.hi[a] - all.lo[a] > all.hi[b] - all.lo[b]; });
+        std::sort(axes.begin(), axes.end(), [&](size_t a, size_t b) { return size[a] > size[b]; });
         return axes;
     }
 

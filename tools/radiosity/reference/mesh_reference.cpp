@@ -42,7 +42,7 @@ class Paths {
 public:
     Paths(const Mesh &mesh, const Surroundings &around)
         : mesh(mesh), around(around), triangles(trianglesOf(mesh)), obstacles(triangles),
-          off(mesh.size() * 1e-5) {
+          most(mesh.size() * 1e-5) {
         for (const MeshMaterial &m : mesh.materials)
             if (!m.picture.path.empty()) try {
                     pictures.try_emplace(m.picture.path, m.picture.read());
@@ -58,11 +58,11 @@ public:
     }
 
     // The light that one path brings to a place. The path starts in cell k of a side x side grid over the
-    // hemisphere; `backs` counts first rays that hit a back.
-    Vec3d trace(Vec3d p, Vec3d n, int k, int side, Sampler &sampler, int &backs) const {
+    // hemisphere; `backs` counts first rays that hit a back. `size` is that of the surface around the place.
+    Vec3d trace(Vec3d p, Vec3d n, double size, int k, int side, Sampler &sampler, int &backs) const {
         Vec3d sum = {}, weight = {1, 1, 1};
         for (int depth = 0;; ++depth) {
-            Vec3d from = p + n * off;
+            Vec3d from = p + n * std::min(most, size * 1e-2);
             // The first hit of each path samples a different part of the lamps
             double pick = sampler.random();
             if (depth == 0) pick = ((double)((int64_t)k * 7919 % (side * side)) + pick) / (side * side);
@@ -80,7 +80,8 @@ public:
             double go = std::min(1., largest(weight) * 2); // Russian roulette
             if (!(sampler.random() < go)) return sum;
             weight = weight / go;
-            n = normalize(normalOf(mesh, mesh.triangles[(size_t)hit.number]));
+            n = normalOf(mesh, mesh.triangles[(size_t)hit.number]), size = std::sqrt(length(n));
+            n = normalize(n);
         }
     }
 
@@ -89,7 +90,7 @@ private:
     const Surroundings &around;
     std::vector<Obstacles::Triangle> triangles;
     Obstacles obstacles;
-    double off; // distance of rays' origins from their surface
+    double most; // distance of rays' origins from their surface, unless that is small
     std::vector<size_t> lamps;
     std::vector<double> until;                          // running sums of the lamps' light
     std::map<std::string, ReflectancePicture> pictures; // by their paths
@@ -142,7 +143,7 @@ private:
         Vec3d to = onTriangle(triangles[i], inCell(sampler, 0, 1)) - p;
         double far = length(to), here = dot(to, n) / far,
                there = -dot(to, normalize(normalOf(mesh, mesh.triangles[i]))) / far;
-        if (!(here > 0 && there > 0) || obstacles.blocked(p, to / far, far * 0.9999)) return sum;
+        if (!(here > 0 && there > 0) || obstacles.blocked(p, to / far, far * (1 - 1e-9))) return sum;
         Vec3d e = emitted(i);
         return sum + e * (until.back() / brightness(e) * here * there / (std::numbers::pi * far * far));
     }
@@ -196,7 +197,8 @@ std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count) {
         auto share = [](float x, float y, float other) { return y > 0 ? x / y : other; };
         Rgb arrives = {share(leaves.x, r.x, light.x), share(leaves.y, r.y, light.y),
                        share(leaves.z, r.z, light.z)};
-        probes.push_back({(int)chart, found.p, solution.charts[chart].n, arrives, {}, 0});
+        const Chart &c = solution.charts[chart];
+        probes.push_back({(int)chart, found.p, c.n, arrives, {}, 0, c.width + c.height});
     }
     return probes;
 }
@@ -220,7 +222,8 @@ void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshPr
         Vec3d means[2] = {};
         for (Vec3d &mean : means) {
             for (int k = 0; k < paths; ++k)
-                mean = mean + tracer.trace(place, normal, k, side, sampler, backs) / paths;
+                mean =
+                    mean + tracer.trace(place, normal, (double)probe.size, k, side, sampler, backs) / paths;
         }
         probe.traced = toFloat((means[0] + means[1]) * 0.5);
         double apart = brightness(means[0]) - brightness(means[1]);
