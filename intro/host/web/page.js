@@ -39,8 +39,7 @@ const main = async (wasm, scripts) => {
   // --- Pictures: an idle worker makes the next one. The first ones are made before the click ---
   const kAhead = 8 // pictures that stand ready, besides those being made
   const duration = x.duration(), from = Math.max(0, Math.min(parseFloat(q.get('from')) || 0, duration - 1))
-  let ready, idle, spare, next, planned, lit, solved, unlit, playing
-  let shown = 0, skipped = 0, first = 0, shownTime = -1
+  let ready, idle, spare, next, planned, lit, solved, unlit, playing, shown = 0, skipped = 0, first = 0, shownTime = -1
   const filmAt = () => !playing ? -1e9 : going ? x.at(now()) : stopped
   const give = () => {
     while (idle.length && !over && planned < duration && ready.length + count - idle.length < kAhead + count) {
@@ -99,8 +98,7 @@ const main = async (wasm, scripts) => {
   // --- Music: scheduled ten seconds ahead, so that it goes on whatever else the machine does ---
   const kChunk = 100, kComposed = 10, kFirst = 2 // blocks at a time; seconds, and those before the click
   const seconds = kChunk * kBlock / kRate
-  let audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0
-  const waiting = []
+  let audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0, waiting = [], clicked
   const composer = start(d => {
     if (d.left) waiting.push(d), schedule()
   }, 'compose', module, Math.round(from * kRate / kBlock))
@@ -207,7 +205,6 @@ const main = async (wasm, scripts) => {
   }
 
   // --- The viewer ---
-  let clicked
   const fullScreen = () => full && document.documentElement.requestFullscreen?.()
     .then(() => screen.orientation.lock('landscape')).catch(() => {}) // phones turn it
   const play = () => {

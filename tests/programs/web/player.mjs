@@ -46,8 +46,9 @@ const play = async (cost, from, { pauses, silent, query = from } = {}) => {
     createBufferSource() { return { connect() {}, start() {} } }
   }
   const self = {
-    WebAssembly, Worker, AudioContext: silent ? undefined : AudioContext, Uint8ClampedArray: Picture, ImageData: Picture, Blob: class {},
-    URL: { createObjectURL() {} }, location: { search: `?full=0&from=${query}`, reload() {} }, performance: { now: () => clock },
+    WebAssembly, Worker, AudioContext: silent ? undefined : AudioContext, Uint8ClampedArray: Picture,
+    ImageData: Picture, Blob: class {}, URL: { createObjectURL() {} }, performance: { now: () => clock },
+    location: { search: `?full=0&from=${query}`, reload() {} },
     document: { querySelector: s => elements[s] ??= element(), body: {} }, navigator: { hardwareConcurrency: kWorkers },
     innerWidth: 1280, innerHeight: 720, devicePixelRatio: 1,
     requestAnimationFrame: f => at(Math.floor(clock * 0.06 + 1.001) / 0.06, () => f(clock)),
@@ -83,7 +84,8 @@ const check = async (cost, from, how = {}) => {
   const r = await play(cost, from, how), last = Math.min(from + kSeconds, 162) - 0.1
   const right = r.first <= (how.silent ? 1600 : 300) && !r.skipped && r.least >= 24 && r.off < 0.02 && r.last >= last &&
     r.muted == (how.silent ? ',,,' : '0,1,0,1')
-  console.log(`${right ? 'ok' : 'FAILED'}: ${cost} ms a picture, from ${from} s ${Object.keys(how)}: ${JSON.stringify(r)}`)
+  const what = `${cost} ms a picture, from ${from} s ${Object.keys(how)}`
+  console.log(`${right ? 'ok' : 'FAILED'}: ${what}: ${JSON.stringify(r)}`)
   wrong ||= !right
 }
 for (const cost of [60, 120, 240]) for (const from of [0, 20, 46, 66, 96, 130, 153]) await check(cost, from)
