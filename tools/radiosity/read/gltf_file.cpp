@@ -120,12 +120,8 @@ void GltfFile::readJson(std::string_view text, std::string_view binary) {
         if (const std::string uri = textOf(image, "uri"); !uri.empty() && !isData(uri) && !hasScheme(uri))
             common::noteInput(findFile(folderOf(path), nameOf(uri)));
     // tinygltf lacks some defaults. Of animations, only the names are used
-    auto each = [&](const char *name, auto change) {
-        if (auto found = all.find(name); found != all.end())
-            std::for_each(found->begin(), found->end(), change);
-    };
-    each("skins", [](json &skin) { skin.emplace("inverseBindMatrices", -1); });
-    each("animations", [](json &one) { one = {{"name", textOf(one, "name")}}; });
+    for (json &skin : all["skins"]) skin.emplace("inverseBindMatrices", -1);
+    for (json &one : all["animations"]) one = {{"name", textOf(one, "name")}};
     all.erase("cameras");
     tinygltf::TinyGLTF reader;
     std::string error, warning;
