@@ -215,6 +215,7 @@ TEST(PictureFile, NamesWhatItDoesNotUse) {
     upright[28] = 1, turned[28] = 6;
     EXPECT_EQ(unused("small.png", "\0\0\0\4gAMA\0\1\x86\xa0\x31\xe8\x96\x5f"s, 33), "gAMA");
     EXPECT_EQ(unused("small.png", "\0\0\0\4gAMA\0\0\xb1\x8f\x0b\xfc\x61\5"s, 33), "");
+    EXPECT_EQ(unused("small.png", "\0\0\0\4cICP\1\xd\0\1\x9c\x69\x3b\x32"s, 33), "");
     EXPECT_EQ(unused("small.png", "\0\0\0\bacTL\0\0\0\2\0\0\0\0\xf3\x8d\x93\x70"s, 33),
               "an animation (APNG)");
     EXPECT_EQ(unused("small.jpg", upright, 2), "");
