@@ -173,8 +173,10 @@ struct Reader {
                 if (isMap(lines.word) && !rest.empty())
                     leave(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
                 // (files disagree on whether a Tr of 1 is clear)
+                const bool isD = lines.word == "d";
+                if (isD && lines.rest.starts_with("-halo")) takeWord(lines.rest);
                 if (double x;
-                    (lines.word == "d" || lines.word == "Tr") && takeNumber(lines.rest, x) && x > 0 && x < 1)
+                    (isD || lines.word == "Tr") && takeNumber(lines.rest, x) && x < 1 && (isD || x > 0))
                     leave("opacity is not used, and all is opaque");
             }
         }

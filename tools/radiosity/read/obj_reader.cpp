@@ -19,10 +19,11 @@ namespace {
 constexpr const char *kKeywords[] = {"v", "vt", "f", "fo", "usemtl", "mtllib"};
 enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary };
 // What is left out, by the words of lines
-const std::map<std::string_view, const char *> kLeftOut = {{"p", "points and lines are left out"},
-                                                           {"l", "points and lines are left out"},
-                                                           {"surf", "surfaces are left out"},
-                                                           {"call", "other files (call) are not read"}};
+const std::map<std::string_view, const char *> kLeftOut = {
+    {"p", "points and lines are left out"},     {"l", "points and lines are left out"},
+    {"surf", "surfaces are left out"},          {"bzp", "surfaces are left out"},
+    {"bsp", "surfaces are left out"},           {"usemap", "pictures of polygons (usemap) are not used"},
+    {"call", "other files (call) are not read"}};
 
 struct ObjContent {
     Polygons polygons;                  // materials are indices into `asked`

@@ -146,8 +146,8 @@ TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
 TEST(ObjReader, NotesWhatIsNotUsed) {
     const std::string obj =
         "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 0 1 1.0\nv 0 0 1 2\nvt nan 0\nvt 1 inf\nvt\nvt "
-        ".5\nl 1 2\np 1\nvp 0 1\ncstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\ncall x.obj\nusemtl a\nf 1/1 2/4 "
-        "3/4\n";
+        ".5\nl 1 2\np 1\nvp 0 1\ncstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\ncall x.obj\nusemap p\nusemtl a\n"
+        "f 1/1 2/4 3/4\n";
     ReadObj r(obj, "newmtl a\nKd 1 0 0\nd 0.5\nmap_Kd -mm 0 .5 -s 1 1 -clamp on -boost 2 a.png\nbump -bm 1 "
                    "b.png\nnewmtl b\nd 1\nTr 1\nTr 0.5\nmap_Ke -mm 0 1 a.png\n");
     EXPECT_EQ(
@@ -155,6 +155,7 @@ TEST(ObjReader, NotesWhatIsNotUsed) {
         (Lines{"m.obj: colours of points are not used: line 2 and 1 more",
                "m.obj: coordinates of pictures (vt) are not numbers: line 6 and 2 more",
                "m.obj: other files (call) are not read: line 16",
+               "m.obj: pictures of polygons (usemap) are not used: line 17",
                "m.obj: points and lines are left out: line 10 and 1 more",
                "m.obj: surfaces are left out: line 14", "m.obj: weights of points are not used: line 5",
                "m.obj: bump is not used: material a", "m.obj: map_Kd's -boost is not used: material a",
@@ -174,7 +175,7 @@ TEST(ObjReader, TakesColours) {
     } cases[] = {
         {"Kd .5 .25 .125 # a wall", {.5f, .25f, .125f}, ""},
         {"Kd 0.5", {.5f, .5f, .5f}, ""},
-        {"  Kd 1 0 0  \nKs 1 1 1\nTf 1 1 1\nillum 7\nd 0.5\nTr 0.5\nNs 9\nNi 1.5\nPr 0.5",
+        {"  Kd 1 0 0  \nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0\nTr 0.5\nNs 9\nNi 1.5\nPr 0.5",
          {1, 0, 0},
          "m.obj: opacity is not used, and all is opaque: material a"},
         {"Ks 1 1 1", {.7f, .7f, .7f}, "m.obj: material a: it has no Kd: it reflects 0.7"},
