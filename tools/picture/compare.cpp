@@ -121,14 +121,11 @@ int run(common::CommandLine &line) {
     int by = 1;
     line.about(
         "Prints the PSNR of two pictures, the largest difference of a channel (in steps of 1/255) and the\n"
-        "number of pixels that differ; then what their files hold, if that differs: bits, alpha. A picture "
-        "without\n"
-        "alpha is opaque. Floats are linear, and 1 is 255. Of files with several pictures all are compared, "
-        "in\n"
-        "order. What files say of their numbers and is not used (gamma, profiles, orientation, animations) "
-        "must\n"
-        "be alike. Exit status 1: it is not, or a largest difference is over --max and the PSNR is under "
-        "--psnr (if given).");
+        "number of pixels that differ; then what their files hold, if that differs: bits, alpha. A picture\n"
+        "without alpha is opaque. Floats are linear, and 1 is 255. Of files with several pictures all are\n"
+        "compared, in order. What files say of their numbers and is not used (gamma, profiles, orientation,\n"
+        "animations) must be alike. Exit status 1: it is not, or a largest difference is over --max and the\n"
+        "PSNR is under --psnr (if given).");
     line.argument("A", pathA, "a picture: PNG, JPEG, TGA, BMP, PNM, Radiance HDR or OpenEXR");
     line.argument("B", pathB, "another; with --png or --linear the file to write");
     line.option("--max", "N", s.most, {0, 255}, "the largest difference of a channel that passes");
