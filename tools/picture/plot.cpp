@@ -83,139 +83,122 @@ class Drawing {
 public:
     explicit Drawing(const Plot &of)
         : plot(of), height(heightOf(of)), key(keyWidth(of)),
-          x(of.logarithmicX, least(0), most(0), kLeft, width - key),
-          y(of.logarithmicY, least(1), most(1), height - kBottom, kTop) {}
-    std::string svg();
+          x(of.logarithmicX, least(0), -least(0, -1), kLeft, width - key),
+          y(of.logarithmicY, least(1), -least(1, -1), height - kBottom, kTop) {}
+    std::string svg() {
+        out = format(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" font-family=\"sans-serif\" "
+            "font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
+            width, height);
+        axes();
+        fronts();
+        legend();
+        return out + "</svg>\n";
+    }
 
 private:
-    double value(const PlotPoint &p, int axis) const { return axis ? p.y : p.x; }
-    double least(int axis) const;
-    double most(int axis) const;
-    void text(double px, double py, const char *anchor, const std::string &what,
-              const std::string &more = "");
-    void mark(double px, double py, int series, double size, const char *kind);
-    void axes();
-    std::vector<PlotPoint> front(int series) const;
-    std::vector<PlotPoint> ofSeries(int series) const;
-    void fronts();
-    void legend();
-
     const Plot &plot;
     double width = 930, height, key; // the legend's width
     Axis x, y;
     std::string out;
-};
 
-double Drawing::least(int axis) const {
-    double v = 1e300;
-    for (const PlotPoint &p : plot.points) v = std::min(v, value(p, axis));
-    return v;
-}
-double Drawing::most(int axis) const {
-    double v = -1e300;
-    for (const PlotPoint &p : plot.points) v = std::max(v, value(p, axis));
-    return v;
-}
-
-void Drawing::text(double px, double py, const char *anchor, const std::string &what,
-                   const std::string &more) {
-    out += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>", px, py, anchor, more.c_str()) +
-           common::htmlText(what) + "</text>\n";
-}
-
-void Drawing::mark(double px, double py, int series, double size, const char *kind) {
-    const char *colour = kColours[series % kColourCount];
-    int which = series % kMarkCount;
-    bool filled = std::string(kMarks[which]).back() == 'Z';
-    out += format(
-        "<path class=\"%s\" transform=\"translate(%.1f %.1f) scale(%g)\" d=\"%s\" fill=\"%s\" stroke=\"%s\" "
-        "stroke-width=\"%.2f\"/>\n",
-        kind, px, py, size, kMarks[which], filled ? colour : "none", colour, 1.6 / size);
-}
-
-void Drawing::axes() {
-    text((kLeft + width - key) / 2, 22, "middle", plot.title, " font-size=\"15\"");
-    text((kLeft + width - key) / 2, height - 12, "middle", plot.xName);
-    text(0, 0, "middle", plot.yName, format(" transform=\"translate(18 %.0f) rotate(-90)\"", height / 2));
-    for (double v : x.ticks()) {
-        out +=
-            format("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#e9e9e9\"/>\n", x.place(v), kTop, height - kBottom);
-        text(x.place(v), height - kBottom + 18, "middle", format("%g", v));
+    // The least value, or with a sign of -1 the negated greatest.
+    double least(int axis, double sign = 1) const {
+        double v = 1e300;
+        for (const PlotPoint &p : plot.points) v = std::min(v, sign * (axis ? p.y : p.x));
+        return v;
     }
-    for (double v : y.ticks()) {
-        out += format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e9e9e9\"/>\n", kLeft, y.place(v), width - key);
-        text(kLeft - 8, y.place(v) + 4, "end", format("%g", v));
+
+    void text(double px, double py, const char *anchor, const std::string &what,
+              const std::string &more = "") {
+        out += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>", px, py, anchor, more.c_str()) +
+               common::htmlText(what) + "</text>\n";
     }
-}
 
-// The points that no other point of the series beats; series -1 means all points
-std::vector<PlotPoint> Drawing::front(int series) const {
-    double signX = plot.lessIsBetterX ? 1 : -1, signY = plot.lessIsBetterY ? 1 : -1;
-    auto counts = [&](const PlotPoint &p) { return series < 0 || p.series == series; };
-    std::vector<PlotPoint> all;
-    for (const PlotPoint &p : plot.points)
-        if (counts(p) && std::none_of(plot.points.begin(), plot.points.end(), [&](const PlotPoint &q) {
-                double dx = (q.x - p.x) * signX, dy = (q.y - p.y) * signY;
-                return counts(q) && dx <= 0 && dy <= 0 && (dx < 0 || dy < 0);
-            }))
-            all.push_back(p);
-    std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.x < b.x; });
-    return all;
-}
-
-std::vector<PlotPoint> Drawing::ofSeries(int series) const {
-    std::vector<PlotPoint> all;
-    for (const PlotPoint &p : plot.points)
-        if (p.series == series) all.push_back(p);
-    return all;
-}
-
-// Draws the fronts, or joins all points
-void Drawing::fronts() {
-    bool each = plot.frontOfEach || plot.joined;
-    for (int series = each ? 0 : -1; series < (each ? (int)plot.series.size() : 0); ++series) {
-        std::string path;
-        for (const PlotPoint &p : plot.joined ? ofSeries(series) : front(series))
-            path += format("%s%.1f %.1f", path.empty() ? "M" : "L", x.place(p.x), y.place(p.y));
-        out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" +
-               (series < 0 ? "#999" : kColours[series % kColourCount]) +
-               (plot.joined ? "\" stroke-width=\"1.5\"/>\n" : "\" stroke-dasharray=\"4 3\"/>\n");
+    void mark(double px, double py, int series, double size, const char *kind) {
+        const char *colour = kColours[series % kColourCount];
+        int which = series % kMarkCount;
+        bool filled = std::string(kMarks[which]).back() == 'Z';
+        out += format("<path class=\"%s\" transform=\"translate(%.1f %.1f) scale(%g)\" d=\"%s\" fill=\"%s\" "
+                      "stroke=\"%s\" stroke-width=\"%.2f\"/>\n",
+                      kind, px, py, size, kMarks[which], filled ? colour : "none", colour, 1.6 / size);
     }
-}
 
-// Draws the points, with the numbers of those that have names, and the legend with each series and its names
-void Drawing::legend() {
-    double left = width - key + 20, at = kTop + 12;
-    int number = 0;
-    for (int series = 0; series < (int)plot.series.size(); ++series) {
-        mark(left, at - 4, series, kMark, "key");
-        text(left + 12, at, "start", plot.series[(size_t)series]);
-        for (const PlotPoint &p : ofSeries(series)) {
-            double px = x.place(p.x), py = y.place(p.y), size = p.shipped ? kShippedMark : kMark;
-            mark(px, py, series, size, "mark");
-            if (p.name.empty()) continue;
-            // A white rim covers lines below
-            const char *look = p.shipped ? " font-size=\"10\" font-weight=\"bold\"" : " font-size=\"10\"";
-            std::string which = std::to_string(++number);
-            text(px + size + 2, py - 2, "start", which,
-                 std::string(look) + " paint-order=\"stroke\" stroke=\"white\" stroke-width=\"2\"");
-            text(left + 26, at += kPointLine, "end", which, look);
-            text(left + 32, at, "start", p.name, std::string(look) + " class=\"name\"");
+    void axes() {
+        text((kLeft + width - key) / 2, 22, "middle", plot.title, " font-size=\"15\"");
+        text((kLeft + width - key) / 2, height - 12, "middle", plot.xName);
+        text(0, 0, "middle", plot.yName, format(" transform=\"translate(18 %.0f) rotate(-90)\"", height / 2));
+        for (double v : x.ticks()) {
+            out += format("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#e9e9e9\"/>\n", x.place(v), kTop,
+                          height - kBottom);
+            text(x.place(v), height - kBottom + 18, "middle", format("%g", v));
         }
-        at += kSeriesLine;
+        for (double v : y.ticks()) {
+            out +=
+                format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e9e9e9\"/>\n", kLeft, y.place(v), width - key);
+            text(kLeft - 8, y.place(v) + 4, "end", format("%g", v));
+        }
     }
-}
 
-std::string Drawing::svg() {
-    out = format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" font-family=\"sans-serif\" "
-        "font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
-        width, height);
-    axes();
-    fronts();
-    legend();
-    return out + "</svg>\n";
-}
+    // The points that no other point of the series beats; series -1 means all points
+    std::vector<PlotPoint> front(int series) const {
+        double signX = plot.lessIsBetterX ? 1 : -1, signY = plot.lessIsBetterY ? 1 : -1;
+        auto counts = [&](const PlotPoint &p) { return series < 0 || p.series == series; };
+        std::vector<PlotPoint> all;
+        for (const PlotPoint &p : plot.points)
+            if (counts(p) && std::none_of(plot.points.begin(), plot.points.end(), [&](const PlotPoint &q) {
+                    double dx = (q.x - p.x) * signX, dy = (q.y - p.y) * signY;
+                    return counts(q) && dx <= 0 && dy <= 0 && (dx < 0 || dy < 0);
+                }))
+                all.push_back(p);
+        std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.x < b.x; });
+        return all;
+    }
+
+    std::vector<PlotPoint> ofSeries(int series) const {
+        std::vector<PlotPoint> all;
+        for (const PlotPoint &p : plot.points)
+            if (p.series == series) all.push_back(p);
+        return all;
+    }
+
+    // Draws the fronts, or joins all points
+    void fronts() {
+        bool each = plot.frontOfEach || plot.joined;
+        for (int series = each ? 0 : -1; series < (each ? (int)plot.series.size() : 0); ++series) {
+            std::string path;
+            for (const PlotPoint &p : plot.joined ? ofSeries(series) : front(series))
+                path += format("%s%.1f %.1f", path.empty() ? "M" : "L", x.place(p.x), y.place(p.y));
+            out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" +
+                   (series < 0 ? "#999" : kColours[series % kColourCount]) +
+                   (plot.joined ? "\" stroke-width=\"1.5\"/>\n" : "\" stroke-dasharray=\"4 3\"/>\n");
+        }
+    }
+
+    // Draws the points, with the numbers of those that have names, and the legend with each series and its
+    // names
+    void legend() {
+        double left = width - key + 20, at = kTop + 12;
+        int number = 0;
+        for (int series = 0; series < (int)plot.series.size(); ++series) {
+            mark(left, at - 4, series, kMark, "key");
+            text(left + 12, at, "start", plot.series[(size_t)series]);
+            for (const PlotPoint &p : ofSeries(series)) {
+                double px = x.place(p.x), py = y.place(p.y), size = p.shipped ? kShippedMark : kMark;
+                mark(px, py, series, size, "mark");
+                if (p.name.empty()) continue;
+                // A white rim covers lines below
+                const char *look = p.shipped ? " font-size=\"10\" font-weight=\"bold\"" : " font-size=\"10\"";
+                std::string which = std::to_string(++number);
+                text(px + size + 2, py - 2, "start", which,
+                     std::string(look) + " paint-order=\"stroke\" stroke=\"white\" stroke-width=\"2\"");
+                text(left + 26, at += kPointLine, "end", which, look);
+                text(left + 32, at, "start", p.name, std::string(look) + " class=\"name\"");
+            }
+            at += kSeriesLine;
+        }
+    }
+};
 
 } // namespace
 
