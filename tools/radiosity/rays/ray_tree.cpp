@@ -119,7 +119,7 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
     }
     // Two fronts meet at an edge that they share, so rounding or a third one decides which is seen: try a ray
     // a little inside this one
-    if (hit.back || second > reach || again) return hit;
+    if (hit.triangle < 0 || hit.back || second > reach || again) return hit;
     const Leaf &l = leaves[(size_t)~at];
     Vec3 inward =
         (l.point(0, lane) + l.point(1, lane) + l.point(2, lane)) * (1 / 3.f) - (origin + direction * hit.t);
