@@ -15,14 +15,14 @@ namespace {
 
 int stopStudy = 0; // becomes 1 with Ctrl-C
 
-struct Job {
+struct StudyJob {
     StudySettings settings;
     std::string out;
     bool table41 = false;
     SolveOptions options;
 };
 
-void readJob(common::CommandLine &line, Job &job) {
+void readStudyJob(common::CommandLine &line, StudyJob &job) {
     line.about("Measures the methods on a model: sizes and rasters, passes, gathering and shooting, "
                "display.\n"
                "Writes a folder with a page, index.html, and tables as CSV. Ctrl-C ends it with the\n"
@@ -89,8 +89,8 @@ bool writeChapters(Study &study, std::span<const Chapter> chapters) {
 } // namespace
 
 int runStudy(common::CommandLine &line) {
-    Job job;
-    readJob(line, job);
+    StudyJob job;
+    readStudyJob(line, job);
     common::NewFolder folder(job.out);
     Mesh mesh;
     std::vector<std::string> notes;

@@ -1,5 +1,7 @@
 // Gathering, Gauss-Seidel and shooting on one axis; what every pass adds; both orders of update.
-#include "tools/radiosity/study/curves.h"
+#include "tools/engine/luminance.h"
+#include "tools/radiosity/patches/shooting.h"
+#include "tools/radiosity/study/study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +9,148 @@
 namespace odraz::radiosity {
 
 namespace {
+
+constexpr int kMostPasses = 60;
+constexpr double kDone = 1e-4; // percent: a curve ends below this error
+
+// One step: a pass over all patches, or several shots.
+struct Step {
+    int number;     // passes or hemicubes so far
+    double seconds; // of the processor, since the start
+    double error;   // rms difference from the converged light as a share of that, percent
+    double added;   // share of the converged light that this step added, percent
+};
+
+struct Curve {
+    std::string name;
+    std::vector<Step> steps;
+};
+
+// The system of a solution by patches, and its converged light.
+class Converging {
+public:
+    // `solved`: by hemicubes that see the lamps, with rows.
+    Converging(Study &study, Solved &solved)
+        : study(study), patches(*solved.patches), model(*patches.model),
+          rowSeconds(solved.report.seconds[(int)SolveStep::kFormFactors]),
+          converged(patches.reflectDirect()) {
+        for (int sweeps = 0; sweeps < 300 && patches.sweep(converged, true) > 1e-6f;) ++sweeps;
+        for (size_t i = 0; i < converged.size(); ++i) {
+            double light = (double)luminance(converged[i]), a = (double)patches.patches[i].area;
+            all += light * light * a, power += light * a;
+        }
+    }
+
+    // Passes that use the light of the pass before (Jacobi), or new light at once (Gauss-Seidel).
+    Curve passes(bool atOnce) {
+        Curve curve = {atOnce ? "Gauss-Seidel (at once)" : "gathering (in the next pass)", {}};
+        std::vector<Rgb> light(patches.patches.size());
+        double seconds = rowSeconds, before = 0;
+        for (int pass = 1; pass <= kMostPasses; ++pass) {
+            study.check();
+            Stopwatch watch;
+            patches.sweep(light, atOnce);
+            seconds += watch.processor();
+            curve.steps.push_back(stepOf(
+                pass, seconds, [&](int i) { return light[(size_t)i]; }, before));
+            if (curve.steps.back().error < kDone) break;
+        }
+        return curve;
+    }
+    // Shots by the form factors of the rows.
+    Curve shootingRows() {
+        Curve curve = {"shooting over the rows", {}};
+        Stopwatch watch;
+        Columns columns(patches.rows);
+        Shooting shooting(model, patchesAlone(model), std::vector<Rgb>(patches.patches.size()),
+                          patches.direct);
+        int64_t left = 60 * (int64_t)model.patchCount;
+        shoot(curve, shooting, rowSeconds + watch.processor(), 64, 1e-6, [&] {
+            if (left <= 0) return 0;
+            int shots = 0;
+            for (int k : shooting.brightest(64)) {
+                Shooting::Shot shot = shooting.take(k);
+                shooting.distribute(shot.power * (1 / model.patches[shot.patch].area),
+                                    columns.of(shot.patch));
+                ++shots;
+            }
+            left -= shots;
+            return shots;
+        });
+        return curve;
+    }
+    // Shots by hemicubes, without rows, as `solve --shots` does: lamps first. Single patches shoot twice as
+    // often as there are patches; there is a block for each eight of them, which shoots four times.
+    Curve shooting(int px, bool blocks) {
+        Curve curve = {blocks ? "shooting by hemicubes, blocks" : "shooting by hemicubes, single patches",
+                       {}};
+        // Light from the lamps, which the rows brought, is shot here; only light from outside is direct
+        std::vector<Rgb> direct;
+        for (int i = 0; i < model.patchCount; ++i) {
+            Rgb arrives = patches.direct[(size_t)i] - patches.rows.gather(i, patches.emits);
+            direct.push_back({std::max(arrives.x, 0.f), std::max(arrives.y, 0.f), std::max(arrives.z, 0.f)});
+        }
+        int left = blocks ? model.patchCount / 2 : 2 * model.patchCount;
+        // There are few enough blocks for each to shoot several times
+        Shooters shooters = blocks ? blocksOfPatches(model, patches.emits, std::max(model.patchCount / 8, 1))
+                                   : patchesAlone(model);
+        Shooting shooting(model, std::move(shooters), patches.emits, direct);
+        HemicubeShooter shooter(study.gl, model, px);
+        shoot(curve, shooting, 0, 16, 1e-4, [&] {
+            int shots = left > 0 ? shooter.shoot(shooting, shooter.batch(), study.workers) : 0;
+            left -= shots;
+            return shots;
+        });
+        return curve;
+    }
+    // Whether no light is reflected.
+    bool dark() const { return !(power > 0); }
+
+private:
+    Study &study;
+    const PatchSystem &patches;
+    const Model &model;
+    double rowSeconds;
+    std::vector<Rgb> converged;
+    double all = 0, power = 0;
+    // Calls `shots`, which shoots and returns the number of shots, until it returns 0, until less than the
+    // share `least` is unshot, or until the light has converged. `seconds`: the time before the first shot.
+    // Records a step after `first` shots, and whenever their number has grown by a quarter.
+    void shoot(Curve &curve, Shooting &shooting, double seconds, int first, double least,
+               const std::function<int()> &shots) const {
+        int count = 0, next = first;
+        double before = 0;
+        auto record = [&] {
+            if (count == 0 || (!curve.steps.empty() && curve.steps.back().number == count)) return;
+            curve.steps.push_back(stepOf(
+                count, seconds, [&](int i) { return shooting.radiosity(i); }, before));
+        };
+        while (shooting.left() > least) {
+            study.check();
+            Stopwatch batch;
+            int more = shots();
+            if (more == 0) break;
+            count += more, seconds += batch.processor();
+            if (count < next) continue;
+            next = count + count / 4;
+            record();
+            if (curve.steps.back().error < kDone) break;
+        }
+        record();
+    }
+
+    Step stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity, double &before) const {
+        double error = 0, now = 0;
+        for (int i = 0; i < model.patchCount; ++i) {
+            double light = (double)luminance(radiosity(i)),
+                   off = light - (double)luminance(converged[(size_t)i]), a = (double)model.patches[i].area;
+            error += off * off * a, now += light * a;
+        }
+        double gained = power > 0 ? 100 * (now - before) / power : 0;
+        before = now;
+        return {number, seconds, all > 0 ? 100 * std::sqrt(error / all) : 0, gained};
+    }
+};
 
 // The first step of a curve at which its error is at most this; null: none.
 const Step *firstWithin(const Curve &curve, double percent) {
