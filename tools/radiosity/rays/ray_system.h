@@ -109,4 +109,8 @@ private:
     uint32_t siteAt(int chart, const Vec3 &p, uint32_t random) const;
 };
 
+// Solves a model by rays from every element: fills task.solution and task.report. Throws std::runtime_error.
+struct SolveTask;
+void solveByRays(SolveTask &task);
+
 } // namespace odraz::radiosity

@@ -1,8 +1,7 @@
-#include "tools/radiosity/rays/solve_by_rays.h"
+#include "tools/radiosity/rays/ray_system.h"
 
 #include "tools/common/clock.h"
 #include "tools/radiosity/rays/lamp_rays.h"
-#include "tools/radiosity/rays/ray_system.h"
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/solution/solve_task.h"
 

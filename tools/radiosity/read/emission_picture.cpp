@@ -1,4 +1,4 @@
-#include "tools/radiosity/read/emission_picture.h"
+#include "tools/radiosity/read/mesh_builder.h"
 
 #include "tools/radiosity/read/reflectance_picture.h"
 

@@ -2,8 +2,6 @@
 
 #include "tools/common/statistics.h"
 #include "tools/common/text.h"
-#include "tools/radiosity/read/emission_picture.h"
-#include "tools/radiosity/read/overlaps.h"
 #include "tools/radiosity/read/triangulator.h"
 
 #include <algorithm>

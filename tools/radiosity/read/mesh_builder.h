@@ -5,6 +5,7 @@
 #include "tools/radiosity/read/mesh.h"
 
 #include <map>
+#include <set>
 
 namespace odraz::radiosity {
 
@@ -51,5 +52,20 @@ std::vector<int> findMaterials(const std::vector<std::string> &names,
 // visible.
 void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
                std::vector<std::string> &notes);
+
+// Pictures of emission (map_Ke): divides triangles whose material has MeshMaterial::glow until each part
+// emits evenly, about as the picture shows it. Parts that emit alike share a material, which has the name of
+// the whole. Adds a note for a picture that cannot be read; its materials emit Ke.
+void divideByEmission(Mesh &mesh, std::vector<std::string> &notes);
+
+// Faces that overlap in one plane and face the same way. Which of them a ray hits would depend on rounding,
+// so the first one in the file is in front: what it covers is cut out of the others.
+using PolygonPair = std::pair<int, int>; // the one in front, the one behind
+
+// Cuts a mesh, and returns the polygons that overlapped. `polygonOf` has the polygon of each triangle; those
+// of one polygon do not overlap unless its number is negative. Afterwards it fits the new triangles.
+// Distances below `tiny` count as zero. The time for N triangles, P pairs of which overlap, is about
+// N log N + P.
+std::set<PolygonPair> cutOverlaps(Mesh &mesh, std::vector<int> &polygonOf, double tiny);
 
 } // namespace odraz::radiosity

@@ -1,4 +1,4 @@
-#include "tools/radiosity/read/overlaps.h"
+#include "tools/radiosity/read/mesh_builder.h"
 
 #include "tools/engine/clip.h"
 

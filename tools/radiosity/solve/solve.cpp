@@ -1,6 +1,6 @@
 #include "tools/radiosity/solve/solve.h"
 
-#include "tools/radiosity/rays/solve_by_rays.h"
+#include "tools/radiosity/rays/ray_system.h"
 
 namespace odraz::radiosity {
 

@@ -1,4 +1,4 @@
-#include "tools/radiosity/view/glfw.h"
+#include "tools/radiosity/view/window.h"
 
 #include "host/library.h"
 

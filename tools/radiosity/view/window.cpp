@@ -4,7 +4,6 @@
 #include "host/process.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/read/upright.h"
-#include "tools/radiosity/view/glfw.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
