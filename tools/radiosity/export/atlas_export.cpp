@@ -7,7 +7,6 @@
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture.h"
 #include "tools/picture/psnr.h"
-#include "tools/radiosity/export/atlas_gltf.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "tools/radiosity/export/atlas_gltf.h"
+#include "tools/radiosity/export/atlas.h"
 
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"

@@ -1,4 +1,4 @@
-#include "tools/radiosity/read/gltf_check.h"
+#include "tools/radiosity/read/gltf_file.h"
 
 #include "tools/common/command_line.h"
 

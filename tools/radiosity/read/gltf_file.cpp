@@ -3,7 +3,6 @@
 
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
-#include "tools/radiosity/read/gltf_check.h"
 #include "tools/radiosity/read/mtl_reader.h"
 
 #include <algorithm>

@@ -56,4 +56,12 @@ private:
               std::vector<double> &to) const;
 };
 
+// Whether an extension, such as KHR_lights_punctual, is read.
+bool isExtensionRead(const std::string &name);
+
+// The JSON, not nested deeply, with each property that is read of its type: tinygltf skips an optional one of
+// a wrong type, or truncates it. Extras and extensions that are not read may be anything. Throws Refused,
+// without the file's name.
+nlohmann::json parseGltf(std::string_view text);
+
 } // namespace odraz::radiosity

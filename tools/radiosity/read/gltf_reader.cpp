@@ -2,7 +2,6 @@
 
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
-#include "tools/radiosity/read/gltf_check.h"
 #include "tools/radiosity/read/gltf_materials.h"
 #include "tools/radiosity/read/gltf_nodes.h"
 
