@@ -65,6 +65,7 @@ on_key() {
     xdotool key $1
     check "$2" await "${@:3}"
 }
+leaves() { "$@" >/dev/null 2>&1; ended $pid; } # leaves COMMAND...: the command ends the film, with status 0
 escapes() { xdotool key Escape; ended $pid && [ ! -s "$WORK/err" ]; } # ESC ends it with status 0, silently
 managed() { wmctrl -l | grep -q ' odraz$'; }
 

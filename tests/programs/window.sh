@@ -5,10 +5,6 @@ packed=$BUILD/odraz odraz=$BUILD/odraz-safe # the same program, which need not b
 
 fills_the_screen() { xprop -id "$window" _NET_WM_STATE | grep -q FULLSCREEN; }
 load() { begin "$@" --threads 1 && await focused; } # load PROGRAM OPTION...
-leaves() { # leaves COMMAND...: the command ends the film, with status 0
-    "$@" >/dev/null 2>&1
-    ended $pid
-}
 
 start_display 1000x700
 

@@ -5,10 +5,6 @@ skip_unless openbox wmctrl
 film=$BUILD/odraz.exe
 
 load() { begin "$wine" "$film" "$@"; }
-leaves() { # leaves COMMAND...: the command ends the film, with status 0
-    "$@" >/dev/null 2>&1
-    ended $pid
-}
 resized() { xdotool windowsize "$window" "$1" "$2"; }
 to_window() { xdotool windowfocus --sync "$window" && xdotool key "$@"; }
 start_display 1000x700
