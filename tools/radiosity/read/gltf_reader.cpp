@@ -1,4 +1,4 @@
-#include "tools/radiosity/read/formats.h"
+#include "tools/radiosity/read/mesh_builder.h"
 
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"

@@ -2,8 +2,8 @@
 
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture_file.h"
-#include "tools/radiosity/read/formats.h"
 #include "tools/radiosity/read/gltf_file.h"
+#include "tools/radiosity/read/mesh_builder.h"
 
 #include <algorithm>
 #include <cctype>

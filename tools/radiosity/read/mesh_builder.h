@@ -68,4 +68,9 @@ using PolygonPair = std::pair<int, int>; // the one in front, the one behind
 // N log N + P.
 std::set<PolygonPair> cutOverlaps(Mesh &mesh, std::vector<int> &polygonOf, double tiny);
 
+// The readers of the formats, as readModel() in mesh.h describes: glTF 2.0 (.gltf and .glb), and Wavefront
+// OBJ with its materials.
+Mesh readGltf(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
+Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
+
 } // namespace odraz::radiosity

@@ -1,5 +1,4 @@
 // Reads a Wavefront OBJ.
-#include "tools/radiosity/read/formats.h"
 #include "tools/radiosity/read/mesh_builder.h"
 #include "tools/radiosity/read/mtl_reader.h"
 #include "tools/radiosity/read/text_lines.h"
