@@ -99,6 +99,7 @@ void checkWritable(const std::string &given) {
 
 static constexpr char kReplaced[] = " would be written over: give another name";
 static std::mutex theLock;
+static int theStandardOutput = -1; // if it is an output: what is printed goes to standard error
 static std::map<std::string, std::string> theInputs, theOutputs; // their names, by identityOf() them
 
 // A regular file as the system knows it, or a missing one by its path; empty for others.
@@ -121,7 +122,12 @@ bool claimOutput(const std::string &path, const std::string &replaces) {
     checkWritable(path);
     std::lock_guard lock(theLock);
     const std::string id = identityOf(path);
-    const bool direct = targetOf(path).direct;
+    const auto [ignored, direct, descriptor] = targetOf(path);
+    if (descriptor == STDOUT_FILENO && theStandardOutput < 0) { // it is for the file alone
+        std::fflush(stdout);
+        theStandardOutput = dup(STDOUT_FILENO);
+        dup2(STDERR_FILENO, STDOUT_FILENO);
+    }
     if (id.empty() || (!replaces.empty() && id == identityOf(replaces))) return !direct;
     if (auto input = theInputs.find(id); input != theInputs.end()) throw Refused(input->second + kReplaced);
     need(theOutputs.emplace(id, path).second, path + " is named for two outputs: give another name");
@@ -150,8 +156,10 @@ static int writeAndClose(int file, std::string_view bytes) {
 void writeWhole(const std::string &given, std::string_view bytes, unsigned mode) {
     const auto [path, direct, descriptor] = targetOf(given);
     std::string part = path;
-    if (descriptor == STDOUT_FILENO) std::fflush(stdout);
-    int file = descriptor >= 0 ? dup(descriptor) : direct ? open(path.c_str(), O_WRONLY) : -1;
+    int file = descriptor == STDOUT_FILENO && theStandardOutput >= 0 ? dup(theStandardOutput)
+               : descriptor >= 0                                     ? dup(descriptor)
+               : direct                                              ? open(path.c_str(), O_WRONLY)
+                                                                     : -1;
     if (!direct) errno = EEXIST;
     for (int i = 0; i < 100 && file < 0 && errno == EEXIST; ++i) {
         part = path + "." + std::to_string(getpid() + i) + ".part";

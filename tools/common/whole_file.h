@@ -47,8 +47,8 @@ void checkWritable(const std::string &path);
 // What a run reads and will write: a program claims the outputs that its user names, before it works, and
 // notes the inputs that it does not read whole, which are noted by themselves. An output that is an input, by
 // whatever name, is refused by the later of both calls; but `replaces` may be written over. So is one that
-// cannot be written, or is another output. claimOutput() returns false for a pipe or a device. Each command
-// line begins a run.
+// cannot be written, or is another output. claimOutput() returns false for a pipe or a device; if that is
+// standard output, what is printed goes to standard error. Each command line begins a run.
 void noteInput(const std::string &path);
 bool claimOutput(const std::string &path, const std::string &replaces = "");
 void forgetFiles();
