@@ -5,7 +5,9 @@
 #include "radiosity/solve.h"
 #include "tools/engine/heap_arena.h"
 #include "tools/radiosity/rays/ray_system.h"
+#include "tools/radiosity/solution/solve_task.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace odraz::radiosity {
@@ -14,7 +16,40 @@ namespace odraz::radiosity {
 class ColumnSystem {
 public:
     // `reflects` is the sites' reflectance. Throws std::runtime_error if memory is short.
-    ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflects, int lights, size_t memory);
+    ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflects, int lights, size_t most)
+        : memory(4 * reflects.size() * paddedColumns(lights) * sizeof(float) + 4096) {
+        size_t sites = reflects.size(), bytes = bytesFor(sites, rays.rows.size(), lights);
+        if (bytes > most) refuseMemory(bytes, most, "larger elements, fewer rays or fewer bands need less");
+        // Several rays may hit one site
+        std::vector<size_t> firsts;
+        std::vector<uint32_t> row;
+        links.reserve(rays.rows.size());
+        for (size_t i = 0; i < sites; ++i) {
+            row.assign(rays.rows.begin() + (ptrdiff_t)rays.firstOf[i],
+                       rays.rows.begin() + (ptrdiff_t)rays.firstOf[i + 1]);
+            std::sort(row.begin(), row.end());
+            float share = 1 / (float)row.size();
+            firsts.push_back(links.size());
+            for (uint32_t site : row) {
+                if (site == RaySystem::kDark) break; // the greatest number
+                if (links.size() > firsts[i] && links.back().patch == site)
+                    links.back().share += share;
+                else
+                    links.push_back({site, share});
+            }
+        }
+        firsts.push_back(links.size());
+        for (size_t i = 0; i < sites; ++i)
+            rows.push_back({links.data() + firsts[i], (int)(firsts[i + 1] - firsts[i]), true});
+        factors = {links.data(), rows.data(), links.size(), links.size()};
+        makeSystem(system, memory.arena, factors, (int)sites, 3 * lights); // its memory is enough
+        sources.resize(sites * (size_t)system.columns);
+        for (size_t i = 0; i < sites; ++i)
+            for (int k = 0; k < lights; ++k) {
+                float *to = system.reflectance + i * (size_t)system.columns + 3 * k;
+                to[0] = reflects[i].x, to[1] = reflects[i].y, to[2] = reflects[i].z;
+            }
+    }
     ColumnSystem(const ColumnSystem &) = delete;
 
     int columns() const { return system.columns; } // a multiple of kSolveBlock
@@ -24,16 +59,29 @@ public:
     float *direct(size_t site) { return system.direct + site * (size_t)system.columns; }
 
     // Solves until a sweep changes the light by less than the residual.
-    void solve(float residual, Workers &workers);
+    void solve(float residual, Workers &workers) {
+        for (size_t k = 0; k < sources.size(); ++k) system.direct[k] += sources[k];
+        odraz::solve(system, workers, residual, kMostColumnSweeps);
+        findIndirect(system, workers);
+        for (size_t k = 0; k < sources.size(); ++k) sources[k] += system.indirect[k];
+    }
 
     // After solve(): the light that arrives along the sites' rays, without `direct`; and the light that a
     // site reflects, as radiance.
     const float *arrives() const { return sources.data(); }
     const float *reflected(size_t site) const { return system.radiosity + site * (size_t)system.columns; }
 
-    static size_t bytesFor(size_t sites, size_t links, int lights);
+    static size_t bytesFor(size_t sites, size_t links, int lights) {
+        return sites * (5 * paddedColumns(lights) * sizeof(float) + sizeof(Row)) + links * sizeof(Link) +
+               4096;
+    }
 
 private:
+    static constexpr int kMostColumnSweeps = 1000;
+    static size_t paddedColumns(int lights) {
+        return (size_t)(3 * lights + kSolveBlock - 1) / (size_t)kSolveBlock * (size_t)kSolveBlock;
+    }
+
     HeapArena memory;
     std::vector<Link> links;
     std::vector<Row> rows;
