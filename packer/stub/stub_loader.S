@@ -97,7 +97,7 @@ get_memory:
     or ebp, -1
     call load
     mov rbx, r13
-    add rbx, [r12 + E_ENTRY] // of the program
+    add rbx, [r12 + E_ENTRY] // the program's
     mov r9, rbx              // where to go
     xor r10d, r10d           // where the interpreter lies
     test r15, r15
@@ -135,7 +135,7 @@ no_interpreter: // eax is an error, or how many bytes there are if they are no w
     push rsp
     call refuse
     .asciz ": no interpreter: errno "
-1:  cmp dword ptr [r14], 0x464c457f // of an ELF file
+1:  cmp dword ptr [r14], 0x464c457f // an ELF file begins so
     jne no_interpreter
     // The last segment's end is the size: segments are in order of address
     call headers

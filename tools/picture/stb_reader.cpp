@@ -69,7 +69,7 @@ uint32_t numberIn(std::string_view bytes, size_t at, size_t size, bool highestFi
     return n;
 }
 
-// Of EXIF, only the orientation changes what is seen.
+// Only the orientation in EXIF changes what is seen.
 void leaveExif(Picture &p, std::string_view exif) {
     auto number = [&](size_t at, size_t size) { return numberIn(exif, at, size, exif[0] == 'M'); };
     const size_t first = number(4, 4) + 2, end = first + 12 * number(first - 2, 2);

@@ -56,7 +56,7 @@ struct Sides {
     const Trust *trust;
     float share; // of the later one
     float exposure;
-    BetweenScratch *scratch; // of each worker
+    BetweenScratch *scratch; // one a worker
 };
 
 [[gnu::cold]] void findTrust(const Traced &before, const Traced &after, const Traced &now, float gap,

@@ -107,7 +107,7 @@ void fill(Tile &t, Square q, int size) {
     Float8 u = (toFloat(kLanes) + 0.5f) * step;
     Bilinear lights(light), rests(rest);
     __m128i owners = _mm_set1_epi16((short)owner);
-    // Of eight rows, three are evaluated; others only where the albedo changes from a row above to one
+    // Three of eight rows are evaluated; others only where the albedo changes from a row above to one
     // below
     constexpr struct {
         uint8_t row, above, below;

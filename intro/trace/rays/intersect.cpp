@@ -248,7 +248,7 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
     if (scene.shapeCount <= 12) {
         for (int i = 0; i < scene.shapeCount; ++i) {
             Float8 t = distance(scene.shapes[i], ray);
-            if (any(t < hit.t)) takeNearer(hit, t, i); // of equals the first
+            if (any(t < hit.t)) takeNearer(hit, t, i); // the first of equals
         }
         return hit;
     }

@@ -16,7 +16,7 @@ struct Run {
     bool balls;         // the hits are on several balls
     // Where they are (arrive.h)
     float p[3][kRun], n[3][kRun];   // and the unit normal on the ray's side
-    float d[3][kRun], spread[kRun]; // of the rays, as in the stream
+    float d[3][kRun], spread[kRun]; // the rays', as in the stream
     float side[kRun];               // +1: the ray comes from outside, -1: from inside
     float error[kRun];              // see errorBound()
     // The cosine between ray and normal; the sample's width, world units; the share that fog leaves

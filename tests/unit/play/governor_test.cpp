@@ -85,7 +85,7 @@ public:
         spend(later.scene.make * pixels(), hiccup(later.time, true));
     }
 
-    Pace pace;      // of all scenes
+    Pace pace;      // the same for all scenes
     double cut = 0; // when the second shot begins
     Governor governor;
 

@@ -14,7 +14,7 @@ struct Regions {
     std::vector<Facet> facets;
     std::vector<int> material; // of each chart, index into Mesh::materials
     std::vector<int> chartOf;  // of each triangle
-    std::vector<float> off;    // of each chart: the largest distance of a corner from its plane
+    std::vector<float> off;    // for each chart: the largest distance of a corner from its plane
 };
 
 // Cells have sides of about `cell`. Throws ModelError if there are too many materials.

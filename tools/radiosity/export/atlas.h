@@ -86,13 +86,13 @@ struct AtlasModel {
     AtlasModel(const Solution &solution, const Atlas &atlas, float one);
 
     const Solution &solution;
-    std::string name; // of the pages: light or radiosity
+    std::string name; // the pages': light or radiosity
     bool radiosity;   // the pages hold radiosity, not light
     bool pictured;    // there are also pages of reflectance
     float one;        // the light that is 1 in the PNG
     size_t pages;
     std::vector<AtlasPoint> points; // three or four for every facet, not shared
-    std::vector<int> first;         // of each facet's points; one more at the end
+    std::vector<int> first;         // the first of each facet's points; one more at the end
     std::vector<AtlasMaterial> materials;
 };
 

@@ -38,7 +38,7 @@ private:
         float area;
         Rgb radiance;
         float power; // brightness, as a share of the brightest part's
-        float least; // of its heights
+        float least; // its least height
         Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
         // Maps the unit square evenly to the triangle.
         Vec3 point(float a, float b) const {

@@ -82,7 +82,7 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
     RayHit hit;
     float limit = kInfinity, reach = kInfinity; // only nearer hits count, or are compared
     float second = kInfinity;                   // another front
-    int at = 0, lane = 0;                       // of the hit
+    int at = 0, lane = 0;                       // where the hit is
     Waiting stack[kWaiting];
     int waiting = 0;
     stack[waiting++] = {0, 0};

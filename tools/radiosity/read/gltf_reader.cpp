@@ -79,7 +79,7 @@ private:
         std::vector<double> given;
         std::vector<int> numbers;
     };
-    // Of a node, by their accessor and the morph targets
+    // A node's, by their accessor and the morph targets
     using AllPoints = std::map<std::pair<int, std::vector<std::map<std::string, int>>>, Points>;
 
     void readMesh(const tinygltf::Node &n, int node) {

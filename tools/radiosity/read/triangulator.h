@@ -40,7 +40,7 @@ public:
 
 private:
     using Area = __int128;
-    static constexpr int kBits = 50; // of a coordinate; a difference of products then fits into 128 bits
+    static constexpr int kBits = 50; // a coordinate's; a difference of products then fits into 128 bits
     static constexpr double kThinEar = 1e-4; // the height of a thin ear, in lengths of its longest side
 
     struct Point {
@@ -131,7 +131,7 @@ private:
     void cutSpikes(int b) {
         while (isSpike(b)) {
             int a = before[(size_t)b], c = after[(size_t)b];
-            triangles.push_back({a, b, c}); // of a polygon that is not flat, it may have an area
+            triangles.push_back({a, b, c}); // it may have an area if its polygon is not flat
             cutOff(b);
             b = isSpike(a) ? a : c;
         }

@@ -13,7 +13,7 @@ struct MeshProbe {
     Rgb solved;    // light by the solution: irradiance / pi
     Rgb traced;    // light by the paths
     double noise2; // an unbiased estimate of the variance of `traced`'s brightness
-    float size;    // of the chart: the sum of its sides
+    float size;    // the chart's: the sum of its sides
 };
 
 // Places spread at random by area over the lit surfaces of a solution.

@@ -16,7 +16,7 @@ constexpr double kDone = 1e-4; // percent: a curve ends below this error
 // One step: a pass over all patches, or several shots.
 struct Step {
     int number;     // passes or hemicubes so far
-    double seconds; // of the processor, since the start
+    double seconds; // processor time since the start
     double error;   // rms difference from the converged light as a share of that, percent
     double added;   // share of the converged light that this step added, percent
 };
