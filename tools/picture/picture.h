@@ -23,8 +23,8 @@ struct Picture {
     std::vector<uint16_t> encoded = {}; // 65535 is 1; empty if there are floats
     std::vector<float> light = {};      // 1 is white
     std::string others = {};            // the names of all channels, if some are not read
-    // What else the file says of its numbers, unless that is usual: by name, with a hash of its bytes. None
-    // of it is used
+    // What else the file says of its numbers, unless that is usual: by name, with a hash of its bytes. It is
+    // not used
     std::map<std::string, uint64_t> unused = {};
 
     size_t pixels() const { return (size_t)width * (size_t)height; }

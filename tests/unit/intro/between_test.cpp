@@ -69,7 +69,7 @@ TEST(Between, PairsAreNearerToTheTruthThanDrafts) {
         double between = decibels(film(), truth, made(film(), seconds));
         double anew = (double)tracedAnew(film().between) / (kWidth * kHeight);
         double pair = -10 * std::log10((std::pow(10, -play / 10) + std::pow(10, -between / 10)) / 2);
-        std::printf("%s at %g s: %.1f dB, play %.1f, draft %.1f, traced anew %.2f %%\n",
+        std::printf("%s at %g s: %.1f dB, play %.1f, draft %.1f, traced again %.2f %%\n",
                     sceneName(sceneAt(seconds)), seconds, between, play, draft, 100 * anew);
         EXPECT_GT(pair, std::fmin(draft, 42)) << seconds; // above that no difference is seen
         EXPECT_LT(anew, 0.4) << seconds;                  // or a traced picture would be as cheap
@@ -114,7 +114,7 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
                  named(QualityName::Play));
     double alike = decibels(intro, still, planesOf(now.frame));
     double anew = (double)tracedAnew(intro.between) / (kWidth * kHeight);
-    std::printf("%.1f dB, traced anew %.2f %%\n", alike, 100 * anew);
+    std::printf("%.1f dB, traced again %.2f %%\n", alike, 100 * anew);
     EXPECT_GT(alike, 50);
     EXPECT_LT(anew, 0.005);
 }

@@ -62,10 +62,10 @@ void divideByEmission(Mesh &mesh, std::vector<std::string> &notes);
 // so the first one in the file is in front: what it covers is cut out of the others.
 using PolygonPair = std::pair<int, int>; // the one in front, the one behind
 
-// Cuts a mesh, and returns the polygons that overlapped. `polygonOf` has the polygon of each triangle; those
-// of one polygon do not overlap unless its number is negative. Afterwards it fits the new triangles.
-// Distances below `tiny` count as zero. The time for N triangles, P pairs of which overlap, is about
-// N log N + P.
+// Cuts a mesh, and returns the polygons that overlapped. `polygonOf` has the polygon of each triangle.
+// Triangles that share one do not overlap unless its number is negative. Afterwards it fits the new
+// triangles. Distances below `tiny` count as zero. The time for N triangles, P pairs of which overlap, is
+// about N log N + P.
 std::set<PolygonPair> cutOverlaps(Mesh &mesh, std::vector<int> &polygonOf, double tiny);
 
 // The readers of the formats, as readModel() in mesh.h describes: glTF 2.0 (.gltf and .glb), and Wavefront

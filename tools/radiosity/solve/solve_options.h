@@ -26,8 +26,8 @@ public:
 
     // Call it after parse(): chooses the method, reads the sky, suns and lamps. Throws Refused.
     void finish(const common::CommandLine &line);
-    // Adds the suns and lamps of a model to those of the options; with --sun only the lamps. Adds the notes
-    // of the sky, too.
+    // Adds the suns and lamps of a model to those of the options; with --sun only the lamps. The sky's notes
+    // are added, too.
     void addLights(const Mesh &mesh, Surroundings &to, std::vector<std::string> &notes) const;
 
     ReadSettings read;
