@@ -45,7 +45,10 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
 // Granite: crystals are the cells of scattered points (Worley, "A Cellular Texture Basis Function", 1996).
 // Pale ones are larger. Samples as wide as a crystal see the mean, under slow clouds. The hash multiplies by
 // 1,024ths, so that its sum is exact with fused products and without.
-static Float8 stone(const Vec3x8 &p, Float8 width) {
+static Float8 stone(const Vec3x8 &at, Float8 width) {
+    // Crystals have crooked edges, and are not of one tone
+    Float8 crooked = noise(at * broadcast(3.f)) * bandLimit(width, 0.5f);
+    Vec3x8 p = at + Vec3x8{crooked, crooked, crooked} * broadcast(0.3f);
     Vec3x8 low = {floor(p.x - 0.5f), floor(p.y - 0.5f), floor(p.z - 0.5f)};
     Float8 least = broadcast(9.f), tone = {}, perEdge = 1.f / fmadd(width, 1.5f, 0.03125f);
     for (float k = 1; k >= 0; --k)
@@ -60,14 +63,14 @@ static Float8 stone(const Vec3x8 &p, Float8 width) {
                 least = min(least, far);
             }
     tone = fmadd(tone - 0.58f, bandLimit(width, 3.f), 0.58f);
-    return saturate(fmadd(noise(p * broadcast(0.0625f)), 0.375f, tone));
+    return saturate(fmadd(noise(p * broadcast(0.0625f)), 0.375f, fmadd(crooked, 0.3f, tone)));
 }
 
 // Stained in patches and near the floor, and streaked by the trowel.
 static Float8 plaster(const Vec3x8 &p, Float8 width) {
     Float8 patches = noise(p), bent = patches * 2.f;
-    Float8 streaks = noise(p * Vec3{2.5f, 9, 2.5f} + Vec3x8{bent, bent, bent}) * bandLimit(width * 6.f, 1.f);
-    return saturate(fmadd(streaks + patches + saturate(1.f - abs(p.y)), 0.3125f, 0.4375f));
+    Float8 streaks = fractalNoise(p * Vec3{3, 5, 3} + Vec3x8{bent, bent, bent}, 3, width * 5.f, 3, 0.6f);
+    return saturate(fmadd(streaks * 0.5f + patches + saturate(1.f - abs(p.y)), 0.3125f, 0.4375f));
 }
 
 static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
