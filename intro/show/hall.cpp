@@ -12,7 +12,14 @@ namespace {
 
 constexpr float kDust = 0.017f; // share of light that dust scatters, a metre
 constexpr float kStripArea = 0.28f * 3.9f;
-constexpr Rgb kLanternLight = Rgb{33, 28, 21}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
+constexpr float kSeen = 0.15f; // how bright strips look
+constexpr Rgb kLanternLight = Rgb{33, 28, 21};
+
+// The door's colours: copper where the light entered, at the left, through white to the sky's.
+Rgb stripLight(float i) {
+    float s = i * (2.f / 7) - 1;
+    return {fmadd(s, -1.1f, 1.5f), fmadd(s * s, -0.6f, 1.6f), fmadd(s, 1.2f, 1.6f)};
+}
 
 // Blends a material (grey 0) with a grey that is the same for all (grey 1).
 Material faded(Material m, float grey) {
@@ -36,8 +43,9 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material *m : kParts) scene.add(faded(*m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
     // Strips that do not burn are pale glass, in front of paler plaster
-    for (float on : light.strips) {
-        Material glass = lamp(kStripLight * on);
+    for (int i = 0; i < kStrips; ++i) {
+        Rgb own = stripLight((float)i); // its square is of a stronger colour, and seldom white
+        Material glass = lamp(own * own * (light.strips[i] * kSeen));
         glass.texture.palette[0] = kPlaster.texture.palette[1], glass.diffuse = 0.6f;
         scene.add(glass);
     }
@@ -89,7 +97,7 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
         v.direct[kFirstLantern + i] = own * (1 - (drawn ? drawn[i] : 0));
     }
     for (int i = 0; i < kStrips; ++i) {
-        v.bounced[kFirstStrip + i] = kStripLight * light.strips[i];
+        v.bounced[kFirstStrip + i] = stripLight((float)i) * light.strips[i];
         v.direct[kFirstStrip + i] = v.bounced[kFirstStrip + i] * (1 - light.door);
     }
     return v;
@@ -135,21 +143,25 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
             scene.add(Light{place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius),
                             kLanternRadius});
     }
-    relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
+    LightVector v = lightVector(light, drawn);
+    relightRoom(hall, v, eye, 0.06f, 0.5f * (1 - grey));
 
     // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it. If it
     // were more than 0.3 metres behind the wall, its light on the side walls would end at a strip on one side
     // and at a gap on the other
-    float burning = 0;
-    for (float on : light.strips) burning += on;
-    if (burning * light.door > 0)
-        scene.add(
-            Light{{0, 2.7f, -0.03f - kZ}, kStripLight * (burning * (kStripArea * light.door / kPi)), 0.3f});
+    // Two lights, one of the warm strips, one of the cold: their shadows have the other's colour
+    for (int side = 0; side < 2; ++side) {
+        Rgb burning = {};
+        for (int i = 0; i < 4; ++i) burning += v.bounced[kFirstStrip + 4 * side + i];
+        if (light.door * maxComponent(burning) > 0)
+            scene.add(Light{
+                {side ? 1.f : -1.f, 2.2f, -0.03f - kZ}, burning * (kStripArea * light.door * 0.5f), 0.2f});
+    }
 
     // Outside, the paving and the columns go on, as an avenue
     if (grey == 0) {
-        scene.add(box({0, -0.1f, 48}, {40, 0.1f, 39}, kFloor));
-        for (int i = 0; i < 10; ++i)
+        scene.add(box({0, -0.15f, 68}, {200, 0.1f, 59}, kWarm));
+        for (int i = 0; i < 4; ++i)
             scene.add(cylinder({i & 1 ? -kColumnX : kColumnX, 4, 12.f + 6.5f * (float)(i >> 1)},
                                kColumnRadius, 4, kShaft));
     }

@@ -34,9 +34,6 @@ static_assert(
     }(),
     "what is marked as heard has a sound, and nothing else has");
 
-// Steps of the scale from D to a letter: A lies below D, a above.
-int stepOf(char letter) { return (letter & 31) - 'D' % 32 + (letter < 'a' ? 0 : 7); }
-
 void strike(Mixer &m, const Articulation &articulation, char tone, char chord, float velocity, float rows) {
     static constexpr int8_t kMinor[] = {0, 2, 3, 5, 7, 8, 10}, kMajor[] = {0, 2, 4, 5, 7, 9, 11};
     if (tone < '0') return;

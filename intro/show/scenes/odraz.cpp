@@ -5,6 +5,7 @@
 #include "show/font.h"
 #include "show/materials.h"
 #include "show/scenes.h"
+#include "show/tune.h"
 #include "timeline/keys.h"
 
 namespace odraz {
@@ -37,15 +38,18 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     HallLight light = {kNight, {}, {}, 1, value(track(kDoor), in.row)};
     light.lanterns[1] = light.lanterns[2] = value(track(kOuter), in.row);
     light.lanterns[0] = max(light.lanterns[1], value(track(kLast), in.row));
-    float burn = 0; // of the strips; they go out from both sides to the middle
+    // The strips are the scale: each tone of the tune strikes one, as they rose to it
+    for (int beat = 0; beat < 32; ++beat)
+        if (kTune[beat] != '-')
+            light.strips[stepOf(kTune[beat]) & 7] += value(track(kStruck), in.row - (float)(kBeat * beat));
+    float burn = 0; // of the strips; they go out as they came, copper first, and blue is left
     for (int i = 0; i < kStrips; ++i)
-        burn += light.strips[i] =
-            value(track(kStripsGo), in.row - (float)(2 * kBeat * min(i, kStrips - 1 - i)));
+        burn += light.strips[i] += value(track(kStripsGo), in.row - (float)(kBeat * i));
     burn /= kStrips;
     // The word glows up when it is large enough to be read, and lights the hall
     float since = in.row - rowOf(kWordIsFound);
     Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.1f * since - 1.3f);
-    light.guest = {{0, 1.3f, kStays + 5.5f}, glows * Rgb{0.4f, 0.5f, 0.7f}, 0.3f};
+    light.guest = {{0, 1.3f, kStays + 5.5f}, glows * Rgb{0.8f, 0.95f, 1.2f}, 0.3f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
     scene.exposure = value(track(kExposure), in.row);
     // The night outside dims with the door, or the entrance would outshine the word before it
@@ -56,8 +60,8 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
         scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.3f});
 
     scene.addAll(kMaterials);
-    scene.add(pearl(true, 0.2f));
-    scene.add(pearl(false, 0.2f));
+    scene.add(pearl(true, 0.4f));
+    scene.add(pearl(false, 0.3f));
     addBall(scene, in.row, 0, kStays, 0.75f, rowOf(kBall1) - 2, 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
         float z = kStays + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
