@@ -53,7 +53,7 @@ void poseFlake(const SceneInput &in, Scene &scene) {
     Flake flake = {scene, in.camera, {}, in.row * 0.002f, 0, 0, {}};
     for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow), in.row - kGenerations[i]);
     flake.silver = scene.add(kMirror);
-    flake.copper = scene.add(pearl(true, in.row < 64 || in.row >= 160 ? 0.45f : 0.2f));
+    flake.copper = scene.add(pearl(true, 0.45f));
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)
             flake.pearls[warm][i] = scene.add(pearl(warm, 0.2f * (float)i / (kShades - 1)));
