@@ -3,6 +3,6 @@
 
 namespace odraz {
 
-constexpr float kEndRow = 1296; // 8 rows a second
+constexpr float kEndRow = 1312; // 8 rows a second
 
 } // namespace odraz

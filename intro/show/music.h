@@ -21,7 +21,7 @@ constexpr const char *const kChords[] = {
     [kPatches] = "DDDDDDBFCADADA",
     [kHall] = &"DCDDBFGCBGCADFBADGAA"[20 - kDay],
     [kOdraz] = "DFBADGADBGDA",
-    [kCredits] = "ddddd",
+    [kCredits] = "dddddd",
 };
 
 // Scene, bars from and to; instrument, octave, tones at once, room; strokes in rows; velocity at the start and
@@ -82,22 +82,22 @@ static constexpr Part kParts[] = {
     {kHall, left(8), left(1), {kPiano, 4, 1, 120}, 1, 4, 60, 95, kTune},
     {kHall, kDoor - 1, kDoor, {kGlassDrop, 6, 1, 120}, 2, 16, 60, 60, "EC"},
     {kHall, kDoor - 2, kDoor, {kRiser, 6, 1, 100}, 1, 32, 35, 35, "a"},
-    {kHall, kDoor, kDay, {kSub, 1, 1, 100}, 1, 16, 40, 60, "D"},
+    {kHall, kDoor, kDay, {kSub, 1, 1, 100}, 1, 16, 20, 40, "D"},
     {kHall, left(4), kDay, {kVoice, 4, 1, 100}, 1, 4, 45, 60, "D-dcb--aGFECE-G-"},
-    {kHall, left(4), kDay, {kPad, 3, 4, 100}, 1, 16, 40, 55, "0"},
+    {kHall, left(4), kDay, {kPad, 3, 4, 100}, 1, 16, 25, 40, "0"},
     {kHall, left(4), kDay, {kPiano, 4, 1, 100}, 8, 16, 20, 45, "02143526143"},
     {kHall, left(2), kDay, {kWood, 4, 1, 120}, 4, 16, 50, 70, "0"},
     {kHall, left(2), kDay, {kBrush, 7, 1, 100}, 16, 16, 5, 60, "a"},
     {kHall, left(2), kDay, {kRiser, 6, 1, 100}, 1, 32, 60, 60, "a"},
 
-    {kOdraz, 0, 12, {kPad, 3, 4, 100}, 1, 16, 90, 45, "0"},
-    {kOdraz, 0, 10, {kBass, 2, 1, 100}, 2, 16, 70, 60, "0"},
+    {kOdraz, 0, 12, {kPad, 3, 3, 100}, 1, 16, 90, 50, "0"},
+    {kOdraz, 0, 12, {kBass, 2, 1, 100}, 2, 16, 85, 50, "0"},
     {kOdraz, 0, 8, {kSub, 1, 1, 100}, 1, 16, 70, 70, "DDDADDAD"},
     {kOdraz, 0, 7, {kDrum, 1, 1, 60}, 2, 16, 90, 90, "a"},
     {kOdraz, 0, 7, {kImpact, 4, 1, 100}, 2, 16, 34, 32, "D"},
-    {kOdraz, 0, 7, {kBrush, 7, 1, 100}, 8, 16, 60, 45, "..a..aa."},
+    {kOdraz, 0, 8, {kBrush, 7, 1, 100}, 16, 16, 40, 70, "a.aa"},
     {kOdraz, 0, 7, {kWood, 5, 1, 100}, 3, 8, 60, 60, "03142"},
-    {kOdraz, 0, 2, {kPiano, 4, 1, 100}, 8, 16, 60, 50, "0214352614253"},
+    {kOdraz, 0, 8, {kPiano, 4, 1, 100}, 16, 16, 45, 75, "0214352614253"},
     {kOdraz, 1, 9, {kGlassDrop, 6, 1, 100}, 5, 16, 35, 25, "42531"},
     {kOdraz, 0, 8, {kPiano, 5, 1, 120}, 1, 4, 85, 80, kTune},
     {kOdraz, 0, 8, {kVoice, 5, 1, 100}, 1, 4, 75, 70, kTune},
@@ -108,9 +108,9 @@ static constexpr Part kParts[] = {
     {kOdraz, 10, 11, {kGlassDrop, 6, 1, 150}, 2, 16, 80, 80, ".a"},
 
     {kCredits, 0, 1, {kPiano, 2, 2, 150}, 1, 16, 60, 60, "0"},
-    {kCredits, 0, 3, {kPad, 4, 5, 150}, 1, 48, 35, 35, "0"},
+    {kCredits, 0, 4, {kPad, 4, 5, 150}, 1, 64, 35, 35, "0"},
     {kCredits, 0, 2, {kWind, 6, 1, 100}, 1, 16, 20, 10, "0"},
-    {kCredits, 2, 4, {kGlassDrop, 5, 1, 120}, 4, 16, 60, 40, "Ge..a-e-"},
+    {kCredits, 2, 5, {kGlassDrop, 5, 1, 150}, 4, 16, 60, 50, "Ge..a-e-E..."},
 };
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
@@ -156,7 +156,7 @@ static constexpr EventSound kEventSounds[] = {
     {kStrip6, {kPiano, 5, 1, 120}, 70, 'b'},
     {kStrip7, {kPiano, 5, 1, 120}, 72, 'c'},
     {kStrip8, {kPiano, 5, 3, 120}, 74, 'd'},
-    {kLampLights, {kPiano, 4, 2, 150}, 70, '0'},
+    {kLampLights, {kPiano, 4, 1, 150}, 80, '0'},
     {kBall1, {kPiano, 3, 3, 120}, 100, '0'},
     {kBall1, {kImpact, 2, 1, 150}, 40, 'D'},
     {kBall2, {kGlassDrop, 6, 1, 120}, 90, '1'},

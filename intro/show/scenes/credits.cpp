@@ -12,7 +12,7 @@ namespace odraz {
 
 enum { kMarble, kSilver };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kSilver] = &kMirror};
-static constexpr float kLastBeat = 76; // then all is black, and the room rings out
+static constexpr float kLastBeat = 92; // then all is black, and the room rings out
 
 void poseCredits(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
