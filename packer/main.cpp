@@ -78,7 +78,8 @@ struct ForReports {
             throw common::Refused(o.map + ": not a map of GNU ld: link with -Wl,-Map=FILE");
         if (!o.symbols.empty()) symbols = common::readWhole(o.symbols);
         if (!o.rooms.empty()) rooms = common::parseFile(o.rooms, readRooms);
-        if (!o.than.empty()) before = common::parseFile(o.than, readJson);
+        if (std::error_code none; !o.than.empty() && std::filesystem::exists(o.than, none))
+            before = common::parseFile(o.than, readJson);
     }
 };
 
@@ -125,12 +126,14 @@ void packProgram(const Options &o) {
     if (!o.saveModel.empty())
         common::writeWhole(o.saveModel, "# contexts that suit " + nameOf(o.in) +
                                             ", found by pack --effort\n" + printParameters(parameters));
-    if (budget >= 0 && size > budget)
-        throw std::runtime_error("over budget by " + std::to_string(size - budget) + " bytes");
+    checkBudget(o.out, packed.bytes.size(), budget);
     writeBytes(o.out, packed.bytes, mode);
+    if (!o.than.empty() && !given.before)
+        std::fprintf(stderr, "pack: there is no %s yet, so nothing is compared: keep a --report there\n",
+                     o.than.c_str());
     if (o.text == "-") return;
-    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", o.out.c_str(), size, packed.overhead,
-                program.bytes.size());
+    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu in memory", o.out.c_str(), size,
+                packed.overhead, program.bytes.size());
     if (!none) std::printf(", before %ld (%+ld)", (long)before, size - (long)before);
     if (budget >= 0) std::printf(", %ld bytes left of %ld", budget - size, budget);
     std::puts("");

@@ -80,7 +80,8 @@ Options parseOptions(common::CommandLine &line) {
     line.flag("--fast", o.fast, "use few contexts: 10 % larger, starts in less than half the time");
     line.option(
         "--budget", "BYTES|none", [&](const std::string &text) { o.budget = budgetOf(text); },
-        "write OUT only if it has at most BYTES; 65536 for a program made for packing, else none");
+        "if OUT would have more than BYTES, write none and remove an earlier one; 65536 for a program made "
+        "for packing, else none");
     line.option(
         "--effort", "fast|normal|best|SECONDS", [&](const std::string &text) { o.seconds = secondsOf(text); },
         "how long to search for contexts that suit the program: not at all, 30 s, 15 minutes, or SECONDS; "
@@ -101,7 +102,9 @@ Options parseOptions(common::CommandLine &line) {
         "--text", "FILE", o.text,
         "write to FILE, for a comment on a change, the size and the ten largest changes; with - print "
         "that and nothing else");
-    line.option("--than", "OLD.json", o.than, "with --html or --text, compare with an earlier --report");
+    line.option(
+        "--than", "OLD.json", o.than,
+        "with --html or --text, compare with an earlier --report; if there is none yet, a note says so");
     line.option("--map", "FILE", o.map, "print what each object file costs, by the linker's map in FILE");
     line.option("--symbols", "FILE", o.symbols,
                 "with --map, of a program linked with -flto: what `nm -A` prints of its object files");

@@ -32,11 +32,11 @@ void packFilm(char **words) {
     Report report = makeReport(stretches, packed.bits, packed.bytes.size(), packed.overhead);
     std::fputs(printReport(report).c_str(), stdout);
     common::writeWhole(reportPath, printJson(report));
-    long left = budget - (long)packed.bytes.size();
-    if (left < 0) throw std::runtime_error("over budget by " + std::to_string(-left) + " bytes");
+    checkBudget(out, packed.bytes.size(), budget);
     writeBytes(out, packed.bytes, modeOf(in));
-    std::printf("%s: %zu bytes (%zu of them stub and headers) from %zu, %ld bytes left of %ld\n", out.c_str(),
-                packed.bytes.size(), packed.overhead, program.bytes.size(), left, budget);
+    std::printf("%s: %zu bytes (%zu of them stub and headers) from %zu in memory, %ld bytes left of %ld\n",
+                out.c_str(), packed.bytes.size(), packed.overhead, program.bytes.size(),
+                budget - (long)packed.bytes.size(), budget);
 }
 
 } // namespace

@@ -1,10 +1,12 @@
 #include "packer/write/packed_file.h"
 
 #include "packer/stub/stub.h"
+#include "tools/common/text.h"
 
 #include <algorithm>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <stdexcept>
 
 namespace pack {
@@ -140,6 +142,18 @@ PackedFile makePacked(const PackedKind &kind, const Program &program, const Mode
     if (!same || readPacked(kind, file.bytes).bytes != program.bytes)
         throw std::runtime_error("the packed bytes do not decode to the program: nothing was written");
     return file;
+}
+
+void checkBudget(const std::string &path, size_t size, long budget) {
+    if (budget < 0 || size <= (size_t)budget) return;
+    std::error_code none;
+    auto earlier = std::filesystem::canonical(path, none);
+    bool removed = std::filesystem::is_regular_file(earlier, none) && std::filesystem::remove(earlier, none);
+    std::fflush(stdout); // the report, which goes before this line
+    throw std::runtime_error(path + ": over budget by " + common::thousands((double)size - (double)budget) +
+                             " bytes (" + common::thousands((double)size) + " of " +
+                             common::thousands((double)budget) + "): it is not written" +
+                             (removed ? ", and the earlier one is removed" : ""));
 }
 
 } // namespace pack

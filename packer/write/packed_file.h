@@ -85,4 +85,8 @@ struct PackedFile {
 PackedFile makePacked(const PackedKind &kind, const Program &program, const ModelParameters &parameters,
                       const std::string &safeName);
 
+// Throws std::runtime_error if `size` is over the budget (if there is one: >= 0). Then it removes the earlier
+// file at `path`: it must not pass for this program, packed.
+void checkBudget(const std::string &path, size_t size, long budget);
+
 } // namespace pack

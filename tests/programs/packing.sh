@@ -29,8 +29,9 @@ check "... kept, with which the same bytes are made again" prints 'bytes left' "
 check "... the same" cmp "$WORK/found" "$WORK/again"
 check "a search ends by itself" prints 'bytes left' bash -c "exec '$pack' '$hello' -o '$WORK/brief' --effort 0.5 2>/dev/null"
 
-check "over budget is refused" refuses 1 "over budget by 1 bytes" "${packs[@]}" -o "$WORK/hello" --budget $((size - 1))
-check "... and a file that is there stays" cmp "$WORK/hello" "$WORK/same"
+cp "$WORK/hello" "$WORK/large"
+check "over budget is refused, with size and budget" refuses 1 "over budget by 1 bytes (3," "${packs[@]}" -o "$WORK/large" --budget $((size - 1))
+check "... and no file is left" test ! -e "$WORK/large"
 check "at the budget is fine" prints ', 0 bytes left' "${packs[@]}" -o "$WORK/c" --budget "$size"
 mkfifo "$WORK/fifo"
 check "a file that is a pipe" refuses 2 "not a regular file" "$pack" "$WORK/fifo" -o "$WORK/x"

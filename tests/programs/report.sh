@@ -65,10 +65,12 @@ check "nothing has changed since itself" prints '^No symbol changed by four byte
 over() { "${packs[@]}" --html over.html --budget 9 >/dev/null 2>&1; [ $? = 1 ] && sums over.html >/dev/null; }
 check "a page of what is over budget is written" over
 
+check "an earlier report that is not there yet is noted" eval '"${packs[@]}" --text - --than none >text 2>note && grep -qx "pack: there is no none yet, so nothing is compared: keep a --report there" note && grep -q " symbol" text'
+
 # --- What is refused, before anything is packed or written ---
 echo '{"file": 5}' >foreign
 rm packed
-for words in "--than none: cannot read none" "--than foreign: foreign: not a report of pack" "--report none/x: cannot write none/x"; do
+for words in "--than foreign: foreign: not a report of pack" "--report none/x: cannot write none/x"; do
     check "refused: ${words%%: *}" refuses 2 "${words#*: }" "${packs[@]}" --html x.html ${words%%: *}
 done
 check "nothing is written then" eval '[ ! -e packed ] && [ ! -e x.html ] && ! ls | grep part'
