@@ -16,6 +16,9 @@
 
 namespace odraz {
 
+// Steps of the scale from D to a letter: A lies below D, a above.
+constexpr int stepOf(char letter) { return (letter & 31) - 'D' % 32 + (letter < 'a' ? 0 : 7); }
+
 // A chord for every bar of every scene: a letter, as above.
 extern const char *const kChords[kSceneCount];
 

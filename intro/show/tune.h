@@ -12,7 +12,4 @@ inline constexpr int kAnswer = 16; // its second half: the beat at which it begi
 // in the second bar, and D for C in the sixth, where the image would clash with the tune two bars later.
 inline constexpr char kMirrored[] = "a-DEC--EF-GaG---a-ABD--DEFGba---";
 
-// Steps of the scale from D to a letter: A lies below D, a above.
-constexpr int stepOf(char letter) { return (letter & 31) - 'D' % 32 + (letter < 'a' ? 0 : 7); }
-
 } // namespace odraz

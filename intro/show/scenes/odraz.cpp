@@ -5,6 +5,7 @@
 #include "show/font.h"
 #include "show/materials.h"
 #include "show/scenes.h"
+#include "show/score.h"
 #include "show/tune.h"
 #include "timeline/keys.h"
 
