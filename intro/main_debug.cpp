@@ -161,17 +161,19 @@ int fail(const char *line) {
     return 1;
 }
 
-// When paused or sought, the clock follows us; otherwise we follow it.
+// When paused or sought, the clock follows us; otherwise we follow it. After its end the film begins again.
 void keepTime(Maker &m) {
     int64_t moment = nanoseconds();
     FilmClock &clock = theMusic.clock;
     clock.watch(moment, processorNanoseconds());
     theMusic.playback.pause(m.paused);
     m.time = std::fmin(m.time, duration()); // which may have changed
-    if (m.paused || m.sought)
-        clock.start(m.time, moment);
-    else
-        m.time = std::fmin(clock.at(moment), duration());
+    if (!m.paused && !m.sought) {
+        double time = std::fmin(clock.at(moment), duration());
+        m.time = looped(loopBetween(0, duration(), duration()), time);
+        if (m.time == time) return;
+    }
+    clock.start(m.time, moment);
     m.sought = false;
 }
 

@@ -18,7 +18,8 @@ differ() {
         -format '%[fx:mean]' info:
 }
 STRIP=640x25+0+335 REST=400x200+190+110
-seconds_at() { awk "BEGIN { print $1 / $WIDTH * 162 }"; } # of a column of the strip
+ROWS=$(sed -n 's/.* kEndRow = \([0-9]*\);.*/\1/p' "$SOURCE/intro/show/length.h") # of the film, 8 a second
+seconds_at() { awk "BEGIN { print $1 / $WIDTH * $ROWS / 8 }"; } # of a column of the strip
 
 check "it opens a window" begin "$BUILD/$FILM-debug" --from 25 --size ${WIDTH}x$HEIGHT --mute
 xdotool windowfocus "$window"
@@ -58,9 +59,14 @@ press l
 check "the right button marks a loop, which L ends" eval 'look unlooped; less 0.02 "$(differ looped unlooped 5x25+119+335)"'
 pointer 120 350
 xdotool click 1
-check "a click goes to 30.38 s" await at 30.38
+check "a click goes there, paused" await at "$(printf %05.2f "$(seconds_at 120)")"
 press Next # (the unit tests of the panel make every step)
 check "page down: the next bar" await at 32
+pointer 639 350
+xdotool click 1
+press space
+check "after its end the film begins again" await near 1.5 1.5
+press space
 
 look before
 press Tab
