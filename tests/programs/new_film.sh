@@ -21,13 +21,13 @@ not_copied() { # headers of tools and tests that the copy includes and does not 
         while read -r header; do [ -e "$header" ] || echo "$header"; done
 }
 interrupted() { # while it builds, after all was copied; the signal goes to its process group
-    setsid "$new" "$1" mira --no-test >/dev/null 2>&1 &
+    setsid "$new" "$1" mira >/dev/null 2>&1 &
     local pid=$!
     await test -e "$1/build/build.log" && missing=$(not_copied "$1") && kill -TERM -- -$pid 2>/dev/null
     wait $pid
     [ $? = 130 ]
 }
-if [ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libcli11-dev libstb-dev libtinyexr-dev zlib1g-dev 2>&1 | grep -v 'ok installed')" ]; then
+if [ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libcli11-dev libstb-dev libtinyexr-dev zlib1g-dev libglfw3-dev 2>&1 | grep -v 'ok installed')" ]; then
     check "it is interrupted" interrupted "$to"
     check "... and leaves nothing" test ! -e "$to"
     check "what a new film includes is there${missing:+, but for $missing}" test "$missing" = ""
