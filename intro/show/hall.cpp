@@ -34,8 +34,9 @@ Material faded(Material m, float grey) {
 }
 
 const Material *const kParts[] = {
-    [kFloor] = &kHallFloor, [kWall] = &kPlaster,     [kWarm] = &kWarmPlaster, [kShaft] = &kLimestone,
-    [kBlock] = &kGranite,   [kBeamX] = &kBeamAcross, [kBeamZ] = &kBeamAlong,  [kStep] = &kGranite,
+    [kFloor] = &kHallFloor, [kWall] = &kPlaster,  [kWarm] = &kWarmPlaster,
+    [kShaft] = &kLimestone, [kBlock] = &kGranite, [kBeamX] = &kBeamAcross,
+    [kBeamZ] = &kBeamAlong, [kStep] = &kGranite,  [kSand] = &kOutside,
 };
 static_assert(sizeof kParts / sizeof *kParts == kLantern);
 
@@ -158,12 +159,14 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
                 {side ? 1.f : -1.f, 2.2f, -0.03f - kZ}, burning * (kStripArea * light.door * 0.5f), 0.2f});
     }
 
-    // Outside, the paving and the columns go on, as an avenue
+    // Outside, sand to the horizon, a hill (no ball: those cost more), a pair of columns
     if (grey == 0) {
-        scene.add(box({0, -0.15f, 68}, {200, 0.1f, 59}, kWarm));
-        for (int i = 0; i < 4; ++i)
-            scene.add(cylinder({i & 1 ? -kColumnX : kColumnX, 4, 12.f + 6.5f * (float)(i >> 1)},
-                               kColumnRadius, 4, kShaft));
+        scene.add(box({0, -0.2f, 259}, {999, 0.1f, 250}, kSand));
+        Shape hill = cylinder({100, -388, 600}, 406, 100, kSand);
+        hill.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+        scene.add(hill);
+        for (int i = 0; i < 2; ++i)
+            scene.add(cylinder({i ? -kColumnX : kColumnX, 4, 20}, kColumnRadius, 4, kShaft));
     }
     // The ambient light of balls is the mean light of floor and ceiling
     scene.ambientHigh = meanLight(hall, hall.floor);

@@ -9,7 +9,7 @@
 namespace odraz {
 
 inline constexpr int kLanterns = 3, kStrips = 8;
-inline constexpr int kHallMaterials = 8 + kLanterns + kStrips; // that it adds to a scene
+inline constexpr int kHallMaterials = 9 + kLanterns + kStrips; // that it adds to a scene
 inline constexpr int kSuns = 28; // positions whose bounces are solved, four for each hour
 // Its skies are the spherical harmonics; its lamps are the lanterns, then the strips
 inline constexpr BasisOrder kHallBases = {kSh, kSuns, kLanterns + kStrips};

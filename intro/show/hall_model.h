@@ -15,6 +15,7 @@ enum HallPart {
     kBeamX,
     kBeamZ,
     kStep,
+    kSand,
     kLantern,
     kStrip = kLantern + kLanterns
 };

@@ -73,6 +73,7 @@ const Material kHallFloor = {.texture = kWhiteMarble,
                              .tint = linear(205, 205, 205)};
 const Material kPlaster = {.texture = plaster(linear(194, 187, 174)), .diffuse = 1};
 const Material kWarmPlaster = {.texture = plaster(linear(159, 84, 49)), .diffuse = 1};
+const Material kOutside = {.texture = plaster(linear(24, 16.5f, 11.5f)), .diffuse = 1};
 const Material kBeamAlong = {.texture = kOakAlong, .diffuse = 1};
 const Material kBeamAcross = {.texture = oakBy(Pattern::WoodAcross), .diffuse = 1};
 const Material kGranite = {.texture = kSpeckled, .diffuse = 1};

@@ -10,7 +10,7 @@ extern const Material kSlate;      // dark and dull
 extern const Material kBoards;     // a checker of stone and wood
 extern const Material kLimestone;  // columns of the hall
 extern const Material kHallFloor;  // a checker of two stones, polished
-extern const Material kPlaster, kWarmPlaster;
+extern const Material kPlaster, kWarmPlaster, kOutside;
 extern const Material kBeamAlong, kBeamAcross; // oak that runs along world z, or x
 extern const Material kGranite, kOak, kGlass, kMirror, kCopper;
 
