@@ -51,7 +51,6 @@ static KEYED Shot kShots[] = {
     {.row = 432, .scene = kFlake, .storyRow = 320, .path = path(kOver), .fadeIn = 0, .fadeOut = 0},
     {.row = 480, .scene = kFlake, .storyRow = 320, .path = path(kWhole), .fadeIn = 0, .fadeOut = 0},
     {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kVisit), .fadeIn = 0, .fadeOut = 0},
-    {.row = 608, .scene = kPatches, .storyRow = 512, .path = path(kAcross), .fadeIn = 0, .fadeOut = 0},
     {.row = 656, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn), .fadeIn = 0, .fadeOut = 0},
     {.row = 704, .scene = kPatches, .storyRow = 512, .path = path(kSunPatches), .fadeIn = 0, .fadeOut = 0},
     {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kAtDawn), .fadeIn = 0, .fadeOut = 0},

@@ -1,8 +1,9 @@
 // Scene 4. The hall, before light: its patches, black with copper lines. One is visited: its half-cube rises
 // over it and unfolds into five pictures of what it sees, the hall as it is then, and the patch takes its
 // colour. Then a wave of direct light runs over all patches, then bounce after bounce. What a bounce adds is
-// shown in copper, brightened so that it can be seen, before it joins the rest. We walk in, and patches
-// become surfaces. Everything shown is the solver's: the patches, the hemicube, the light after each bounce.
+// shown brightened, in a colour of its own, before it joins the rest: amber, rose, blue. We walk in, and
+// patches become surfaces. Everything shown is the solver's: the patches, the hemicube, the light after each
+// bounce.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/half_cube.h"
@@ -16,15 +17,16 @@ namespace odraz {
 static constexpr float kGrey = 0.6f; // albedo of everything, at first
 
 // Direct light and the bounces, one after the other: the row on which each begins, and by how much its
-// contribution is brightened.
+// contribution is brightened, by colour.
 static constexpr struct {
-    float row, gain;
+    float row;
+    Rgb gain;
     char name[16];
 } kStages[] = {
-    {rowOf(kDirectLight) - 0.6f, 1, "direct light"},
-    {rowOf(kBounce1), 2, "bounce 1"},
-    {rowOf(kBounce2), 4, "bounce 2"},
-    {rowOf(kBounce3), 6, "bounce 3"},
+    {rowOf(kDirectLight) - 0.6f, {1, 1, 1}, "direct light"},
+    {rowOf(kBounce1), {4.4f, 2.2f, 0.7f}, "bounce 1"},
+    {rowOf(kBounce2), {6.6f, 3, 4.2f}, "bounce 2"},
+    {rowOf(kBounce3), {1.6f, 6, 20}, "bounce 3"},
 };
 static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
@@ -49,9 +51,8 @@ struct Step {
     Rgb of(const Hall &hall, int patch) const {
         Rgb before = number ? hall.bounce[number - 1][patch] : Rgb{},
             more = hall.bounce[number][patch] - before;
-        Rgb shows = lerp(number ? kCopperLight : Rgb{1, 1, 1}, Rgb{1, 1, 1}, join);
         return before * lerp(number ? 0.3f : 1, 1.f, join) +
-               more * shows * lerp(kStages[number].gain, 1.f, join);
+               more * lerp(kStages[number].gain, Rgb{1, 1, 1}, join);
     }
 };
 
