@@ -1,6 +1,7 @@
 #include "output/dump.h"
 
 #include "host/files.h"
+#include "host/process.h"
 #include "output/output.h"
 
 namespace odraz {
@@ -21,7 +22,8 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
         traced = n;
     };
 
-    for (int64_t n = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps); n < end; ++n) {
+    int64_t first = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps);
+    for (int64_t n = first; n < end; ++n) {
         bool made = o.live && n & 1;
         if (made) trace(n - 1);
         trace(n + made);
@@ -43,6 +45,11 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
         path << o.dump;
         if (!toStdout) (path << "/frame-").number((uint64_t)n, 6) << ".ppm";
         if (int status = writeOutput(path.data, file, size)) return status;
+    }
+    if (!toStdout && isTerminal(1)) {
+        Text<4300> line;
+        line << o.dump << ": " << end - first << " frames\n";
+        writeAll(1, line.data, (size_t)line.size);
     }
     return 0;
 }
