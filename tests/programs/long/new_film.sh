@@ -42,8 +42,8 @@ check "without a display, tools/watch makes a video" env -u DISPLAY "$film/tools
 check "... of one second" prints '^1\.0' ffprobe -v error -show_entries format=duration -of csv=p=0 "$film/build/film.mp4"
 
 # The tests find faults
-check "another picture is found" eval 'sed -i "s/{2.6f, 0.9f, 0.27f}/{0.9f, 2.6f, 0.27f}/" "$film/intro/show/scenes/stage.cpp" && cmake --build "$film/build" --target film >/dev/null && ! "$film/tools/golden" compare >/dev/null'
-check "... kept, it is the right one" eval '"$film/tools/golden" renew >/dev/null && "$film/tools/golden" compare >/dev/null'
+check "another picture is found" eval 'sed -i "s/{2.6f, 0.9f, 0.27f}/{0.9f, 2.6f, 0.27f}/" "$film/intro/show/scenes/stage.cpp" && cmake --build "$film/build" --target film >/dev/null && ! "$film/tools/golden" check >/dev/null'
+check "... kept, it is the right one" eval '"$film/tools/golden" renew >/dev/null && "$film/tools/golden" check >/dev/null'
 check "a budget that is too small stops the build" eval 'sed -i "s/^FILM_BUDGET=.*/FILM_BUDGET=30000/" "$film/intro/film.conf" && ! cmake --build "$film/build" --target film >"$WORK/log"'
 check "... and prints by how much" grep -q 'over budget by [0-9]* bytes' "$WORK/log"
 finish
