@@ -166,7 +166,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         hill.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
         scene.add(hill);
         for (int i = 0; i < 2; ++i)
-            scene.add(cylinder({i ? -kColumnX : kColumnX, 4, 20}, kColumnRadius, 4, kShaft));
+            scene.add(cylinder({kColumnX, 4, 16.f + 14 * (float)i}, kColumnRadius, 4, kShaft));
     }
     // The ambient light of balls is the mean light of floor and ceiling
     scene.ambientHigh = meanLight(hall, hall.floor);

@@ -26,7 +26,7 @@ static constexpr struct {
     {rowOf(kDirectLight) - 0.6f, {1, 1, 1}, "direct light"},
     {rowOf(kBounce1), {4.4f, 2.2f, 0.7f}, "bounce 1"},
     {rowOf(kBounce2), {6.6f, 3, 4.2f}, "bounce 2"},
-    {rowOf(kBounce3), {1.6f, 6, 20}, "bounce 3"},
+    {rowOf(kBounce3), {2, 8, 26}, "bounce 3"},
 };
 static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
