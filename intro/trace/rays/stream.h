@@ -9,13 +9,16 @@ namespace odraz {
 inline constexpr int kChunk = 256;             // rays shaded together
 inline constexpr int kStream = 2 * kChunk + 8; // each ray may leave two; stores write whole registers
 
+inline constexpr int kTwice = 4; // paths from here on bounced more than once, or at glass
+
 struct RayStream {
     int count;
     float o[3][kStream], d[3][kStream];    // origin, unit direction
     float weight[3][kStream];              // how much of the ray's light the sample gets, per channel
     float width[kStream], spread[kStream]; // of the sample at the origin; growth per unit of distance
     int32_t sample[kStream];               // index of the Sample it adds to
-    int32_t path[kStream];  // a 1, then a bit for every bounce: 0 reflected, 1 refracted; 32 bits are kept
+    // A 1, then a bit for every bounce: 0 reflected, 1 refracted; 10 reflected by glass. 32 bits are kept
+    int32_t path[kStream];
     float t[kStream];       // distance of the hit
     int32_t shape[kStream]; // the shape that it hit; -1: none
 };

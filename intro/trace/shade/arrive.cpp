@@ -14,7 +14,7 @@ static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) 
     Float8 t = pick(in.t);
     Vec3x8 p, n;
     Int8 id;
-    Float8 size, spread = pick(in.spread), width = fmadd(spread, t, pick(in.width)), curve = {};
+    Float8 size, spread = pick(in.spread), width = pick(in.width), curve = {};
     if (run.balls) {
         // Each lane has its own ball
         Int8 index = pick(in.shape);
@@ -30,18 +30,20 @@ static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) 
         n = normalize(fmadd(ray.d, t, ray.o - centre));
         p = fmadd(n, radius, centre);
         size = sumAbs(centre) + radius;
-        curve = width / radius;
+        curve = 1.f / radius;
         id = packHit(index, 0);
     } else {
         Surface8 at = surfaceAt(shape, ray, t);
         p = at.p, n = at.n;
         size = broadcast(magnitude(shape));
-        if (shape.isBall()) curve = width * (1 / shape.half.x);
+        if (shape.isBall()) curve = broadcast(1 / shape.half.x);
         id = packHit(run.shape, at.face);
     }
     // Turn the normal to the side that the ray came from
     Float8 side = select(dot(n, ray.d) > 0.f, -1.f, 1.f);
     n = n * side;
+    // A ball of glass gathers what enters it: inside it a sample hardly widens
+    width = fmadd(spread, select(side > 0.f, t, t * 0.3f), width);
     store(run.p, i, p);
     store(run.n, i, n);
     store(run.d, i, ray.d);
@@ -50,7 +52,7 @@ static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) 
     store(run.error + i, errorBound(p, size));
     store(run.cosine + i, clamp(-dot(n, ray.d), 0.f, 1.f));
     store(run.width + i, width);
-    store(run.curve + i, curve);
+    store(run.curve + i, curve * width);
     store(run.id + i, id);
 
     // Weaken the ray by what it passed through: fog and, if it comes from inside, glass

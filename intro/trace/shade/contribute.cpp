@@ -88,12 +88,15 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     int count = min(run.count - i, 8);
     Vec3x8 d = load(run.d, i);
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
-    // Balls that only glow are left out here: addGlowingBalls() adds them. Other lamps would blink in mirrors
-    // that are seen in mirrors, where samples are farther apart than they are wide: there they fade
+    // Balls that only glow are left out here: addGlowingBalls() adds them. Other lamps would blink behind two
+    // surfaces, or mirrored in glass, where samples are farther apart than they are wide: there they fade, to
+    // about the light of what is around them
     if (c.bounces > 0 && shape.isBall() && m.onlyGlows())
         rest = Rgb8{};
-    else if (c.bounces > (m.onlyGlows() ? 1 : 0) && shape.traits().bounded)
-        rest = rest * saturate(min(shape.half.x, shape.half.z) * 2 / load(run.width + i) - 1.f);
+    else if (c.bounces > 0 && shape.traits().bounded && maxComponent(m.emit) > 0)
+        rest = rest *
+               select(pick(in.path) < (m.onlyGlows() ? kTwice : 0), 1.f,
+                      clamp(min(shape.half.x, shape.half.z) * 2 / load(run.width + i) - 1.f, 0.005f, 1.f));
     Int8 cell = {}, states = {};
     float contrast = m.faint() ? c.quality.faint : 1;
     if (m.diffuse > 0 || m.specular > 0) {

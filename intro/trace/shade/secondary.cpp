@@ -70,9 +70,12 @@ void followEight(const Shading &c, const RayStream &in, const Run &run, RayStrea
         Int8 total = sine2 >= 1.f;
         reflected = select(total, 1.f, reflected);
         refracted = select(total, 0.f, refracted);
-        emit(outside, mirrored, weight * reflected, width, mirrorSpread, 0);
+        emit(outside, mirrored, weight * reflected, width, mirrorSpread, 2);
         Vec3x8 bent = normalize(fmadd(n, eta * cosine - cosineT, d * eta));
-        emit(p - offset, bent, weight * refracted, width, min(fmadd(curve, abs(eta - 1.f), spread), 1.f), 1);
+        // What leaves a ball of glass has a focus near it
+        Float8 bend = max(steep, 1.f / max(cosineT, 0.1f)) - 0.75f;
+        width = select((load(run.side + i) < 0.f) & (curve > 0.f), 0.f, width);
+        emit(p - offset, bent, weight * refracted, width, min(fmadd(curve, bend, spread), 1.f), 1);
     } else {
         Float8 reflected = broadcast(m.reflect);
         if (m.fresnel) {

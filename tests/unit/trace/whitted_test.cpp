@@ -223,6 +223,20 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
     EXPECT_NEAR(g.look({-4, -1, 0}, {0, 0, 0}).radiance().y, 1, 1e-4);
 }
 
+// Behind a ball of glass a sample widens as its rays do, most at the rim. A lamp narrower than that fades to
+// the average light.
+TEST(Glass, FadesLampsNarrowerThanASampleBehindIt) {
+    RayTracer g;
+    g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(clearGlass(1.5f))));
+    g.scene->add(box({0, 0, -5}, {0.1f, 50, 0.1f}, g.scene->add(glowing({1, 1, 1}))));
+    g.scene->ambientLow = g.scene->ambientHigh = {0.2f, 0.2f, 0.2f};
+    auto seen = [&](float y, float size) { return g.look({0, y, 5}, {0, y, 0}, kExact, size).radiance().x; };
+    EXPECT_GT(seen(0, 0.008f), 0.9f); // 0.08 wide there
+    EXPECT_LT(seen(0, 0.024f), 0.3f);
+    EXPECT_GT(seen(0.9f, 0.001f), 0.7f); // 0.04
+    EXPECT_LT(seen(0.9f, 0.008f), 0.3f);
+}
+
 TEST(Glass, AbsorbsByPathLength) {
     RayTracer g;
     Material m = clearGlass(1.0001f); // hardly reflects
