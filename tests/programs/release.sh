@@ -9,7 +9,7 @@ made=("$release" --built --unclean --no-capture --poster "$SOURCE/intro/film.png
 
 check "archives are made" prints ' .*/odraz-.*\.zip$' "${made[@]}" --to "$WORK/one"
 pages=$(ls "$BUILD/odraz.html" 2>/dev/null | wc -l)
-check "... three, with the page four, and nothing else" test "$(ls -A "$WORK/one" | wc -l)" = $((3 + pages))
+check "... three, with the page and an index five, and nothing else" test "$(ls -A "$WORK/one" | wc -l)" = $((3 + 2 * pages))
 sleep 1.1 # another second
 again=("$release" --built --unclean --poster "$SOURCE/intro/film.png" --capture-span 20,20.1 --to "$WORK/two")
 command -v ffmpeg >/dev/null || again+=(--no-capture)
@@ -17,7 +17,7 @@ check "... and again, by another umask and zone, with a capture of a moment" bas
 check "... the same to the byte" test "$(diff -r "$WORK/one" "$WORK/two" | grep -v "^Only in $WORK/two: odraz-1080p60\.")" = ""
 if command -v ffmpeg >/dev/null; then
     check "... which is 1080p60, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/two/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
-    check "... with its manifest, and nothing more" test "$(ls -A "$WORK/two" | wc -l)" = $((5 + pages))
+    check "... with its manifest, and nothing more" test "$(ls -A "$WORK/two" | wc -l)" = $((5 + 2 * pages))
 fi
 tgz=$(echo "$WORK"/one/odraz-[0-9]*.tar.gz) zip=$(echo "$WORK"/one/*.zip)
 name=$(basename "$tgz" .tar.gz)
@@ -51,6 +51,16 @@ check "the NFO's lines end as DOS has it" test "$(grep -c $'\r$' "$inside/odraz.
 check "... and has the size for Windows" grep -q "$(stat -c %s "$BUILD/odraz.exe" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
 check "... and has the size" grep -q "$(stat -c %s "$BUILD/odraz" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
 for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2 Wine odraz.exe; do check "README.txt mentions $word" grep -qF -e "$word" "$inside/README.txt"; done
+
+# The index: what it links to is there
+if [ "$pages" = 1 ]; then
+    links() { grep -oE '(href|src)="[^"]*"' "$WORK/one/index.html" | cut -d'"' -f2 | sort -u; }
+    check "the index has links to all files" test "$(links)" = "$(ls "$WORK/one" | grep -vx index.html | LC_ALL=C sort)"
+    check "... and nothing is left to fill in" lacks '@[A-Z_]*@' "$WORK/one/index.html"
+fi
+check "the tools alone" prints "odraz-tools-.*gz\$" "$release" --built --unclean --only tools --to "$WORK/tools"
+check "... have the same files, in one archive" diff <(tar -tzf "$WORK"/tools/*) <(tar -tzf "$WORK"/one/odraz-tools-*)
+check "... nothing else can be alone" refuses 2 "--only takes tools, not 'film'" "$release" --only film
 
 # The tools: in an archive of their own, for older systems, too
 tools=odraz-tools-${name#odraz-}-linux-x86_64

@@ -47,7 +47,7 @@ check "without a display it ends with status 0" ended $pid
 check "... printed at first what it does and how long it takes" eval \
     'sed -n 1p "$WORK/err" | grep -q "^building the film: some two minutes .* log in .*/build/build.log$"'
 check "... and that there is no display, before it built" eval 'sed -n "/^no display/,\$p" "$WORK/err" | grep -q "^building: "'
-check "... made a contact sheet of 33 frames" prints ' 1956x1560 ' identify "$to/contact_sheet.png"
+check "... made a contact sheet of 33 frames" prints ' 1956x1560 ' identify "$to/film.png"
 probe() { ffprobe -v error -show_entries stream=codec_name,duration -of csv=p=0 "$to/film.mp4" | tr '\n' ' '; }
 check "... and a video of $length seconds, one of every ten, with sound" test "$(probe)" = "h264,$length.000000 aac,$length.000000 "
 
