@@ -24,11 +24,11 @@ static constexpr Texture kWhiteMarble = {
     .palette = {linear(184, 177, 166), linear(159, 151, 141), linear(113, 108, 102), linear(77, 74, 72)}};
 static constexpr Texture kSpeckled = {
     .pattern = Pattern::Stone,
-    .scale = 60,
-    .palette = {linear(28, 28, 28), linear(60, 60, 60), linear(80, 75, 72), linear(120, 110, 104)}};
+    .scale = 42,
+    .palette = {linear(12, 12, 13), linear(72, 70, 68), linear(85, 83, 82), linear(119, 111, 101)}};
 static constexpr Texture kPaleStone = {
     .pattern = Pattern::Stone,
-    .scale = 40,
+    .scale = 30,
     .palette = {linear(120, 112, 96), linear(152, 144, 128), linear(168, 160, 144), linear(184, 176, 160)}};
 // Stained in patches and near the floor, and streaked by the trowel.
 static constexpr Texture plaster(Rgb c) {

@@ -2,6 +2,8 @@
 
 #include "trace/texture/noise.h"
 
+#include <initializer_list>
+
 namespace odraz {
 
 static Float8 fract(Float8 x) { return x - floor(x); }
@@ -43,27 +45,41 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
 }
 
 // Granite: crystals are the cells of scattered points (Worley, "A Cellular Texture Basis Function", 1996).
-// Pale ones are larger. Samples as wide as a crystal see the mean, under slow clouds. The hash multiplies by
-// 1,024ths, so that its sum is exact with fused products and without.
+// Pale ones are larger. The points lie near those of a skewed lattice, where the nearest of all is one of
+// four: the corners of a simplex (Perlin, "Noise Hardware", 2001). The hash multiplies by 1,024ths, so that
+// its sum is exact with fused products and without. Samples as wide as a crystal see the mean.
 static Float8 stone(const Vec3x8 &at, Float8 width) {
-    // Crystals have crooked edges, and are not of one tone
-    Float8 crooked = noise(at * broadcast(3.f)) * bandLimit(width, 0.5f);
-    Vec3x8 p = at + Vec3x8{crooked, crooked, crooked} * broadcast(0.3f);
-    Vec3x8 low = {floor(p.x - 0.5f), floor(p.y - 0.5f), floor(p.z - 0.5f)};
+    Float8 skew = (at.x + at.y + at.z) * (1 / 3.f);
+    Vec3x8 p = at + Vec3x8{skew, skew, skew};
+    // Folds of space make edges crooked, and crystals are not of one tone
+    Float8 crisp = bandLimit(width, 0.5f), uneven = {};
+    for (float size = 1.125f; size > 0.4f; size *= 0.4375f) {
+        Float8 most = crisp * (size * 0.4375f);
+        auto fold = [&](Float8 x, Float8 y) {
+            x = fmadd(x, 0.7f, y) * (1 / size);
+            return abs(x - round(x)) * most;
+        };
+        Vec3x8 by = {fold(p.y, p.z), fold(p.z, p.x), fold(p.x, p.y)};
+        p += by, uneven = by.x + by.y - most * 0.5f;
+    }
+    Vec3x8 low = {floor(p.x), floor(p.y), floor(p.z)}, f = p - low;
+    constexpr Vec3 kHash = {7.3095703125f, 5.1708984375f, 3.7705078125f};
     Float8 least = broadcast(9.f), tone = {}, perEdge = 1.f / fmadd(width, 1.5f, 0.03125f);
-    for (float k = 1; k >= 0; --k)
-        for (float j = 1; j >= 0; --j)
-            for (float i = 1; i >= 0; --i) {
-                Vec3x8 cell = low + Vec3{i, j, k};
-                Float8 n = dot(cell, broadcast(Vec3{7.3095703125f, 5.1708984375f, 3.7705078125f})),
-                       own = fract(n * fract(n));
-                Vec3x8 to = cell + Vec3x8{fract(own * 17.f), fract(own * 59.f), fract(own * 211.f)} - p;
-                Float8 far = dot(to, to) - own * 0.25f;
-                tone = fmadd(own - tone, saturate(fmadd(least - far, perEdge, 0.5f)), tone);
-                least = min(least, far);
-            }
-    tone = fmadd(tone - 0.58f, bandLimit(width, 3.f), 0.58f);
-    return saturate(fmadd(noise(p * broadcast(0.0625f)), 0.375f, fmadd(crooked, 0.3f, tone)));
+    // From corner to corner: along the axis on which the place is farthest, then the next, then the last
+    Float8 more = max(f.x, f.y), less = min(f.x, f.y);
+    for (Float8 from : {broadcast(2.f), max(more, f.z), max(less, min(more, f.z)), Float8{}}) {
+        auto step = [&](Float8 x) { return select(x >= from, 1.f, 0.f); };
+        Vec3x8 next = {step(f.x), step(f.y), step(f.z)};
+        Float8 n = dot(low + next, broadcast(kHash)), own = fract(n * fract(n));
+        auto off = [](Float8 share) { return fmadd(share, 0.3f, -0.15f); };
+        Vec3x8 to = next - f + Vec3x8{off(own), off(fract(own * 59.f)), off(fract(own * 211.f))};
+        // The distance in space that is not skewed
+        Float8 sum = to.x + to.y + to.z, far = fmadd(sum * -0.25f, sum, dot(to, to)) - own * 0.21875f;
+        tone = fmadd(own - tone, saturate(fmadd(least - far, perEdge, 0.5f)), tone);
+        least = min(least, far);
+    }
+    tone = fmadd(tone - 0.56f, bandLimit(width, 2.5f), 0.56f);
+    return saturate(fmadd(uneven, 0.4f, tone));
 }
 
 // Stained in patches and near the floor, and streaked by the trowel.

@@ -25,8 +25,8 @@ inline constexpr PatternTraits kPatterns[] = {
     {.pattern = Pattern::Marble, .shares = {18 / 64.f, 42 / 64.f, 3.5f / 64, 0.5f / 64}},
     {.pattern = Pattern::Wood, .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // grows along z
     {.pattern = Pattern::WoodAcross, .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // along x
-    {.pattern = Pattern::Stone, .faint = true, .shares = {8 / 64.f, 18.5f / 64, 23.5f / 64, 14 / 64.f}},
-    {.pattern = Pattern::Plaster, .faint = true, .shares = {1.5f / 64, 38 / 64.f, 24 / 64.f, 0.5f / 64}},
+    {.pattern = Pattern::Stone, .faint = true, .shares = {7 / 64.f, 18.5f / 64, 24.5f / 64, 14 / 64.f}},
+    {.pattern = Pattern::Plaster, .faint = true, .shares = {1.5f / 64, 40.5f / 64, 22 / 64.f, 0}},
 };
 static_assert(inOrder(kPatterns, &PatternTraits::pattern), "a row for every pattern, in the enum's order");
 
