@@ -33,15 +33,16 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
     Float8 board = floor(p.x), own = fract(board * 0.625f), x = p.x - board - 0.5f, y = p.y + own + 0.125f;
     Float8 radius = sqrt(fmadd(x, x, y * y));
     Float8 waver = noise({radius * 1.5f, board * 7.25f, p.z * 0.375f});
-    constexpr float kRings = 9;
-    Float8 ring = fmadd(waver, 3.f, radius * kRings), year = floor(ring), f = ring - year;
+    constexpr float kRings = 16;
+    Float8 ring = fmadd(waver, 5.f, radius * kRings), year = floor(ring), f = ring - year;
     // Early wood darkens slowly, late wood ends abruptly; some years more than others
     Float8 perRing = width * kRings;
     Float8 shade = min(f * f * fmadd(fract(year * 0.625f), 0.625f, 0.5f), (1.f - f) / max(perRing, 0.0625f));
     shade = fmadd(shade - 0.25f, bandLimit(perRing, 2.f), 0.25f);
-    Float8 fibre = bandLimit(width * 32.f, 1.f);
-    if (any(fibre > 0.f)) fibre *= noise(p * Vec3{32, 32, 1});
-    return saturate(fmadd(fibre, 0.1875f, fmadd(own, 0.25f, fmadd(shade, 0.75f, 0.0625f))));
+    // Pores: short dark streaks, most of them in early wood
+    Float8 pores = bandLimit(width * 64.f, 1.f);
+    if (any(pores > 0.f)) pores *= max(noise(p * Vec3{64, 64, 2.5f}) - f * 0.375f, 0.f) - 0.04f;
+    return saturate(fmadd(own, 0.25f, fmadd(shade, 0.75f, 0.0625f + pores)));
 }
 
 // Granite: crystals are the cells of scattered points (Worley, "A Cellular Texture Basis Function", 1996).

@@ -23,8 +23,8 @@ struct PatternTraits {
 inline constexpr PatternTraits kPatterns[] = {
     {.pattern = Pattern::Plain, .shares = {1, 0, 0, 0}}, // the first colour alone
     {.pattern = Pattern::Marble, .shares = {18 / 64.f, 42 / 64.f, 3.5f / 64, 0.5f / 64}},
-    {.pattern = Pattern::Wood, .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // grows along z
-    {.pattern = Pattern::WoodAcross, .shares = {14 / 64.f, 35 / 64.f, 13.5f / 64, 1.5f / 64}}, // along x
+    {.pattern = Pattern::Wood, .shares = {12.5f / 64, 35.5f / 64, 14.5f / 64, 1.5f / 64}}, // grows along z
+    {.pattern = Pattern::WoodAcross, .shares = {12.5f / 64, 35.5f / 64, 14.5f / 64, 1.5f / 64}}, // along x
     {.pattern = Pattern::Stone, .faint = true, .shares = {7 / 64.f, 18.5f / 64, 24.5f / 64, 14 / 64.f}},
     {.pattern = Pattern::Plaster, .faint = true, .shares = {1.5f / 64, 40.5f / 64, 22 / 64.f, 0}},
 };
