@@ -2,12 +2,11 @@
 //
 // Every worker has an instance of this program, in a memory of its own: those that trace pictures, the one
 // that solves the hall's light, whose memory is then copied to these, and the one that makes music. The page
-// has an instance, too, for the film's clock and for the plan of which pictures are made: by the governor, as
-// player.h does.
+// has an instance, too, for the film's clock and its player.
 #include "host/web/gl.h"
 #include "inside.h"
 #include "output/output.h"
-#include "play/governor.h"
+#include "play/page_player.h"
 #include "play/statistics.h"
 
 using namespace odraz;
@@ -21,7 +20,6 @@ namespace {
 Intro *theIntro;
 Workers theWorkers;
 Sound *theSound;
-Governor theGovernor;
 FilmClock theClock;
 Statistics theStatistics;
 char thePrinted[4096];
@@ -69,87 +67,78 @@ EXPORT(sound) float *music(int blocks) {
     return out;
 }
 EXPORT(seek) int seek(int block) {
-    size_t bytes = soundMemory() + 64;
-    Arena arena = {grow(bytes), bytes, 0};
-    theSound = arena.base ? loadSound(arena) : nullptr;
-    if (theSound && block) seekSound(*theSound, block);
+    if (!theSound) {
+        size_t bytes = soundMemory() + 64;
+        Arena arena = {grow(bytes), bytes, 0};
+        theSound = arena.base ? loadSound(arena) : nullptr;
+    }
+    if (theSound) seekSound(*theSound, block);
     return theSound != nullptr;
 }
 
 // --- The page's own: the film, its clock, and the plan ---
 
 EXPORT(duration) double durationOf() { return duration(); }
-// Whether a picture at this time needs the hall's light.
-EXPORT(lit) int lit(double seconds) { return needsHall(seconds, seconds + 1e-3); }
 
 // Times are seconds of the film, and milliseconds of the page's clock.
 EXPORT(start) void start(double seconds, double now) { theClock.start(seconds, nanosecondsOf(now)); }
 EXPORT(correct) void correct(double seconds, double now) { theClock.correct(seconds, nanosecondsOf(now)); }
 EXPORT(at) double at(double now) { return theClock.at(nanosecondsOf(now)); }
 
-// The picture that a worker makes next.
+// What the page knows of the film.
 namespace {
-struct Planned {
-    double time, level, width, height;
-} thePlanned;
-double theNext; // the last time planned; the first one to plan at the start
-bool theBegun;
-
-// The fewest pixels across that are traced, in every scene. A browser takes twice the time of the film, and
-// too few pictures look worse than too few pixels.
-constexpr int kLeastWidth = 480;
-
-// No in-betweens are made: each takes two thirds of the time of a traced picture, and every worker would
-// trace a picture of its neighbour again. So there are 60 traced pictures a second, or 30: the governor's
-// pairs, whose in-betweens take no time.
-Pace paceHere(int scene) {
-    Pace p = paceOf(scene);
-    p.leastWidth = min(p.leastWidth, kLeastWidth);
-    p.penalty[Governor::kPairs] = p.penalty[Governor::kThirty];
-    for (int c = Governor::kPairs + 1; c < kCadences; ++c) p.penalty[c] = 1e9f;
-    return p;
-}
+struct PageFilm {
+    Can hall; // whether its light is solved
+    bool goesOn(double time) const { return time < duration(); }
+    int sceneOf(double time) const { return sceneAt(time); }
+    double startOf(double time) const { return shotStart(time); }
+    Pace paceOf(int scene) const { return pageOf(odraz::paceOf(scene)); }
+    Can can(double time) const { return needsHall(time, time + 1e-3) ? hall : Can::Now; }
+} theFilm;
+PagePlayer<PageFilm> thePlayer = {&theFilm, 1};
 } // namespace
 
-EXPORT(begin) void begin(double from, int width, int height) {
-    theGovernor = {};
-    theGovernor.width = width, theGovernor.height = height;
-    theNext = from;
-    theBegun = false;
+// Begins, or begins elsewhere: pictures that were planned before are forgotten.
+EXPORT(begin) void begin(double from, int width, int height, int workers) {
+    thePlayer = {&theFilm, workers};
+    thePlayer.begin(from, width, height);
+    theStatistics.sixtieth = 0;
 }
-// Plans the next picture, if the film is at `now` seconds and that many workers trace pictures.
-EXPORT(plan) const Planned *plan(double now, int workers) {
-    Governor &g = theGovernor;
-    int scene = sceneAt(theNext + g.step());
-    g.enter(scene, paceHere(scene));
-    if (theBegun) {
-        // A worker takes as many times longer as there are workers
-        double soonest = now + g.tracing * (float)workers - Governor::kTolerance;
-        for (theNext += g.step(); theNext < soonest;) theNext += Governor::kSixtieth;
+EXPORT(hall) void hall(int can) { theFilm.hall = (Can)can; }
+EXPORT(can) int can(double seconds) { return (int)theFilm.can(seconds); }
+// The picture that an idle worker traces next, if the film is at `now` seconds; null: none yet.
+EXPORT(plan) const double *plan(double now) {
+    static double planned[4];
+    Made m;
+    if (!thePlayer.next(m, now)) return nullptr;
+    planned[0] = m.time, planned[1] = m.level, planned[2] = m.size.width, planned[3] = m.size.height;
+    return planned;
+}
+// It was traced, in seconds.
+EXPORT(traced) void traced(double time, float trace, float samples, int width) {
+    thePlayer.traced({{}, time, trace, 0, samples, {width, 0}, 0});
+}
+EXPORT(ready) float ready() { return thePlayer.ready(); }
+// The picture to show at this refresh, by its time, if the film is at `now` seconds; -1: none.
+EXPORT(due) double due(double now) {
+    Queue &q = thePlayer.queue;
+    for (;; q.remove()) {
+        Queue::Action action = thePlayer.action(now);
+        if (action == Queue::kWait) return -1;
+        if (action == Queue::kShow) return q.first().time;
+        theStatistics.add(q.first());
     }
-    theBegun = true;
-    TracedSize size = g.size();
-    thePlanned = {theNext, g.level(), (double)size.width, (double)size.height};
-    return &thePlanned;
 }
-// One of `workers` workers took `trace` seconds for a picture.
-EXPORT(spent) void spent(double trace, int workers) {
-    theGovernor.spent((float)trace / (float)workers, 0, 1);
+// It came on the screen that many seconds of the film behind its beginning, and took `present` milliseconds.
+EXPORT(shown) void shown(double at, double present) {
+    Queue &q = thePlayer.queue;
+    theStatistics.show(q.first(), nanosecondsOf(at * 1e3), nanosecondsOf(present));
+    theStatistics.add(q.first());
+    q.remove();
 }
 
 // --- Statistics ---
 
-// A picture was shown: it took `trace` milliseconds, and `present` to show.
-EXPORT(shown)
-void shown(double seconds, double trace, double present, double samples, int width, int missed) {
-    SceneStatistics &s = theStatistics.scenes[sceneAt(seconds)];
-    ++s.shown, ++s.traced;
-    s.missed += missed;
-    s.present.add(nanosecondsOf(present));
-    s.samples += samples;
-    s.width += width;
-    s.trace.add(nanosecondsOf(trace));
-}
 EXPORT(statistics) const char *statisticsText(double untilFirst) {
     printStatistics(theStatistics, theClock, untilFirst);
     return thePrinted;

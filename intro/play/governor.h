@@ -29,10 +29,12 @@
 
 namespace odraz {
 
-struct Governor {
+// Without in-betweens a cadence is its traced pictures alone.
+template <bool kBetweens> struct GovernorOf {
+    static constexpr bool kMakesBetweens = kBetweens;
     enum Cadence { kSixty, kPairs, kFours, kSixes, kThirty };
-    static constexpr int kGap[kCadences] = {1, 2, 4, 6, 4};        // sixtieths between two traced pictures
-    static constexpr int kInBetweens[kCadences] = {0, 1, 3, 5, 1}; // made between them
+    static constexpr int kGap[kCadences] = {1, 2, 4, 6, 4}; // sixtieths between two traced pictures
+    static constexpr int kInBetweens[kCadences] = {0, kBetweens, 3 * kBetweens, 5 * kBetweens, kBetweens};
     static_assert(kInBetweens[kSixes] <= kPlaces);
 
     static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
@@ -152,12 +154,12 @@ struct Governor {
     // The film's time of the picture to trace next, in seconds, if the last one is that of `time` and the
     // film is at `now`. It and all in-betweens before it must be ready when they are due. If they cannot be,
     // whole sixtieths are dropped: a picture between two refreshes of the screen would only wait for the
-    // second.
-    double next(double time, double now) const {
+    // second. Each of several `workers` takes that many times longer than all together.
+    double next(double time, double now, int workers = 1) const {
         int count = kInBetweens[cadence];
         // How far ahead the picture must be for its first in-between to be in time, and for the last one; if
         // there are none, for itself
-        float first = tracing, last = work();
+        float first = tracing * (float)workers, last = work();
         float each = (float)(apart() * kSixtieth);
         if (count) first += making + (float)count * each, last += each;
         double soonest = now + max(first, last) - kTolerance;
@@ -243,5 +245,6 @@ struct Governor {
         coarseness = coarser;
     }
 };
+using Governor = GovernorOf<true>;
 
 } // namespace odraz

@@ -11,8 +11,6 @@ namespace odraz {
 
 namespace {
 
-// Pictures a second that a viewer should see; a sixtieth of a second without a new one counts as missed.
-constexpr int kScreenRate = 60;
 constexpr int64_t kNap = 500000; // nanoseconds
 
 // Zero at the start
@@ -85,7 +83,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     while (p.queue.ready() < Queue::kAhead && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE) && !p.leaves())
         sleepFor(kNap);
     startMusic(theMusic, sound, from, leave);
-    int64_t start = nanoseconds(), lastSixtieth = -1, firstShown = 0;
+    int64_t start = nanoseconds(), firstShown = 0;
     for (;;) {
         int64_t before = nanoseconds();
         theMusic.clock.watch(before, processorNanoseconds());
@@ -98,30 +96,16 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             continue;
         }
         const Made &m = p.queue.first();
-        SceneStatistics &s = theStatistics.scenes[sceneAt(m.time)];
         if (action == Queue::kShow) {
             present(window, m.picture.rgba, m.picture.width, m.picture.height);
             int64_t shown = nanoseconds();
             if (!firstShown) firstShown = shown;
-            int64_t sixtieth = (int64_t)((double)(shown - start) * 1e-9 * kScreenRate);
-            if (sixtieth > lastSixtieth + 1 && lastSixtieth >= 0)
-                s.missed += (int)(sixtieth - lastSixtieth - 1);
-            lastSixtieth = sixtieth;
-            ++s.shown;
-            s.present.add(shown - before);
+            theStatistics.show(m, shown - start, shown - before);
         }
         if (recorder)
             recorder->record(recorder->context, m,
                              action == Queue::kShow ? theMusic.clock.at(nanoseconds()) : -1);
-        if (m.trace > 0) {
-            ++s.traced;
-            s.samples += m.samples;
-            s.width += m.size.width;
-            s.trace.add((int64_t)(m.trace * 1e9f));
-        } else {
-            ++s.between;
-            s.make.add((int64_t)(m.make * 1e9f));
-        }
+        theStatistics.add(m);
         p.queue.remove();
     }
     endMusic(theMusic);

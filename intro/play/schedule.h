@@ -19,8 +19,8 @@ struct Made {
 // Made pictures in the order of their times. One thread adds to it, another one shows. Zero at the start.
 struct Queue {
     unsigned made, shown; // since the start
-    static constexpr unsigned kRing = 8;
-    Made ring[kRing]; // those not shown yet: at most all slots and places of intro.h
+    static constexpr unsigned kRing = 16;
+    Made ring[kRing]; // those not shown yet: at most all slots and places of intro.h, or page_player.h's
     static_assert(kSlots + kPlaces <= kRing);
 
     // The film begins when this many are ready.
@@ -33,6 +33,15 @@ struct Queue {
         ring[made % kRing] = m;
         __atomic_store_n(&made, made + 1, __ATOMIC_RELEASE);
         return made;
+    }
+    // Adds one of several workers', on the thread that shows: before those that are later, or not at all if a
+    // later one has been shown.
+    void insert(const Made &m) {
+        if (shown && ring[(shown - 1) % kRing].time > m.time) return;
+        unsigned i = made++;
+        for (; i != shown && ring[(i - 1) % kRing].time > m.time; --i)
+            ring[i % kRing] = ring[(i - 1) % kRing];
+        ring[i % kRing] = m;
     }
     // What to do with the first picture when the film is at `time`. If several are due, all but the last are
     // skipped.
@@ -50,6 +59,23 @@ struct Queue {
     }
 };
 
+// The scene and the moment of a picture to trace; `film` is a player as below.
+template <class Film, class G> void enter(const Film &film, G &governor, double time) {
+    int scene = film.sceneOf(time);
+    governor.enter(scene, film.paceOf(scene));
+}
+// ... the moment of the next one, behind that of `last`, if the film is at `now`.
+template <class Film, class G>
+double nextTime(const Film &film, const G &governor, double last, double now, int workers = 1) {
+    double time = governor.next(last, now, workers);
+    // A shot's first picture is traced: in-betweens beside a cut are made from one picture alone, or a
+    // cut would wait for the next picture. A gap of two sixtieths is too short to be cut shorter
+    double start = film.startOf(time) - 1e-3;
+    if (G::kMakesBetweens && start > last && governor.cadence >= G::kFours)
+        for (time = last; time < start;) time += G::kSixtieth;
+    return time;
+}
+
 // Makes the film from `time` on, in seconds, ahead of its clock, which is possible because it is scripted.
 // The player provides:
 //
@@ -65,7 +91,7 @@ struct Queue {
 //                                   slots
 //   unsigned add(made)              Queue::add()
 //   await(number)                   waits until that many pictures have been removed from the queue
-template <class Player> void makePictures(Player &player, Governor &governor, double time) {
+template <class Player, class G> void makePictures(Player &player, G &governor, double time) {
     // A slot, or a place of in-betweens, is free once this many pictures have been removed
     unsigned freeAt[2] = {}, placeFreeAt[kPlaces] = {};
     int place = 0;
@@ -76,11 +102,10 @@ template <class Player> void makePictures(Player &player, Governor &governor, do
         int64_t began = player.now();
         Made m = {};
         m.time = time;
-        int scene = player.sceneOf(time);
-        governor.enter(scene, player.paceOf(scene));
+        enter(player, governor, time);
         player.trace(m, slot, governor);
         m.trace = (float)(player.now() - began) * 1e-9f;
-        int gap = (int)((time - last) / Governor::kSixtieth + 0.5), count = n ? governor.between(gap) : 0;
+        int gap = (int)((time - last) / G::kSixtieth + 0.5), count = n ? governor.between(gap) : 0;
         float make = 0;
         for (int i = 1; i <= count; ++i) {
             player.await(placeFreeAt[place]);
@@ -97,12 +122,7 @@ template <class Player> void makePictures(Player &player, Governor &governor, do
         freeAt[slot] = player.add(m);
         if (n) governor.spent(m.trace, make / (float)max(count, 1), count);
         last = time;
-        time = governor.next(time, player.filmAt(player.now()));
-        // A shot's first picture is traced: in-betweens beside a cut are made from one picture alone, or a
-        // cut would wait for the next picture. A gap of two sixtieths is too short to be cut shorter
-        double start = player.startOf(time) - 1e-3;
-        if (start > last && governor.cadence >= Governor::kFours)
-            for (time = last; time < start;) time += Governor::kSixtieth;
+        time = nextTime(player, governor, last, player.filmAt(player.now()));
     }
 }
 

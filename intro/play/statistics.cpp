@@ -5,11 +5,36 @@
 
 namespace odraz {
 
+// Pictures a second that a viewer should see; a sixtieth of a second without a new one counts as missed.
+static constexpr int kScreenRate = 60;
+
 double Histogram::quantile(double share) const {
     int wanted = (int)(share * (double)count), seen = 0;
     for (int i = 0; i < kBins; ++i)
         if ((seen += bins[i]) > wanted) return i * 0.1;
     return 0;
+}
+
+void Statistics::show(const Made &m, int64_t at, int64_t present) {
+    SceneStatistics &s = scenes[sceneAt(m.time)];
+    int64_t before = sixtieth;
+    sixtieth = (int64_t)((double)at * 1e-9 * kScreenRate) + 1;
+    if (before && sixtieth > before + 1) s.missed += (int)(sixtieth - before - 1);
+    ++s.shown;
+    s.present.add(present);
+}
+
+void Statistics::add(const Made &m) {
+    SceneStatistics &s = scenes[sceneAt(m.time)];
+    if (m.trace > 0) {
+        ++s.traced;
+        s.samples += m.samples;
+        s.width += m.size.width;
+        s.trace.add((int64_t)(m.trace * 1e9f));
+    } else {
+        ++s.between;
+        s.make.add((int64_t)(m.make * 1e9f));
+    }
 }
 
 int printStatistics(const Statistics &statistics, const FilmClock &clock, double untilFirst) {

@@ -2,8 +2,8 @@
 // and how long that took.
 #pragma once
 
-#include "intro.h"
 #include "play/film_clock.h"
+#include "play/schedule.h"
 
 namespace odraz {
 
@@ -32,6 +32,12 @@ struct SceneStatistics {
 // Zero at the start.
 struct Statistics {
     SceneStatistics scenes[kMaxScenes];
+    int64_t sixtieth; // when the last picture was shown, plus 1
+
+    // A picture came on the screen that many nanoseconds after the film began, and took `present` to show.
+    void show(const Made &m, int64_t at, int64_t present);
+    // It was made, whether it was shown or skipped.
+    void add(const Made &m);
 };
 
 // Prints a row for every scene that was shown, and how far the sound was from the picture; exit status.

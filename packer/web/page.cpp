@@ -140,6 +140,20 @@ Layout layoutOf(const std::string &all, size_t program) {
     throw std::runtime_error("the program has no code");
 }
 
+// plain.js finds relaxed instructions by their bytes alone. Refuses a program where others look like them.
+void checkRelaxed(const std::vector<uint8_t> &bytes, const Layout &layout) {
+    Parser parser = {};
+    uint32_t fields[kFields] = {};
+    for (uint32_t i = layout.codeBegin; i + 2 < layout.codeBegin + layout.codeSize; ++i) {
+        uint8_t kind = bytes[i + 1];
+        bool looks = bytes[i] == 0xfd && bytes[i + 2] == 2 && (kind == 0x81 || kind == 0x85 || kind == 0x8b);
+        if (looks && parser.phase != Parser::kOpcodeByte)
+            throw std::runtime_error("the program has a number that looks like a relaxed instruction, which "
+                                     "plain.js would change: change some address or constant");
+        parser.step(fields, bytes[i]);
+    }
+}
+
 // The masks of code and data, as hexadecimal numbers.
 ModelParameters readModel(const std::string &path) {
     std::istringstream text(common::readWhole(path));
@@ -159,10 +173,11 @@ void writeModel(const std::string &path, const ModelParameters &parameters) {
 
 // In: the comment's text `t`, or the page `s` itself; out: what the decoder makes of it, a script, which is
 // run with the program. The decoder works on a thread of its own, so that the page answers. What fails, as
-// workers, scripts and WebAssembly do by a Content-Security-Policy, is one sentence.
+// workers, scripts and WebAssembly do by a Content-Security-Policy, is one sentence. A click is remembered.
 constexpr char kLoader[] =
     R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],w,e=onerror=onunhandledrejection=()=>{
 document.body.textContent='This browser or site allows no WebAssembly, workers or DecompressionStream: it cannot play the film.'}
+onclick=()=>clicked=1
 if(document.characterSet[0]=='w'){
 [...new TextDecoder('latin1').decode(Uint8Array.from({length:256},(_,i)=>i))].map((c,i)=>m[c]=i)
 s=[...t].map(c=>m[c])
@@ -193,11 +208,12 @@ void makePage(char **words, double seconds) {
     // The markup's first line stands in the page as it is; a script adds the rest
     std::string html = shortened(common::readWhole(words[3])), first = html.substr(0, html.find('\n'));
     std::string script = "document.body.innerHTML=" + quoted(html.substr(first.size() + 1)) + "\n" +
-                         scriptsOf(words[5]) + "main(data," + quoted(scriptsOf(words[4]) + "work()") + ")";
+                         scriptsOf(words[5]) + "main(data," + quoted(scriptsOf(words[4])) + ")";
 
     std::string all = script + program;
     std::vector<uint8_t> bytes(all.begin(), all.end());
     Layout layout = layoutOf(all, script.size());
+    checkRelaxed(bytes, layout);
     if (seconds > 0) {
         parameters = search(bytes, layout, parameters, seconds, [](const Progress &) { return true; });
         writeModel(words[2], parameters);

@@ -8,7 +8,8 @@ declare -A tolerance=([chromium]=30 [firefox]=45)
 start_display 1280x800
 export TMPDIR=$WORK # for the browsers' profiles
 program=$BUILD/intro/host/web/$FILM.wasm scripts=$SOURCE/intro/host/web
-check "simulated player" node "$SOURCE/tests/programs/web/player.mjs" "$program" "$scripts/plain.js" "$scripts/page.js"
+check "simulated player" node "$SOURCE/tests/programs/web/player.mjs" "$program" \
+    "$scripts/"{plain,pictures,music,page}.js
 mkdir "$WORK/plain"
 check "plain SIMD" node "$SOURCE/tests/programs/web/plain.mjs" "$program" "$scripts/plain.js" "$WORK/plain" $FILM_TRACED
 for t in $FILM_TRACED; do

@@ -1,4 +1,5 @@
-// A program for browsers without relaxed SIMD, made of one with it: what it multiplies and adds is rounded twice.
+// A program for browsers without relaxed SIMD, made of one with it: what it multiplies and adds is rounded twice. Such
+// instructions are known by their bytes: packer/web/page.cpp has seen that nothing else looks like them.
 const plain = wasm => {
   let i = 8
   const out = [...wasm.slice(0, i)], types = [], functions = []
@@ -17,30 +18,17 @@ const plain = wasm => {
   const skip = n => { i += n }
   // One more local holds the last operand of a multiply-add
   const rewrite = (to, type) => {
-    const body = [], size = number(), end = i + size, groups = number(), from = i
+    const body = [], size = number(), end = i + size, groups = number(), from = i, operand = []
     let local = types[type]
     for (let n = groups; n--; ++i) local += number()
+    put(operand, local)
     put(body, groups + 1), copy(body, wasm.slice(from, i)), body.push(1, 123)
+    const add = [33, ...operand, 253, 230, 1, 32, ...operand, 253, 228, 1]
+    const instead = { 129: [253, 248, 1], 133: add, 139: [253, 82] }
     while (i < end) {
-      const from = i, op = wasm[i++], code = op > 251 && number()
-      let n = 0, raw = 0
-      if (op == 253) {
-        n = code < 12 || code > 83 && code < 94 ? 2 : 0
-        raw = code == 12 || code == 13 ? 16 : code > 20 && code < 35 || code > 83 && code < 92 ? 1 : 0
-      } else if (op == 252)
-        n = code > 7 ? 2 - (code == 11) : 0
-      else {
-        n = op == 14 ? number() + 1 : op == 17 || op > 39 && op < 63 ? 2
-          : op > 1 && op < 5 || op > 11 && op < 17 && op != 15 || op > 31 && op < 37 || op > 62 && op < 67 ? 1 : 0
-        raw = op == 67 ? 4 : op == 68 ? 8 : 0
-      }
-      while (n--) number()
-      skip(raw)
-      if (op == 253 && code == 261)
-        body.push(33), put(body, local), body.push(253, 230, 1, 32), put(body, local), body.push(253, 228, 1)
-      else
-        copy(body, op == 253 && code == 267 ? [253, 82] : op == 253 && code == 257 ? [253, 248, 1]
-          : wasm.slice(from, i))
+      const relaxed = wasm[i] == 253 && wasm[i + 2] == 2 && instead[wasm[i + 1]]
+      relaxed ? copy(body, relaxed) : body.push(wasm[i])
+      i += relaxed ? 3 : 1
     }
     put(to, body.length), copy(to, body)
   }

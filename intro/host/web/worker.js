@@ -1,68 +1,70 @@
 // What a worker of the page does. Messages in: [what, ...]; out: objects, whose members say what they are.
-const work = () => {
-  const kPage = 65536
-  let module, x, w, h
-  const bytes = () => new Uint8Array(x.memory.buffer)
-  const page = i => bytes().subarray(i * kPage, (i + 1) * kPage)
-  // The numbers of the pages of memory that are not empty
-  const used = () => {
-    const all = new Int32Array(x.memory.buffer), each = kPage / 4, which = []
-    for (let i = 0; i < all.length; i += each) {
-      let k = i
-      while (k < i + each && !all[k]) ++k
-      if (k < i + each) which.push(i / each)
-    }
-    return which
+const kPage = 65536
+let module, x, w, h, turn // turn: how often the viewer has sought
+const bytes = () => new Uint8Array(x.memory.buffer)
+const page = i => bytes().subarray(i * kPage, (i + 1) * kPage)
+// The numbers of the pages of memory that are not empty
+const used = () => {
+  const all = new Int32Array(x.memory.buffer), each = kPage / 4, which = []
+  for (let i = 0; i < all.length; i += each) {
+    let k = i
+    while (k < i + each && !all[k]) ++k
+    if (k < i + each) which.push(i / each)
   }
-  const make = gl => {
-    const env = { progress: done => postMessage({ progress: done }) }
-    const all = new Proxy(env, { get: (o, k) => o[k] ?? gl?.[k] ?? (() => 0) })
-    x = new WebAssembly.Instance(module, { env: all }).exports
-  }
-  const text = at => { let s = ''; for (const b = bytes(); b[at]; ) s += String.fromCharCode(b[at++]); return s }
-  const load = hall => { const at = x.load(w, h, hall); if (at) postMessage({ wrong: text(at) }); return !at }
-  const does = {
-    trace(m, width, height) {
-      module = m, w = width, h = height
-      make()
-      if (load(0)) postMessage({ idle: 1 })
-    },
-    // Traces the picture that plan() of main_web.cpp describes, into `rgba`
-    picture(p, rgba = new Uint8Array(w * h * 4)) {
-      const began = performance.now(), at = x.picture(p.time, p.level, p.width, p.height)
-      const trace = performance.now() - began, width = p.width || w, height = p.height || h
-      rgba.set(bytes().subarray(at, at + w * h * 4))
-      postMessage({ ...p, rgba, trace, width, samples: x.samples() / width / height }, [rgba.buffer])
-    },
-    // Solves the hall's light, and posts the pages of its memory that are not empty
-    solve(m, width, height) {
-      module = m, w = width, h = height
-      const gl = self.OffscreenCanvas && new OffscreenCanvas(1, 1).getContext('webgl2', { antialias: false })
-      if (!gl) return postMessage({ wrong: 'no WebGL 2' })
-      make(makeGl(gl, () => x.memory.buffer))
-      if (!load(1)) return
-      const which = used(), pages = new Uint8Array(which.length * kPage)
-      which.forEach((i, k) => pages.set(page(i), k * kPage))
-      postMessage({ hall: { which, pages, count: bytes().length / kPage } }, [pages.buffer])
-    },
-    // Takes over that memory, and hands its pages on
-    light(hall) {
-      for (const i of used()) page(i).fill(0)
-      x.memory.grow(hall.count - bytes().length / kPage)
-      hall.which.forEach((i, k) => page(i).set(hall.pages.subarray(k * kPage, (k + 1) * kPage)))
-      postMessage({ hall }, [hall.pages.buffer])
-    },
-    compose(m, block) {
-      module = m
-      make()
-      if (!x.seek(block)) postMessage({ wrong: 'there is not enough memory' })
-    },
-    sound(blocks) {
-      const n = blocks * 240, all = new Float32Array(x.memory.buffer, x.sound(blocks), 2 * n)
-      const left = new Float32Array(n), right = new Float32Array(n)
-      for (let i = 0; i < n; ++i) left[i] = all[2 * i], right[i] = all[2 * i + 1]
-      postMessage({ left, right }, [left.buffer, right.buffer])
-    },
-  }
-  onmessage = ({ data: [what, ...all] }) => does[what](...all)
+  return which
 }
+const make = gl => {
+  const env = { progress: done => postMessage({ progress: done }) }
+  const all = new Proxy(env, { get: (o, k) => o[k] ?? gl?.[k] ?? (() => 0) })
+  x = new WebAssembly.Instance(module, { env: all }).exports
+}
+const text = at => { let s = ''; for (const b = bytes(); b[at]; ) s += String.fromCharCode(b[at++]); return s }
+const load = hall => { const at = x.load(w, h, hall); if (at) postMessage({ wrong: text(at) }); return !at }
+const does = {
+  trace(m, width, height) {
+    module = m, w = width, h = height
+    make()
+    if (load(0)) postMessage({ idle: 1 })
+  },
+  // Traces the picture that plan() of main_web.cpp describes, into `rgba`
+  picture(p, rgba = new Uint8Array(w * h * 4)) {
+    const began = performance.now(), at = x.picture(p.time, p.level, p.width, p.height)
+    const trace = performance.now() - began, width = p.width || w, height = p.height || h
+    rgba.set(bytes().subarray(at, at + w * h * 4))
+    postMessage({ ...p, rgba, trace, width, samples: x.samples() / width / height }, [rgba.buffer])
+  },
+  // Solves the hall's light, and posts the pages of its memory that are not empty
+  solve(m, width, height) {
+    module = m, w = width, h = height
+    const gl = self.OffscreenCanvas && new OffscreenCanvas(1, 1).getContext('webgl2', { antialias: false })
+    if (!gl) return postMessage({ wrong: 'no WebGL 2' })
+    make(makeGl(gl, () => x.memory.buffer))
+    if (!load(1)) return
+    const which = used(), pages = new Uint8Array(which.length * kPage)
+    which.forEach((i, k) => pages.set(page(i), k * kPage))
+    postMessage({ hall: { which, pages, count: bytes().length / kPage } }, [pages.buffer])
+  },
+  // Takes over that memory, and hands its pages on
+  light(hall) {
+    for (const i of used()) page(i).fill(0)
+    x.memory.grow(hall.count - bytes().length / kPage)
+    hall.which.forEach((i, k) => page(i).set(hall.pages.subarray(k * kPage, (k + 1) * kPage)))
+    postMessage({ hall }, [hall.pages.buffer])
+  },
+  compose(m, ...all) {
+    module = m
+    make()
+    does.seek(...all)
+  },
+  seek(block, t) {
+    turn = t
+    if (!x.seek(block)) postMessage({ wrong: 'there is not enough memory' })
+  },
+  sound(blocks) {
+    const n = blocks * 240, all = new Float32Array(x.memory.buffer, x.sound(blocks), 2 * n)
+    const left = new Float32Array(n), right = new Float32Array(n)
+    for (let i = 0; i < n; ++i) left[i] = all[2 * i], right[i] = all[2 * i + 1]
+    postMessage({ left, right, turn }, [left.buffer, right.buffer])
+  },
+}
+onmessage = ({ data: [what, ...all] }) => does[what](...all)

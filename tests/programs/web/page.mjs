@@ -18,6 +18,15 @@ const until = async (b, what, seconds = 1200) => {
   return false
 }
 
+// --- A click while it is unpacked is remembered ---
+const early = await open(kind, 'file://' + page + '?full=0')
+const unpacks = await until(early, 'document.body && /unpacked/.test(document.body.innerText)', 60)
+await early.click()
+const before = await early.evaluate('!self.film')
+check('says that it is unpacked', unpacks && before, before)
+check('... and a click is remembered', await until(early, 'self.film && film.state().shown > 0', 120), 0)
+await early.close()
+
 const b = await open(kind, 'file://' + page + '?full=0')
 try {
   const opens = await until(b, 'self.film && document.querySelector("b").textContent')
@@ -98,6 +107,13 @@ try {
   check('stands while its tab is hidden', stopped == 0, stopped)
   const s = await b.evaluate('film.state()')
   check('... and goes on', await until(b, `film.state().shown > ${s.shown + 5}`), await b.evaluate('film.state()'))
+  const at = () => b.evaluate('film.state().film')
+  await b.click()
+  const paused = await at()
+  await later(500)
+  check('pauses by a click', await at() == paused && paused > 0, paused)
+  await b.key(kind == 'firefox' ? '\ue014' : 'ArrowRight')
+  check('seeks by an arrow, and plays on', await until(b, `film.state().film > ${paused + 5.2}`, 60), await at())
   await b.resize(700, 600)
   check('is as large as its window', await until(b, 'document.querySelector("canvas").clientWidth == innerWidth'), 700)
   await b.key('m')

@@ -8,8 +8,9 @@ const kWorkers = 2, kSeconds = 8
 // `cost`: milliseconds that a worker takes for all of 1280x720 pixels in `draft`. Returns the milliseconds from the
 // click to the first picture, how many were left out after 1.5 s, the fewest that were shown in a second, how far the
 // sound was off, in seconds, and whether keys mute it. `pauses`: the system stops the sound from 3 to 7 s after the
-// click. `silent`: there is none to be had.
-const play = async (cost, from, { pauses, silent, query = from } = {}) => {
+// click. `silent`: there is none to be had. `stops`: the viewer does, by a click, and goes on by space. `seeks`: 5 s
+// back, while the film stands.
+const play = async (cost, from, { pauses, silent, stops, seeks, query = from } = {}) => {
   let clock = 0, skippedAtStart = 0, off = 0, context, muted
   const events = [], shown = [], elements = {}
   const at = (when, what) => { events.push({ when, what }), events.sort((a, b) => a.when - b.when) }
@@ -23,7 +24,8 @@ const play = async (cost, from, { pauses, silent, query = from } = {}) => {
       if (what == 'trace') send(300, { idle: 1 })
       if (what == 'solve') send(8000, { hall: { pages: [] } })
       if (what == 'light') send(20, { hall: all[0] })
-      if (what == 'sound') send(10, { left: [], right: [] })
+      if (what == 'compose' || what == 'seek') this.turn = all.at(-1)
+      if (what == 'sound') send(10, { left: [], right: [], turn: this.turn })
       if (what == 'picture') {
         const [p] = all, width = p.width || 1280, trace = cost * (width / 1280) ** 1.7 * 2 ** (2 - p.level)
         send(trace, { ...p, trace, width, samples: 1, rgba: { buffer: p } })
@@ -41,7 +43,7 @@ const play = async (cost, from, { pauses, silent, query = from } = {}) => {
     suspend() { this.ran = 1e3 * this.currentTime, this.state = 'suspended' }
     close() {}
     gain = { value: 1 }
-    createGain() { return { gain: this.gain, connect() {} } }
+    createGain() { return { gain: this.gain, connect() {}, disconnect() {} } }
     createBuffer() { return { copyToChannel() {} } }
     createBufferSource() { return { connect() {}, start() {} } }
   }
@@ -59,6 +61,11 @@ const play = async (cost, from, { pauses, silent, query = from } = {}) => {
   }))(readFileSync(program), '')
   at(12000, () => self.onclick())
   if (pauses) at(15000, () => context.suspend()), at(19000, () => context.resume())
+  let stood = 0
+  const film = () => self.film.state().film
+  if (stops || seeks) at(14000, () => { self.onclick(), stood -= film() }), at(16000, () => stood += film())
+  if (stops) at(16010, () => self.onkeydown({ key: ' ', code: 'Space' }))
+  if (seeks) at(16010, () => self.onkeydown({ key: 'ArrowLeft', code: 'ArrowLeft' }))
   const keys = [['m', 'KeyM'], ['M', 'KeyM'], ['\u044c', 'KeyM'], ['M', 'Semicolon']]
   at(12600, () => muted = keys.map(([key, code]) => { self.onkeydown({ key, code }); return context?.gain.value }) + '')
   const each = Array(kSeconds).fill(0)
@@ -74,16 +81,16 @@ const play = async (cost, from, { pauses, silent, query = from } = {}) => {
     if (s.over) break
   }
   for (const t of shown) if (t >= from && t < from + kSeconds) ++each[Math.floor(t - from)]
-  const { first, skipped } = self.film.state()
+  const { first, skipped, duration } = self.film.state()
   const last = shown.at(-1), least = Math.min(...each.slice(0, Math.ceil(last - from)))
-  return { first, skipped: skipped - skippedAtStart, least, off, last, muted }
+  return { first, skipped: skipped - skippedAtStart, least, off, last, muted, duration, stood }
 }
 
 let wrong = false
 const check = async (cost, from, how = {}) => {
-  const r = await play(cost, from, how), last = Math.min(from + kSeconds, 162) - 0.1
-  const right = r.first <= (how.silent ? 1600 : 300) && !r.skipped && r.least >= 24 && r.off < 0.02 && r.last >= last &&
-    r.muted == (how.silent ? ',,,' : '0,1,0,1')
+  const r = await play(cost, from, how), last = Math.min(from + kSeconds, r.duration) - 0.1
+  const right = r.first <= (how.silent ? 1600 : 300) && !r.skipped && r.least >= 24 && r.off < 0.02 && !r.stood &&
+    r.last >= last && r.muted == (how.silent ? ',,,' : '0,1,0,1')
   const what = `${cost} ms a picture, from ${from} s ${Object.keys(how)}`
   console.log(`${right ? 'ok' : 'FAILED'}: ${what}: ${JSON.stringify(r)}`)
   wrong ||= !right
@@ -91,5 +98,8 @@ const check = async (cost, from, how = {}) => {
 for (const cost of [60, 120, 240]) for (const from of [0, 20, 46, 66, 96, 130, 153]) await check(cost, from)
 await check(120, 46, { pauses: 1 })
 await check(120, 46, { silent: 1 })
-for (const [query, from] of [['1e9', 161], ['-5', 0], ['60,5', 60], ['x', 0]]) await check(120, from, { query })
+await check(120, 46, { stops: 1 })
+await check(120, 46, { stops: 1, silent: 1 })
+await check(120, 66, { seeks: 1 })
+for (const [query, from] of [['1e9', 163], ['-5', 0], ['60,5', 60], ['x', 0]]) await check(120, from, { query })
 process.exit(wrong ? 1 : 0)

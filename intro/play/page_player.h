@@ -1,0 +1,72 @@
+// The player's decisions where several workers trace pictures, each one on its own and for itself, as the
+// page's do. The page and tools/measure/seen play by them.
+#pragma once
+
+#include "play/schedule.h"
+
+namespace odraz {
+
+// A scene's limits there. A browser takes twice the time of the film, and too few pictures look worse than
+// too few pixels. No in-betweens are made: each takes two thirds of the time of a traced picture, and every
+// worker would trace a picture of its neighbour again. So all pictures are traced, 60 a second, or 30:
+// without in-betweens the governor's pairs.
+inline Pace pageOf(Pace p) {
+    constexpr int kLeastWidth = 480;
+    p.leastWidth = min(p.leastWidth, kLeastWidth);
+    p.penalty[Governor::kPairs] = p.penalty[Governor::kThirty];
+    for (int c = Governor::kPairs + 1; c < kCadences; ++c) p.penalty[c] = 1e9f;
+    return p;
+}
+
+// Whether a picture can be traced now, later, or never: for want of the hall's light.
+enum class Can { Now, Later, Never };
+
+// `Film` provides sceneOf(), startOf(), paceOf() and goesOn() as the player of makePictures() does, and `Can
+// can(time)`.
+template <class Film> struct PagePlayer {
+    static constexpr int kMostWorkers = 8;
+    static constexpr unsigned kMostReady = 8; // pictures that stand ready, besides those being traced
+    static_assert(kMostReady + kMostWorkers <= Queue::kRing);
+    static constexpr double kNearest = 0.008; // seconds: a picture is shown at the refresh next to its time
+
+    Film *film;
+    int workers;
+    unsigned most = kMostReady + (unsigned)workers; // pictures that are ready or being traced
+    GovernorOf<false> governor = {};
+    Queue queue = {};
+    double time = 0;                 // of the picture to trace next, or of the last one
+    bool planned = false;            // it is that of the next one
+    unsigned started = 0, ended = 0; // pictures whose tracing has
+
+    void begin(double from, int width, int height) {
+        governor.width = width, governor.height = height;
+        time = from, planned = true;
+    }
+    unsigned waiting() const { return queue.made - queue.shown; }
+    // The picture that an idle worker traces next, if the film is at `now`. False: there is none yet.
+    bool next(Made &m, double now) {
+        for (;; planned = false) {
+            if (!planned) time = nextTime(*film, governor, time, now, workers), planned = true;
+            if (!film->goesOn(time) || waiting() + started - ended >= most) return false;
+            Can can = film->can(time);
+            if (can == Can::Later) return false;
+            if (can == Can::Now) break;
+        }
+        enter(*film, governor, time);
+        ++started, planned = false;
+        m = {};
+        m.time = time, m.size = governor.size(), m.level = governor.level();
+        return true;
+    }
+    // A worker has traced that picture, in m.trace seconds. Its first one does not count: it takes longer.
+    void traced(const Made &m) {
+        if (ended++ >= (unsigned)workers) governor.spent(m.trace / (float)workers, 0, 0);
+        queue.insert(m);
+    }
+    // Whether enough pictures are ready to begin: 1.
+    float ready() const { return min((float)waiting() / Queue::kAhead, 1.f); }
+    // What is done with the first picture when the screen is refreshed and the film is at `now`.
+    Queue::Action action(double now) const { return queue.action(now + kNearest); }
+};
+
+} // namespace odraz
