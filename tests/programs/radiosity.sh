@@ -9,8 +9,8 @@ check "... with other materials" prints polygons "$radiosity" generate cube -o b
 check "... has them in its file" test "$(grep -A 2 -E '^newmtl (lamp|red|floor)' bright.mtl | grep K | tr '\n' ' ')" = "Kd 0.325 0.05 0.04 Ke 0 0 0 Kd 0.1 0.2 0.3 Ke 0 0 0 Kd 0.5 0.5 0.5 Ke 40 36 30 "
 few=(--rays 64 --element 0.25)
 check "solve" solved cube cube.obj "${few[@]}"
-check "... prints elements, sites, sweeps and memory, silently" eval 'grep -q "elements, [0-9]* sites with [0-9]* rays" cube.out && grep -q "sweeps, residual" cube.out && grep -qE "needs about [1-9][0-9]* MB" cube.out && [ ! -s cube.err ]'
-check "... a table with its head" test "$(head -n 1 cube.csv)" = "polygon,x,y,z,nx,ny,nz,area,r,g,b"
+check "... prints elements, sites, sweeps and memory, silently" eval 'grep -q "elements; [0-9]* sites (their corners) with [0-9]* rays" cube.out && grep -q "sweeps, residual" cube.out && grep -qE "needs about [1-9][0-9]* MB" cube.out && [ ! -s cube.err ]'
+check "... a table with its head" test "$(head -n 1 cube.csv)" = "polygon,x,y,z,nx,ny,nz,area,r,g,b,material"
 check "... a line for every element" test "$(($(wc -l <cube.csv) - 1))" = "$(sed -n 's/.* \([0-9]*\) elements.*/\1/p' cube.out)"
 check "... whose areas are the model's" table cube.csv 'a += $8' 'a > 599.9 && a < 600.1'
 check "... red light on the wall beside the red one, green beside the green" \
@@ -35,7 +35,16 @@ for tone in log film; do
     check "render, tone $tone" bash -c "'$radiosity' render cube.rad -o $tone.png --eye 0,5,4.9 --at 0,4,-5 --size 160x90 --tone $tone && [ \$(od -An -tx1 -j16 -N8 $tone.png | tr -d ' ') = 000000a00000005a ]"
 done
 
-# --- Closed forms, each by one small solution ---
+# --- Closed forms: two example models, and the mean that solve prints; then each by one small solution ---
+check "polygons have the name of their material" grep -qE '^0,-.*,floor$' cube.csv
+mean() { # mean KIND MATERIAL LEAST MOST OPTION...
+    "$radiosity" generate $1 -o known.obj >/dev/null && "$radiosity" solve known.obj -o known.rad --element 0.004 "${@:5}" >means 2>/dev/null &&
+        awk -v name=$2 -v least=$3 -v most=$4 '$1 == name { for (i = 4; i <= 6; ++i) good += $i >= least && $i <= most } END { exit good != 3 }' means
+}
+check "a furnace" mean furnace furnace 1.999 2.001
+check "... that reflects a tenth" mean furnace furnace 1.110 1.112 --reflectance furnace=0.2
+check "two squares" mean squares receives 0.198 0.2015
+check "... by hemicubes" mean squares receives 0.198 0.2015 --hemicube 100
 cat >out.mtl <<'END'
 newmtl grey
 Kd 0.5 0.25 0.8

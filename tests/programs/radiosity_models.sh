@@ -17,8 +17,8 @@ check "... and in earth-centred ones" far_room earth 3980581.25 -12345.5 4966824
 for far in survey earth; do
     # Places, normals, areas and light of every element
     check "... has the same light ($far)" eval "paste -d, near.csv $far.csv | awk -F, 'function off(a, b) { return a > b ? a - b : b - a }
-        NR > 1 { ++n; s += off(\$9, \$20); light += \$9; if (off(\$6, \$17) > 1e-6 || off(\$8, \$19) > 1e-5 * \$8) ++bad
-            for (k = 2; k < 5; ++k) { d = \$(k + 11) - \$k; if (n == 1) first[k] = d; if (off(d, first[k]) > 2e-6) ++bad } }
+        NR > 1 { ++n; s += off(\$9, \$21); light += \$9; if (off(\$6, \$18) > 1e-6 || off(\$8, \$20) > 1e-5 * \$8) ++bad
+            for (k = 2; k < 5; ++k) { d = \$(k + 12) - \$k; if (n == 1) first[k] = d; if (off(d, first[k]) > 2e-6) ++bad } }
         END { exit !(n > 1000 && s < 0.001 * light && bad + 0 == 0) }'"
 done
 check "the camera, too" "$radiosity" render survey.rad -o survey.png --eye 460123.5,211,5411235.15 --at 460123.5,211,5411233.25 --size 80x60

@@ -70,40 +70,35 @@ std::string placeText(const Solution &solution, const Vec3 &point) {
     return common::format("%.*g %.*g %.*g", digits, p.x, digits, p.y, digits, p.z);
 }
 
+// A name as a field of CSV (RFC 4180).
+std::string quoted(const std::string &name) {
+    if (name.find_first_of(",\"") == name.npos) return name;
+    std::string text = "\"";
+    for (char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
+    return text + '"';
+}
+
 } // namespace
 
 void exportCsv(const Solution &solution, const std::string &path) {
-    std::string text = "polygon,x,y,z,nx,ny,nz,area,r,g,b\n";
-    struct Sum {
-        double area, p[3], light[3];
-    };
+    std::string text = "polygon,x,y,z,nx,ny,nz,area,r,g,b,material\n";
     const int digits = solution.digits();
     // The pieces of an element are consecutive
     int chart = -1, cell = -1;
-    Sum sum = {};
+    PieceSum sum;
     auto put = [&] {
         if (!(sum.area > 0)) return;
         Vec3 n = solution.charts[(size_t)chart].n;
         Vec3d p = toDouble(solution.place) + Vec3d{sum.p[0], sum.p[1], sum.p[2]} / sum.area;
-        common::append(text, "%d,%.*g,%.*g,%.*g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g\n", chart, digits, p.x,
+        common::append(text, "%d,%.*g,%.*g,%.*g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g,%s\n", chart, digits, p.x,
                        digits, p.y, digits, p.z, (double)n.x, (double)n.y, (double)n.z, sum.area,
-                       sum.light[0] / sum.area, sum.light[1] / sum.area, sum.light[2] / sum.area);
+                       sum.radiosity[0] / sum.area, sum.radiosity[1] / sum.area, sum.radiosity[2] / sum.area,
+                       quoted(solution.materialOf(chart)).c_str());
         sum = {};
     };
     solution.forPieces([&](int c, int e, const std::vector<SolutionPoint> &piece) {
         if (e != cell) put(), chart = c, cell = e;
-        // Add it as a fan of triangles
-        for (size_t i = 2; i < piece.size(); ++i) {
-            const SolutionPoint *t[3] = {&piece[0], &piece[i - 1], &piece[i]};
-            double area = (double)length(cross(t[1]->p - t[0]->p, t[2]->p - t[0]->p)) / 2;
-            sum.area += area;
-            for (const SolutionPoint *q : t) {
-                const float p[3] = {q->p.x, q->p.y, q->p.z};
-                const float light[3] = {q->radiosity.x, q->radiosity.y, q->radiosity.z};
-                for (int k = 0; k < 3; ++k)
-                    sum.p[k] += area / 3 * (double)p[k], sum.light[k] += area / 3 * (double)light[k];
-            }
-        }
+        sum.add(piece);
     });
     put();
     common::writeWhole(path, text);

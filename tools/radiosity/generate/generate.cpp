@@ -15,9 +15,15 @@ namespace odraz::radiosity {
 namespace {
 
 const std::vector<MeshMaterial> kMaterials = {
-    {"white", {0.75f, 0.75f, 0.75f}, {}}, {"red", {0.65f, 0.1f, 0.08f}, {}},
-    {"green", {0.12f, 0.5f, 0.15f}, {}},  {"stone", {0.5f, 0.48f, 0.42f}, {}},
-    {"floor", {0.35f, 0.33f, 0.3f}, {}},  {"lamp", {0.5f, 0.5f, 0.5f}, {20, 18, 15}},
+    {"white", {0.75f, 0.75f, 0.75f}, {}},
+    {"red", {0.65f, 0.1f, 0.08f}, {}},
+    {"green", {0.12f, 0.5f, 0.15f}, {}},
+    {"stone", {0.5f, 0.48f, 0.42f}, {}},
+    {"floor", {0.35f, 0.33f, 0.3f}, {}},
+    {"lamp", {0.5f, 0.5f, 0.5f}, {20, 18, 15}},
+    {"furnace", {0.5f, 0.5f, 0.5f}, {1, 1, 1}},
+    {"shines", {}, {1, 1, 1}},
+    {"receives", {1, 1, 1}, {}},
 };
 
 struct Writer : ObjWriter {
@@ -110,6 +116,22 @@ void corner(Writer &w) {
     w.rect("white", {16, 0, 16}, {-8, 0, 0}, {0, y, 0});
 }
 
+// A closed cube whose sides all emit and reflect.
+void furnace(Writer &w) {
+    for (int k = 0; k < 3; ++k) {
+        Vec3d u = {}, v = {}, n = {};
+        u[(k + 1) % 3] = v[(k + 2) % 3] = n[k] = 1;
+        w.rect("furnace", {}, u, v);
+        w.rect("furnace", n, v, u);
+    }
+}
+
+// Two unit squares that face each other at the distance 1.
+void squares(Writer &w) {
+    w.rect("receives", {0, 0, 0}, {0, 0, 1}, {1, 0, 0});
+    w.rect("shines", {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
+}
+
 // A sphere seen from inside, with an uneven surface; triangles near the top are the lamp.
 void cave(Writer &w) {
     int rows = w.area > 0 ? std::max(4, (int)std::sqrt(1257 / w.area / 4)) : 20, columns = 2 * rows;
@@ -133,8 +155,8 @@ void cave(Writer &w) {
 
 std::string generateObj(const std::string &kind, double area, size_t *triangles) {
     static const std::map<std::string, std::function<void(Writer &)>> kinds = {
-        {"cube", cube}, {"columns", columns}, {"corner", corner},
-        {"cave", cave}, {"vault", makeVault}, {"terrain", makeTerrain}};
+        {"cube", cube},       {"columns", columns},     {"corner", corner},   {"cave", cave},
+        {"vault", makeVault}, {"terrain", makeTerrain}, {"furnace", furnace}, {"squares", squares}};
     auto make = kinds.find(kind);
     if (make == kinds.end()) return {};
     Writer w;
@@ -161,16 +183,18 @@ int runGenerate(common::CommandLine &line) {
     double area = 0;
     std::vector<MaterialChange> changes;
     line.about("Writes an example model, and its materials beside it.");
-    line.argument("KIND", kind, "cube, columns, corner, vault or terrain", false);
+    line.argument("KIND", kind,
+                  "cube, columns, corner, vault or terrain; furnace or squares, whose light is known", false);
     line.option("-o", "MODEL.obj", out, "the model's file");
     line.option("--area", "A", area, {1e-4, 1e6},
                 "divide polygons into triangles of at most this area; by default they stay whole");
     addMaterialChanges(line, changes);
     line.parse();
-    static const char *const kinds[] = {"cube", "columns", "corner", "vault", "terrain"};
+    static const char *const kinds[] = {"cube",    "columns", "corner", "vault",
+                                        "terrain", "furnace", "squares"};
     if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds))
-        throw common::Refused(
-            "generate makes a cube, columns, a corner, a vault or a terrain: name one of them");
+        throw common::Refused("generate makes a cube, columns, a corner, a vault, a terrain, a furnace or "
+                              "squares: name one of them");
     if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
         throw common::Refused("name a file with -o MODEL.obj");
     std::string mtl = out.substr(0, out.size() - 4) + ".mtl", name = mtl.substr(mtl.rfind('/') + 1);

@@ -76,7 +76,8 @@ private:
                 if (const Value &more = texture.Get("extensions"); more.IsObject())
                     for (const std::string &key : more.Keys()) base.extensions[key] = more.Get(key);
             }
-        } else if (surface.metallicFactor > 0 && !find(m.extensions, "KHR_materials_unlit")) {
+        } else if (m.values.count("metallicFactor") && surface.metallicFactor > 0 &&
+                   !find(m.extensions, "KHR_materials_unlit")) {
             note("metal counts as diffuse");
         }
         const double strength =

@@ -61,6 +61,9 @@ bool valid(const Solution &b) {
            b.reflects.size() == b.charts.size() && b.emits.size() == b.charts.size() && finite(b.light) &&
            finite(b.reflects) && finite(b.emits) && finite(b.cellReflects) &&
            (b.cellReflects.empty() || b.cellReflects.size() == b.cells.size()) &&
+           (b.material.empty() ||
+            (b.material.size() == b.charts.size() && !b.names.empty() && b.names.back() == 0 &&
+             all(b.material, [&](int at) { return within(at, 1, b.names.size()); }))) &&
            all(b.charts, [&](const Chart &c) { return valid(c, b); }) &&
            all(b.facets, [&](const Facet &f) { return valid(f, b); }) &&
            all(b.texels, [&](const Texel &t) { return valid(t, b); }) &&
@@ -69,19 +72,20 @@ bool valid(const Solution &b) {
 
 namespace {
 
-constexpr char kSolutionMagic[] = "odraz radiosity 4\n";
+constexpr char kSolutionMagic[] = "odraz radiosity 5\n";
 
 } // namespace
 
 void Solution::put(std::string &to) const {
     const std::vector<Vec3> origin = {place};
-    radiosity::put(to, origin, charts, facets, cells, texels, light, reflects, emits, cellReflects);
+    radiosity::put(to, origin, charts, facets, cells, texels, light, reflects, emits, cellReflects, material,
+                   names);
 }
 
 bool Solution::get(const std::string &from, size_t &at) {
     std::vector<Vec3> origin;
-    if (!radiosity::get(from, at, origin, charts, facets, cells, texels, light, reflects, emits,
-                        cellReflects) ||
+    if (!radiosity::get(from, at, origin, charts, facets, cells, texels, light, reflects, emits, cellReflects,
+                        material, names) ||
         origin.size() != 1)
         return false;
     place = origin[0];
@@ -107,6 +111,13 @@ Solution::Solution(const std::string &path) {
     bool good = at != std::string::npos && get(all, at) && at == all.size();
     if (!good)
         throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
+}
+
+std::string Solution::materialOf(int chart) const {
+    std::string name = material.empty() ? "" : &names[(size_t)material[(size_t)chart]];
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < ' '; }, '?');
+    return name;
 }
 
 Rgb Solution::reflectsOf(int cell) const {

@@ -28,8 +28,10 @@ struct Solution {
     std::vector<Rgb> light;           // that arrives at each texel
     std::vector<Rgb> reflects, emits; // of each chart; the mean if its material has a picture
     std::vector<Rgb> cellReflects;    // of each cell; empty if no material has a picture
-    std::vector<Rgb> gloss; // of each texel: radiance that a polished surface sends to one eye; usually
-                            // empty, not in files
+    std::vector<int> material; // of each chart: where its material's name begins in `names`; empty: unknown
+    std::vector<char> names;   // of materials, each with a 0 behind it
+    std::vector<Rgb> gloss;    // of each texel: radiance that a polished surface sends to one eye; usually
+                               // empty, not in files
 
     Solution() = default;
     // Reads a file. Throws std::runtime_error, with the file's name first, if it cannot be read or is not
@@ -52,6 +54,9 @@ struct Solution {
     int digits() const { return digitsAt(place); }
     static int digitsAt(const Vec3 &place) { return length(place) > 0 ? 13 : 7; }
 
+    // The name of a chart's material, in printable characters; empty if it is not known.
+    std::string materialOf(int chart) const;
+
     // The number of elements with at least one piece.
     size_t elements() const;
 
@@ -71,6 +76,12 @@ private:
         float u, v;
     };
     Spot spotAt(int chart, const Vec3 &p) const;
+};
+
+// The area of pieces, and the integrals of the place and the radiosity over it.
+struct PieceSum {
+    double area = 0, p[3] = {}, radiosity[3] = {};
+    void add(const std::vector<SolutionPoint> &piece);
 };
 
 // Whether a solution is safe to use: every index lies within its list, every number is finite and below 1e18,

@@ -8,6 +8,21 @@
 
 namespace odraz::radiosity {
 
+void PieceSum::add(const std::vector<SolutionPoint> &piece) {
+    // As a fan of triangles
+    for (size_t i = 2; i < piece.size(); ++i) {
+        const SolutionPoint *t[3] = {&piece[0], &piece[i - 1], &piece[i]};
+        double part = (double)length(cross(t[1]->p - t[0]->p, t[2]->p - t[0]->p)) / 2;
+        area += part;
+        for (const SolutionPoint *q : t) {
+            const float place[3] = {q->p.x, q->p.y, q->p.z};
+            const float light[3] = {q->radiosity.x, q->radiosity.y, q->radiosity.z};
+            for (int k = 0; k < 3; ++k)
+                p[k] += part / 3 * (double)place[k], radiosity[k] += part / 3 * (double)light[k];
+        }
+    }
+}
+
 size_t Solution::elements() const {
     size_t count = 0;
     int last = -1;

@@ -40,7 +40,13 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
                                " elements: their elements are longer than --element asks");
     solution.place = mesh.place;
     this->settings.surroundings.moveTo(mesh.place);
+    std::vector<int> begin; // of each material's name
+    for (const MeshMaterial &m : mesh.materials) {
+        begin.push_back((int)solution.names.size());
+        solution.names.insert(solution.names.end(), m.name.c_str(), m.name.c_str() + m.name.size() + 1);
+    }
     for (int material : regions.material) {
+        solution.material.push_back(begin[(size_t)material]);
         const MeshMaterial &m = mesh.materials[(size_t)material];
         solution.reflects.push_back({m.reflects[0], m.reflects[1], m.reflects[2]});
         solution.emits.push_back({m.emits[0], m.emits[1], m.emits[2]});

@@ -5,7 +5,9 @@
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <map>
 
 namespace odraz::radiosity {
 
@@ -78,7 +80,8 @@ void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &se
                 solved.solution.charts.size());
     size_t elements = solved.solution.elements();
     if (byRays)
-        std::printf("%zu elements, %d sites with %zu rays\n", elements, r.sites, r.raysFromSite);
+        std::printf("%zu elements; %d sites (their corners) with %zu rays\n", elements, r.sites,
+                    r.raysFromSite);
     else
         std::printf("%d patches, %zu elements\n", r.patches, elements);
     std::printf("processor seconds: dividing %.2f, form factors %.2f", seconds(SolveStep::kDividing),
@@ -97,6 +100,27 @@ void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &se
         std::printf("%d bounces\n", r.sweeps);
     else
         std::printf("%d sweeps, residual %.1e\n", r.sweeps, (double)r.residual);
+}
+
+// Prints the mean radiosity of each material, emission included, for those with the largest areas.
+void printMeans(const Solution &solution) {
+    constexpr size_t kMost = 12;
+    std::map<std::string, PieceSum> sums;
+    double whole = 0;
+    solution.forPieces([&](int chart, int, const std::vector<SolutionPoint> &piece) {
+        sums[solution.materialOf(chart)].add(piece);
+    });
+    std::vector<std::pair<std::string, PieceSum>> all(sums.begin(), sums.end());
+    for (const auto &[name, sum] : all) whole += sum.area;
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto &a, const auto &b) { return a.second.area > b.second.area; });
+    std::printf("material             of the area   mean radiosity: red, green, blue\n");
+    for (size_t i = 0; i < std::min(all.size(), kMost); ++i) {
+        const PieceSum &s = all[i].second;
+        std::printf("%-20.40s %9.1f %%   %.4g %.4g %.4g\n", all[i].first.c_str(), 100 * s.area / whole,
+                    s.radiosity[0] / s.area, s.radiosity[1] / s.area, s.radiosity[2] / s.area);
+    }
+    if (all.size() > kMost) std::printf("... and %zu more\n", all.size() - kMost);
 }
 
 // Solves a job; if an even sky lights no front, solves it again with both sides lit.
@@ -125,6 +149,7 @@ public:
         solved.solution.save(job.out);
         if (solved.report.whole && job.keeps) std::remove(job.state().c_str());
         printReport(mesh, solved, job.options.settings);
+        printMeans(solved.solution);
         if (!solved.report.whole && !solved.patches && job.keeps)
             std::printf("to continue: radiosity solve --resume %s\n", job.state().c_str());
     }

@@ -1,6 +1,7 @@
 #include "tools/radiosity/view/help.h"
 
 #include "show/font.h"
+#include "tools/common/text.h"
 #include "tools/radiosity/export/render.h"
 
 #include <algorithm>
@@ -38,9 +39,9 @@ std::vector<ViewKey> viewKeys(bool room) {
     return keys;
 }
 
-std::string viewKeysLine(std::span<const ViewKey> keys) {
+std::string viewKeysText(std::span<const ViewKey> keys) {
     std::string all;
-    for (const ViewKey &k : keys) all += (all.empty() ? "" : ", ") + std::string(k.keys) + " " + k.does;
+    for (const ViewKey &k : keys) all += common::format("%-10s %s\n", k.keys, k.does);
     return all;
 }
 

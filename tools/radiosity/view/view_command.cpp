@@ -78,7 +78,7 @@ int runView(common::CommandLine &line) {
     readJob(line, job);
     auto keys = [&] {
         if (job.view.screenshot.empty())
-            std::printf("%s\n", viewKeysLine(viewKeys(job.room)).c_str()), std::fflush(stdout);
+            std::fputs(viewKeysText(viewKeys(job.room)).c_str(), stdout), std::fflush(stdout);
     };
     if (job.room) {
         TransferRoom given = TransferRoom::read(job.in);

@@ -199,7 +199,8 @@ TEST(GltfReader, TakesMaterials) {
         "'emissiveFactor':[1,0.5,0],'extensions':{'KHR_materials_emissive_strength':{'emissiveStrength':8}}},"
         "{'name':'a','extensions':"
         "{'KHR_materials_pbrSpecularGlossiness':{'diffuseFactor':[0.2,0.3,0.4,1]}}},"
-        "{'normalTexture':{'index':0},'pbrMetallicRoughness':{'baseColorFactor':[2,0,0,1]}}],'meshes':[";
+        "{'normalTexture':{'index':0},'pbrMetallicRoughness':{'baseColorFactor':[2,0,0,1],'metallicFactor':1}"
+        "}],'meshes':[";
     for (int m = 0; m < 3; ++m)
         rest += common::format("%s{'primitives':[{'attributes':{'POSITION':0},'indices':1,'material':%d}]}",
                                m ? "," : "", m);
