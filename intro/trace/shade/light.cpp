@@ -189,7 +189,9 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
     Int8 close = towards > phong.reach;
     Float8 faint = select(close, 0.f, saturate(2.f - promised * all.counts));
     Int8 lit = facing & (faint < 1.f);
-    sum.diffuse += light.intensity * select(facing & ~lit, strength * cosine, 0.f);
+    Rgb8 bare = light.intensity * select(facing & ~lit, strength, 0.f);
+    sum.diffuse += bare * cosine;
+    sum.highlight += bare * lobe;
     if (!any(lit)) return;
 
     // Add the light that passes. A shape does not shade its own outside where that faces the light, and none

@@ -49,6 +49,9 @@ TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
     Sample s = g.look(eye, {0, 0, 0});
     EXPECT_NEAR(s.radiance().x, expected, 1e-4);
     EXPECT_EQ(s.lights, 2u);
+    Quality coarse = kExact;
+    coarse.cutoff = 10; // a light this faint has no shadow
+    EXPECT_NEAR(g.look(eye, {0, 0, 0}, coarse).radiance().x, expected, 1e-4);
 }
 
 // A highlight smaller than the area that a sample covers on the ball is drawn wider and paler, so that it
