@@ -120,12 +120,18 @@ ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float 
     return differs(1, 0) || differs(0, 1) || differs(2, 1) || differs(1, 2);
 }
 
+// From this difference on, edges of shadows have stairs in `draft`.
+inline constexpr float kHardShadow = 0.35f;
+
 // Whether a pixel splits. Only what is seen decides. If only the texture differs, the texture's own filter is
 // enough.
 ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;
-    if (t.quality.fine > 2) return s.thin.images < s.thin.count && mayHideThin(t, a, 1, s.thin.images);
-    int shape = shapeOf(s, c[0], alike(s, c));
+    int same = alike(s, c);
+    if (t.quality.fine > 2)
+        return ((same & 3) == kSameId && exceeds(rangeOf(s, c), kHardShadow)) ||
+               (s.thin.images < s.thin.count && mayHideThin(t, a, 1, s.thin.images));
+    int shape = shapeOf(s, c[0], same);
     bool calm = shape >= 0 && !exceeds(rangeOf(s, c), t.quality.edge);
     return (!calm && seenExceeds(t, c, t.quality.edge)) || mayHide(t, a, 1, shape);
 }

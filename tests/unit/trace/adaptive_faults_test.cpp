@@ -118,6 +118,21 @@ TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
     }
 }
 
+// Nor do steep edges of shadows on one surface, in `draft` either.
+TEST(AdaptiveFaults, EdgesOfShadowsHaveNoStairs) {
+    auto s = emptyScene();
+    s->add(matte({1, 1, 1}));
+    s->add(rect({0, 0, -10}, {1, 0, 0}, {0, 1, 0}, 100, 100));
+    s->add(box({-20, 0, 20}, {20, 40, 1}, 0)); // behind the viewer
+    s->add(Light{{0, 0, 50}, {3600, 3600, 3600}});
+    s->finish();
+    auto look = [&](QualityName name) {
+        return traced(*s, {0, {0, 0, 0}, {0, 0, -10}, 4, 36}, named(name), 160, 90);
+    };
+    TracedPicture truth = look(QualityName::Reference), p = look(QualityName::Draft);
+    for (int i = 0; i < 160 * 90; ++i) EXPECT_NEAR(p.frame.plane[0][i], truth.frame.plane[0][i], 0.3) << i;
+}
+
 // A camera moves by fractions of a pixel through 64 positions. Returns in how many a bright point blinks: its
 // brightest pixel is below half of its maximum. A viewer takes one of sixteen for a sparkle.
 constexpr int kSparkles = 64 / 16;
