@@ -98,6 +98,8 @@ struct PageFilm {
 PagePlayer<PageFilm> thePlayer = {&theFilm, 1};
 } // namespace
 
+// How many workers trace pictures.
+EXPORT(workers) int workersOf(int cores) { return pageWorkers(cores); }
 // Begins, or begins elsewhere: pictures that were planned before are forgotten.
 EXPORT(begin) void begin(double from, int width, int height, int workers) {
     thePlayer = {&theFilm, workers};
@@ -123,7 +125,7 @@ EXPORT(ready) float ready() { return thePlayer.ready(); }
 EXPORT(due) double due(double now) {
     Queue &q = thePlayer.queue;
     for (;; q.remove()) {
-        Queue::Action action = thePlayer.action(now);
+        Queue::Action action = q.action(now + thePlayer.kNearest);
         if (action == Queue::kWait) return -1;
         if (action == Queue::kShow) return q.first().time;
         theStatistics.add(q.first());

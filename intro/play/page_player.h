@@ -18,16 +18,21 @@ inline Pace pageOf(Pace p) {
     return p;
 }
 
+// A page has one for every processor, up to that many.
+inline constexpr int kMostPageWorkers = 8;
+inline int pageWorkers(int cores) { return min(cores, kMostPageWorkers); }
+
 // Whether a picture can be traced now, later, or never: for want of the hall's light.
 enum class Can { Now, Later, Never };
 
 // `Film` provides sceneOf(), startOf(), paceOf() and goesOn() as the player of makePictures() does, and `Can
 // can(time)`.
 template <class Film> struct PagePlayer {
-    static constexpr int kMostWorkers = 8;
     static constexpr unsigned kMostReady = 8; // pictures that stand ready, besides those being traced
-    static_assert(kMostReady + kMostWorkers <= Queue::kRing);
-    static constexpr double kNearest = 0.008; // seconds: a picture is shown at the refresh next to its time
+    static_assert(kMostReady + kMostPageWorkers <= Queue::kRing);
+    // A refresh of the screen shows pictures of up to that many seconds later: it is the one next to their
+    // time
+    static constexpr double kNearest = 0.008;
 
     Film *film;
     int workers;
@@ -64,9 +69,7 @@ template <class Film> struct PagePlayer {
         queue.insert(m);
     }
     // Whether enough pictures are ready to begin: 1.
-    float ready() const { return min((float)waiting() / Queue::kAhead, 1.f); }
-    // What is done with the first picture when the screen is refreshed and the film is at `now`.
-    Queue::Action action(double now) const { return queue.action(now + kNearest); }
+    float ready() const { return min((float)waiting() / (float)min((int)most, (int)Queue::kAhead), 1.f); }
 };
 
 } // namespace odraz

@@ -123,7 +123,7 @@ const main = async (wasm, scripts) => {
   module = await WebAssembly.compile(can([...kZero, ...kZero, ...kZero, 253, 133, 2]) ? wasm : plain(wasm))
   x = (await WebAssembly.instantiate(module, { env: new Proxy({}, { get: () => () => 0 }) })).exports
   url = URL.createObjectURL(new Blob([scripts], { type: 'text/javascript' }))
-  duration = x.duration()
+  duration = x.duration(), count = x.workers(cores)
   from = stopped = Math.max(0, Math.min(parseFloat(q.get('from')) || 0, duration - 1))
   prepare()
   startComposer()

@@ -1,6 +1,6 @@
 // Pictures: workers trace them, as the program plans, and they wait here, by their times, until it shows them.
-const count = Math.min(navigator.hardwareConcurrency || 2, 8), pictures = new Map
-let w, h, tracers = [], solver, idle, spare = [], lit, solved, unlit
+const pictures = new Map, cores = navigator.hardwareConcurrency || 2
+let count, w, h, tracers = [], solver, idle, spare = [], lit, solved, unlit
 let turn = 0, shown = 0, skipped = 0, first = 0, shownTime = -1 // turn: how often the viewer has sought
 const startWorker = (heard, ...first) => {
   const k = new Worker(url)
@@ -56,7 +56,7 @@ const showDue = (film, t) => {
 // What workers draw is as large as the screen, so that they are ready before the click; or as the page at the click,
 // which may have had another size, or none
 const prepare = () => {
-  const dpr = devicePixelRatio || 1, most = navigator.hardwareConcurrency > 4 ? 1920 : 1280
+  const dpr = devicePixelRatio || 1, most = cores > 4 ? 1920 : 1280
   const [across, down] = (full ? [screen.width, screen.height] : [innerWidth || 1280, innerHeight || 720])
     .sort((a, b) => b - a)
   const wide = Math.max(16, Math.min(most, Math.round(across * dpr)))

@@ -1,4 +1,5 @@
 // seen: what a viewer sees of a played film, at every sixtieth of a second.
+#include "play/page_player.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/seen/simulated.h"
@@ -22,7 +23,7 @@ struct Options {
     IntroSettings judged = {};
     std::vector<double> at, machines; // seconds; 10^9 instructions a second
     int windows = 1, cores = 0;
-    double length = 0.5;
+    double length = 0.5, page = 0; // page: how many times as much a picture costs there; 0: not the page
     bool onlyList = false, onlySummary = false;
 };
 
@@ -40,6 +41,7 @@ void check(const common::CommandLine &line, Options &o) {
     };
     if (o.list.empty() != machine) line.refuse("name a list, or --machine");
     goes("--cores", machine, "--machine");
+    goes("--page", machine, "--machine");
     goes("--list", machine, "--machine");
     if (o.screens.empty()) o.screens = {"1280x720"};
     bool several = o.screens.size() > 1;
@@ -78,6 +80,8 @@ Options read(common::CommandLine &line) {
     line.option("--machine", "G", numbersTo(o.machines, "--machine", {0.1, 1e6}),
                 "10^9 instructions a second of all cores; repeatable");
     line.option("--cores", "N", o.cores, {1, kMaxWorkers}, "its cores (default: of 7 G each)");
+    line.option("--page", "TIMES", o.page, {0.1, 100},
+                "the page's player instead, where a picture costs that many times as much");
     line.parse();
     check(line, o);
     return o;
@@ -98,7 +102,12 @@ struct Player {
 
 Machine machineOf(const Options &o, double giga, const IntroSettings &screen) {
     int cores = o.cores ? o.cores : std::clamp((int)std::lround(giga * 1e9 / kCore), 1, kMaxWorkers);
-    return {giga * 1e9, cores, screen.width, screen.height};
+    Machine machine = {giga * 1e9, cores, screen.width, screen.height};
+    if (o.page > 0) {
+        machine.rate /= o.page;
+        machine.workers = pageWorkers(cores);
+    }
+    return machine;
 }
 
 // All players, with the pictures that they showed.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace odraz::measure {
 
@@ -88,9 +89,46 @@ private:
     int presented = 0;
 };
 
+class PageSimulation {
+public:
+    PageSimulation(const CostOf &costOf, const Machine &machine, double to)
+        : costOf(costOf), machine(machine), to(to) {}
+
+    std::vector<Shown> play(double from) {
+        PagePlayer<PageSimulation> player = {this, machine.workers};
+        player.begin(from, machine.width, machine.height);
+        playPage(player, from, 1 / kScreenRate, player.kNearest);
+        std::vector<Shown> list;
+        for (auto &[time, shown] : made) list.push_back(shown);
+        return list;
+    }
+
+    bool goesOn(double time) const { return time < to; }
+    int sceneOf(double time) const { return sceneAt(time); }
+    double startOf(double time) const { return shotStart(time); }
+    Pace paceOf(int scene) const { return pageOf(machine.paceOf(scene)); }
+    Can can(double) const { return Can::Now; }
+    int64_t tracing(const Made &m) {
+        Shown &s = made[m.time] = {-1, m.time, false, m.level, m.size.width, m.size.height};
+        Cost cost = costWith(costOf, machine, s, {s, s});
+        return nanosecondsOf((cost.serial + cost.parallel) * machine.cores / machine.rate);
+    }
+    int64_t show(const Made &m, double at) {
+        made[m.time].at = at;
+        return nanosecondsOf(presenting(machine) / machine.rate);
+    }
+
+private:
+    const CostOf &costOf;
+    Machine machine;
+    double to;                    // seconds of the film
+    std::map<double, Shown> made; // by their times
+};
+
 } // namespace
 
 std::vector<Shown> simulate(const CostOf &costOf, const Machine &machine, double from, double to) {
+    if (machine.workers) return PageSimulation(costOf, machine, to).play(from);
     return Simulation(costOf, machine, from, to).play();
 }
 

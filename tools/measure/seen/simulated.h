@@ -1,5 +1,6 @@
-// The film's player on a simulated machine: its own decisions (play/schedule.h, play/governor.h),
-// on a clock that counted instructions move. There is no noise, so the same numbers come out everywhere.
+// The film's player on a simulated machine, or the page's: their own decisions (play/schedule.h,
+// play/governor.h, play/page_player.h), on a clock that counted instructions move. There is no noise, so the
+// same numbers come out everywhere.
 #pragma once
 
 #include "intro.h"
@@ -24,6 +25,7 @@ struct Machine {
     double presenting = kPresenting; // instructions that showing a pixel takes
     double enlarging = kEnlarging;   // ... and that scaling up takes, for a pixel of the screen
     std::function<Pace(int scene)> paceOf = odraz::paceOf;
+    int workers = 0; // of the page's player, each on a core; 0: the film's own player
 };
 
 // What a picture costs. A table's Costs::of(), or a test's own.
@@ -32,7 +34,8 @@ using CostOf = std::function<Cost(const Pictured &)>;
 // Plays the film from one second to another and returns which pictures were made and when they were shown, in
 // order. All cores share the parallel part of making a picture; one core does the serial part. Showing takes
 // time of one core, which is lost to tracing. The screen shows a picture from its next sixtieth of a second
-// on; the screen's sixtieths begin half-way between the film's. Nothing else costs time.
+// on; the screen's sixtieths begin half-way between the film's. Nothing else costs time. A page's worker
+// makes a picture alone.
 std::vector<Shown> simulate(const CostOf &costOf, const Machine &machine, double from, double to);
 
 // What was done for a scene, by the pictures' own times.

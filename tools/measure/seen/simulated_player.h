@@ -1,12 +1,14 @@
-// A player without a machine, for makePictures(). Its clock moves only by the time that work is assumed to
-// take, and its screen shows each picture when the film is at its time, as play() does.
+// Players without a machine. Their clocks move only by the time that work is assumed to take:
+// SimulatedPlayer, for makePictures(), whose screen shows each picture when the film is at its time, as
+// play() does, and playPage(), for PagePlayer.
 #pragma once
 
-#include "play/schedule.h"
+#include "play/page_player.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace odraz::measure {
 
@@ -61,5 +63,51 @@ private:
     // When the first waiting picture is due.
     int64_t nextDue() const { return std::max(looked, begin + nanosecondsOf(queue.first().time - from)); }
 };
+
+// Plays as a page does, from `from` seconds of the film on, on a screen that is refreshed every `refresh`
+// seconds, the first time after half of that. A refresh shows pictures up to `nearest` seconds early. The
+// player's film also provides
+//
+//   int64_t tracing(made)     nanoseconds that a worker takes for a picture
+//   int64_t show(made, at)    a refresh shows it, at that time of the film; nanoseconds that all workers lose
+template <class Film> void playPage(PagePlayer<Film> &player, double from, double refresh, double nearest) {
+    struct Busy {
+        Made made;
+        int64_t begun, end;
+    };
+    std::vector<Busy> busy;
+    int64_t moment = 0, begin = -1;
+    for (int64_t refreshes = 0;;) {
+        auto filmAt = [&] {
+            return begin < 0 ? Governor::kNotBegun : from + (double)(moment - begin) * 1e-9;
+        };
+        if (begin < 0 && player.ready() == 1) begin = moment;
+        for (Made m; (int)busy.size() < player.workers && player.next(m, filmAt());)
+            busy.push_back({m, moment, moment + player.film->tracing(m)});
+        if (busy.empty() && begin < 0) begin = moment; // too short to get ahead of the clock
+        if (busy.empty() && !player.waiting()) return;
+        auto first = std::min_element(busy.begin(), busy.end(),
+                                      [](const Busy &a, const Busy &b) { return a.end < b.end; });
+        double at = ((double)refreshes + 0.5) * refresh;
+        int64_t next = begin + nanosecondsOf(at);
+        if (begin >= 0 && (first == busy.end() || next < first->end)) {
+            moment = next, ++refreshes;
+            Queue &q = player.queue;
+            for (Queue::Action a = Queue::kSkip; a == Queue::kSkip;) {
+                a = q.action(from + at + nearest);
+                if (a == Queue::kShow)
+                    for (int64_t lost = player.film->show(q.first(), from + at); Busy & b : busy)
+                        b.end += lost;
+                if (a != Queue::kWait) q.remove();
+            }
+        } else {
+            moment = first->end;
+            Made m = first->made;
+            m.trace = (float)(moment - first->begun) * 1e-9f;
+            busy.erase(first);
+            player.traced(m);
+        }
+    }
+}
 
 } // namespace odraz::measure

@@ -1,7 +1,7 @@
 // Tests the simulated player, with costs that the test makes up.
 #include "tools/measure/seen/simulated.h"
 
-#include "play/governor.h"
+#include "play/page_player.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -35,6 +35,22 @@ TEST(Simulated, ListsAreWellFormed) {
         EXPECT_EQ(printShown(played(giga)), printShown(list)) << "the same every time";
         for (const Shown &s : list)
             ASSERT_TRUE(s.at < 0 || s.at >= s.time - 1e-3) << "nothing is shown before its time";
+    }
+}
+
+// The page makes no in-betweens, and its pictures come one by one from its workers.
+TEST(Simulated, ThePageListsAreWellFormed) {
+    for (double giga : {4., 14., 64.}) {
+        Machine machine = {giga * 1e9, 4, 1280, 720};
+        machine.workers = 4;
+        std::vector<Shown> list = simulate(cost, machine, kFrom, kTo);
+        EXPECT_EQ(printShown(parseShown(printShown(list))), printShown(list)) << giga;
+        int shown = 0;
+        for (const Shown &s : list) {
+            ASSERT_TRUE(!s.between && (s.at < 0 || s.at >= s.time - PagePlayer<int>::kNearest));
+            shown += s.at >= 0;
+        }
+        EXPECT_GE(shown, (kTo - kFrom) * (giga < 5 ? 20 : 29)) << giga;
     }
 }
 
