@@ -11,14 +11,16 @@ namespace odraz {
 namespace {
 
 constexpr float kDust = 0.017f; // share of light that dust scatters, a metre
-constexpr float kStripArea = 0.28f * 3.9f;
-constexpr float kSeen = 0.15f; // how bright strips look
+constexpr float kSeen = 0.45f; // how bright strips look
+constexpr float kDoorLamp = 0.55f;
+constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // of the door's light: the wall about it stays dark and cold
 constexpr Rgb kLanternLight = Rgb{33, 28, 21};
 
-// The door's colours: copper where the light entered, at the left, through white to the sky's.
-Rgb stripLight(float i) {
-    float s = i * (2.f / 7) - 1;
-    return {fmadd(s, -1.1f, 1.5f), fmadd(s * s, -0.6f, 1.6f), fmadd(s, 1.2f, 1.6f)};
+// The door's colours: copper where the light entered, at the left, through white to the sky's. `far`: how far
+// they are from white; -1 exchanges the sides.
+Rgb stripLight(int i, float far) {
+    float s = fmadd((float)i, 2.f / 7, -1.f) * far;
+    return {fmadd(s, -1.1f, 1.5f), fmadd(s * s, -0.75f, 1.7f), fmadd(s, 1.2f, 1.6f)};
 }
 
 // Blends a material (grey 0) with a grey that is the same for all (grey 1).
@@ -45,7 +47,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
     // Strips that do not burn are pale glass, in front of paler plaster
     for (int i = 0; i < kStrips; ++i) {
-        Rgb own = stripLight((float)i); // its square is of a stronger colour, and seldom white
+        Rgb own = stripLight(i, 1); // its square is of a stronger colour, and seldom white
         Material glass = lamp(own * own * (light.strips[i] * kSeen));
         glass.texture.palette[0] = kPlaster.texture.palette[1], glass.diffuse = 0.6f;
         scene.add(glass);
@@ -97,9 +99,11 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
         v.bounced[kFirstLantern + i] = own + light.guest.intensity * share;
         v.direct[kFirstLantern + i] = own * (1 - (drawn ? drawn[i] : 0));
     }
+    // What the tracer draws is taken from the lightmap; in shadows the rest has the other side's colour
     for (int i = 0; i < kStrips; ++i) {
-        v.bounced[kFirstStrip + i] = stripLight((float)i) * light.strips[i];
-        v.direct[kFirstStrip + i] = v.bounced[kFirstStrip + i] * (1 - light.door);
+        v.bounced[kFirstStrip + i] = stripLight(i, 1) * kBounced * light.strips[i];
+        v.direct[kFirstStrip + i] =
+            stripLight(i, fmadd(light.door, -2.f, 1.f)) * (light.strips[i] * fmadd(light.door, -0.9f, 1.f));
     }
     return v;
 }
@@ -144,20 +148,21 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
             scene.add(Light{place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius),
                             kLanternRadius});
     }
-    LightVector v = lightVector(light, drawn);
-    relightRoom(hall, v, eye, 0.06f, 0.5f * (1 - grey));
+    relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
-    // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it. If it
-    // were more than 0.3 metres behind the wall, its light on the side walls would end at a strip on one side
-    // and at a gap on the other
-    // Two lights, one of the warm strips, one of the cold: their shadows have the other's colour
-    for (int side = 0; side < 2; ++side) {
-        Rgb burning = {};
-        for (int i = 0; i < 4; ++i) burning += v.bounced[kFirstStrip + 4 * side + i];
-        if (light.door * maxComponent(burning) > 0)
-            scene.add(Light{
-                {side ? 1.f : -1.f, 2.2f, -0.03f - kZ}, burning * (kStripArea * light.door * 0.5f), 0.2f});
+    // The strips' lamp stands behind the middle of those that burn, so that shadows turn with the tune, and
+    // sends copper to the left and blue to the right. It stands behind the wall, so that it lights neither
+    // wall nor strips, and reaches through it. If it were more than 0.3 metres behind the wall, its light on
+    // the side walls would end at a strip on one side and at a gap on the other
+    Rgb burning = {};
+    float aside = 0, on = 1e-6f;
+    for (int i = 0; i < kStrips; ++i) {
+        burning += stripLight(i, 1) * light.strips[i];
+        aside += light.strips[i] * fmadd((float)i, 0.4f, -1.4f);
+        on += light.strips[i];
     }
+    if (light.door * maxComponent(burning) > 0)
+        scene.add(Light{{aside / on, 2.7f, -0.03f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
 
     // Outside, sand to the horizon, a hill (no ball: those cost more), a pair of columns
     if (grey == 0) {

@@ -26,6 +26,7 @@ struct Light {
     Vec3 position;
     Rgb intensity;
     float radius = 0;
+    float tilt = 0; // 0 .. 1: how much it is of two colours, amber towards -x and blue towards +x
 };
 
 // (Here and in other large structs the small members stand first: then their offsets are short.)

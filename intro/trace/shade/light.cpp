@@ -189,7 +189,9 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
     Int8 close = towards > phong.reach;
     Float8 faint = select(close, 0.f, saturate(2.f - promised * all.counts));
     Int8 lit = facing & (faint < 1.f);
-    Rgb8 bare = light.intensity * select(facing & ~lit, strength, 0.f);
+    Float8 tilt = l.x * light.tilt;
+    Rgb8 intensity = Rgb8{1.f + tilt, fmadd(tilt * tilt, -0.55f, 1.f), 1.f - tilt} * light.intensity;
+    Rgb8 bare = intensity * select(facing & ~lit, strength, 0.f);
     sum.diffuse += bare * cosine;
     sum.highlight += bare * lobe;
     if (!any(lit)) return;
@@ -206,7 +208,7 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
     through += (Rgb{1, 1, 1} - through) * faint;
     lit &= maxComponent(through) > 0.f;
     if (!any(lit)) return;
-    Rgb8 arriving = through * select(lit, strength, 0.f) * light.intensity;
+    Rgb8 arriving = through * select(lit, strength, 0.f) * intensity;
     sum.diffuse += arriving * cosine;
     sum.highlight += arriving * lobe;
     Int8 state = select(through.x + through.y + through.z < 3.f, broadcast(3),
