@@ -11,7 +11,6 @@ namespace odraz {
 namespace {
 
 constexpr float kDust = 0.017f; // share of light that dust scatters, a metre
-constexpr float kSeen = 0.45f; // how bright strips look
 constexpr float kDoorLamp = 0.55f;
 constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // of the door's light: the wall about it stays dark and cold
 constexpr Rgb kLanternLight = Rgb{33, 28, 21};
@@ -45,11 +44,16 @@ static_assert(sizeof kParts / sizeof *kParts == kLantern);
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material *m : kParts) scene.add(faded(*m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
-    // Strips that do not burn are pale glass, in front of paler plaster
+    // Strips that do not burn are pale glass, in front of paler plaster. Those that do are tubes, whose
+    // middle is white hot
     for (int i = 0; i < kStrips; ++i) {
-        Rgb own = stripLight(i, 1); // its square is of a stronger colour, and seldom white
-        Material glass = lamp(own * own * (light.strips[i] * kSeen));
-        glass.texture.palette[0] = kPlaster.texture.palette[1], glass.diffuse = 0.6f;
+        float on = light.strips[i], round = min(on * 4, 1.f);
+        Rgb own = stripLight(i, 1);
+        Material glass = lamp(own * own * on); // a stronger colour than that of their light
+        glass.texture = {on > 0 ? Pattern::Tubes : Pattern::Plain, 2.5f, {}}, glass.diffuse = 0.6f;
+        for (int k = 0; k < 4; ++k)
+            glass.texture.palette[k] =
+                kPlaster.texture.palette[1] * lerp(1.f, (float[]){1.65f, 0.87f, 0.35f, 0.12f}[k], round);
         scene.add(glass);
     }
 }

@@ -97,11 +97,12 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
         rest = rest *
                select(pick(in.path) < (m.onlyGlows() ? kTwice : 0), 1.f,
                       clamp(min(shape.half.x, shape.half.z) * 2 / load(run.width + i) - 1.f, 0.005f, 1.f));
+    if (!m.plain()) light = rest, rest = Rgb8{}; // a lamp shines through its pattern
     Int8 cell = {}, states = {};
     float contrast = m.faint() ? c.quality.faint : 1;
     if (m.diffuse > 0 || m.specular > 0) {
         rest += weight * load(run.highlight, i);
-        light = weight * load(run.diffuse, i);
+        light += weight * load(run.diffuse, i);
         states = loadInts(run.states + i);
         if (m.diffuse > 0 && (contrast > 0 || scene.lines != 0))
             albedo = diffuseColour(scene, shape, load(run.p, i), d, load(run.cosine + i), load(run.width + i),
@@ -126,7 +127,8 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     Int8 marked = maxComponent(weight) * scene.exposure > c.quality.markWeight;
     Int8 mark = marked & hash(pick(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
     addRest(c, in, run.ray + i, count, brings, mark);
-    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || contrast < 1) return;
+    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || maxComponent(m.emit) > 0 || contrast < 1)
+        return;
     // A dark texture does not count, unless it mirrors: then it may show a light
     if (m.reflect == 0) marked &= maxComponent(brings) * scene.exposure > c.quality.markWeight * 0.3f;
     for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)

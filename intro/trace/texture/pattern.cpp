@@ -90,6 +90,12 @@ static Float8 plaster(const Vec3x8 &p, Float8 width) {
     return saturate(fmadd(streaks * 0.5f + patches + saturate(1.f - abs(p.y)), 0.3125f, 0.4375f));
 }
 
+// From the middle of each to its edges; a ninth of their distance is left between them.
+static Float8 tubes(const Vec3x8 &p, Float8 width) {
+    Float8 aside = fract(p.x) - 0.5f;
+    return fmadd(min(aside * aside * 8.f, 1.f) - 0.33f, bandLimit(width, 2.f), 0.33f);
+}
+
 static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
     switch (pattern) {
     case Pattern::Marble:
@@ -102,6 +108,8 @@ static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
         return stone(p, width);
     case Pattern::Plaster:
         return plaster(p, width);
+    case Pattern::Tubes:
+        return tubes(p, width);
     case Pattern::Plain:
     case Pattern::Count:
         break;
