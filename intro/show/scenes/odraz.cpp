@@ -19,6 +19,8 @@ static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
 // Three lanes: the ball that stays with three behind it, and six on either side. The first to come stands in
 // front and goes last, so that no ball passes another.
+constexpr float kGround = 2.8f; // what strips burn with, all together, when none is struck
+constexpr int kVoice = 8;       // the beat at which the mirrored voice begins in music.h
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
 constexpr float kStays = -5, kHidden = -11.4f; // in z, behind the door
 constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
@@ -39,14 +41,24 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     HallLight light = {kNight, {}, {}, 1, value(track(kDoor), in.row)};
     light.lanterns[1] = light.lanterns[2] = value(track(kOuter), in.row);
     light.lanterns[0] = max(light.lanterns[1], value(track(kLast), in.row));
-    // The strips are the scale: each tone of the tune strikes one, as they rose to it
-    for (int beat = 0; beat < 32; ++beat)
-        if (kTune[beat] != '-')
-            light.strips[stepOf(kTune[beat]) & 7] += value(track(kStruck), in.row - (float)(kBeat * beat));
-    float burn = 0; // of the strips; they go out as they came, copper first, and blue is left
-    for (int i = 0; i < kStrips; ++i)
-        burn += light.strips[i] += value(track(kStripsGo), in.row - (float)(kBeat * i));
-    burn /= kStrips;
+    // The strips are the scale: each tone of the tune strikes one, as they rose to it, and from the fifth bar
+    // its mirror image does so half as hard. Together they burn evenly: the colour changes, not the level
+    float all = kGround, burn = 0;
+    auto strike = [&](char tone, float struck) {
+        if (tone != '-') light.strips[stepOf(tone) & 7] += struck, all += struck;
+    };
+    for (int beat = 0; beat < 32; ++beat) {
+        float struck = value(track(kStruck), in.row - (float)(kBeat * beat));
+        strike(kTune[beat], struck);
+        if (beat >= kAnswer) strike(kMirrored[beat - kVoice], struck * 0.5f);
+    }
+    // They go out as they came, copper first, and blue is left
+    float each = value(track(kEven), in.row) / all;
+    for (int i = 0; i < kStrips; ++i) {
+        light.strips[i] = (light.strips[i] + kGround / kStrips) * each *
+                          value(track(kStripsGo), in.row - (float)(kBeat * i));
+        burn += light.strips[i] / kStrips;
+    }
     // The word glows up when it is large enough to be read, and lights the hall
     float since = in.row - rowOf(kWordIsFound);
     Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.1f * since - 1.3f);
@@ -61,8 +73,8 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
         scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.3f});
 
     scene.addAll(kMaterials);
-    scene.add(pearl(true, 0.4f));
-    scene.add(pearl(false, 0.3f));
+    scene.add(pearl(true, 0.3f));
+    scene.add(pearl(false, 0.25f));
     addBall(scene, in.row, 0, kStays, 0.75f, rowOf(kBall1) - 2, 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
         float z = kStays + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
