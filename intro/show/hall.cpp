@@ -53,7 +53,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
         glass.texture = {on > 0 ? Pattern::Tubes : Pattern::Plain, 2.5f, {}}, glass.diffuse = 0.6f;
         for (int k = 0; k < 4; ++k)
             glass.texture.palette[k] =
-                kPlaster.texture.palette[1] * lerp(1.f, (float[]){1.65f, 0.87f, 0.35f, 0.12f}[k], round);
+                kPlaster.texture.palette[1] * lerp(1.f, (float[]){1.5f, 0.9f, 0.5f, 0.35f}[k], round);
         scene.add(glass);
     }
 }

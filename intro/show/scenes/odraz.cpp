@@ -20,7 +20,7 @@ static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 // Three lanes: the ball that stays with three behind it, and six on either side. The first to come stands in
 // front and goes last, so that no ball passes another.
 constexpr float kGround = 2.8f; // what strips burn with, all together, when none is struck
-constexpr int kVoice = 8;       // the beat at which the mirrored voice begins in music.h
+constexpr int kCanon = 8;       // the beat at which the mirrored voice begins in music.h
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
 constexpr float kStays = -5, kHidden = -11.4f; // in z, behind the door
 constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
@@ -50,7 +50,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     for (int beat = 0; beat < 32; ++beat) {
         float struck = value(track(kStruck), in.row - (float)(kBeat * beat));
         strike(kTune[beat], struck);
-        if (beat >= kAnswer) strike(kMirrored[beat - kVoice], struck * 0.5f);
+        if (beat >= kAnswer) strike(kMirrored[beat - kCanon], struck * 0.5f);
     }
     // They go out as they came, copper first, and blue is left
     float each = value(track(kEven), in.row) / all;
