@@ -12,23 +12,14 @@ constexpr int kVertices = 1 << 16; // that are laid out before a draw call
 // A vertex: x, y, w in the atlas; place on the chart, in patches; first patch + 1; patches across and down
 constexpr int kFloats = 7;
 
-#ifdef __wasm__ // WebGL 2, without depth clamp: depth is in the middle of what is kept
-#define ODRAZ_VERSION "#version 300 es\nprecision highp float;precision highp int;\n"
-#define ODRAZ_KEPT "0."
-#else
-#define ODRAZ_VERSION "#version 330\n"
-#define ODRAZ_KEPT "d"
-#endif
-
 // Backs are drawn slightly deeper than they are: along a silhouette, where a front shares their edge, the
 // front wins
-constexpr char kVertexShader[] =
-    "layout(location=0)in vec3 p;"
-    "layout(location=1)in vec2 q;"
-    "layout(location=2)in uvec2 c;"
-    "out vec2 s;flat out uvec2 f;flat out float d;"
-    "uniform float n;"
-    "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy," ODRAZ_KEPT ",p.z);s=q;f=c;}";
+constexpr char kVertexShader[] = "layout(location=0)in vec3 p;"
+                                 "layout(location=1)in vec2 q;"
+                                 "layout(location=2)in uvec2 c;"
+                                 "out vec2 s;flat out uvec2 f;flat out float d;"
+                                 "uniform float n;"
+                                 "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy,0.,p.z);s=q;f=c;}";
 // Depth is 1/w: OpenGL's own would lose what tells far things apart
 constexpr char kFragmentShader[] =
     "in vec2 s;flat in uvec2 f;flat in float d;out uint o;"
@@ -154,7 +145,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h.program = gl.glCreateProgram();
     for (int i = 0; i < 2; ++i) {
         GLuint shader = gl.glCreateShader(i ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER);
-        const char *sources[2] = {ODRAZ_VERSION, i ? kFragmentShader : kVertexShader};
+        const char *sources[2] = {"#version 330\n", i ? kFragmentShader : kVertexShader};
         gl.glShaderSource(shader, 2, sources, nullptr);
         gl.glCompileShader(shader);
         gl.glAttachShader(h.program, shader);
@@ -187,7 +178,6 @@ void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
     gl.glBindFramebuffer(GL_FRAMEBUFFER, h.framebuffer);
     gl.glViewport(0, 0, width, height);
     gl.glEnable(GL_DEPTH_TEST);
-    gl.glEnable(GL_DEPTH_CLAMP);
     gl.glDepthFunc(GL_GREATER);
     static const GLuint kZero[4] = {};
     static const GLfloat kFarthest = 0;

@@ -4,8 +4,8 @@
 // five faces and lays them out. A fragment finds its patch number from its position on the rectangle. Many
 // hemicubes share one picture (an atlas) and one read-back. A hemicube has px columns and 3 px rows: the top
 // face (px x px), then four half faces (px x px/2) looking to +x, +y, -x, -y of its frame, with the horizon
-// at their first row. Depth is stored as reversed floats, which fragments write themselves, with
-// GL_DEPTH_CLAMP, so nothing is cut off however near it is.
+// at their first row. Depth is stored as reversed floats, which fragments write themselves; that of
+// vertices is in the middle of what OpenGL keeps, so nothing is cut off however near it is.
 //
 // Source: Cohen and Greenberg, "The Hemi-Cube", SIGGRAPH 1985. The form factors of the pixels are in
 // form_factor.h.

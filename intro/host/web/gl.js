@@ -1,6 +1,7 @@
 // OpenGL's functions as hemicubes use them, on WebGL 2: makeGl(context, () => ArrayBuffer) -> functions by name.
 const makeGl = (gl, memory) => {
   const things = [null], name = thing => things.push(thing) - 1
+  const es = '300 es\nprecision highp float;precision highp int;'
   const view = (T, at, n) => new T(memory(), at, n)
   const text = at => {
     const b = new Uint8Array(memory(), at)
@@ -15,7 +16,7 @@ const makeGl = (gl, memory) => {
     glCreateProgram: () => name(gl.createProgram()),
     glCreateShader: kind => name(gl.createShader(kind)),
     glShaderSource: (s, n, from) =>
-      gl.shaderSource(things[s], view(Uint32Array, from, n).reduce((all, at) => all + text(at), '')),
+      gl.shaderSource(things[s], view(Uint32Array, from, n).reduce((all, at) => all + text(at), '').replace('330', es)),
     glGetProgramiv: (p, what, to) => { view(Int32Array, to, 1)[0] = +gl.getProgramParameter(things[p], what) },
     glGetUniformLocation: (p, at) => name(gl.getUniformLocation(things[p], text(at))),
     glUniform1fv: (u, n, at) => gl.uniform1fv(things[u], view(Float32Array, at, n)),
@@ -29,7 +30,6 @@ const makeGl = (gl, memory) => {
       gl.readPixels(x, y, w, h, 0x8d99, type, four)
       for (let i = 0; i < w * h; ++i) out[i] = four[4 * i]
     },
-    glEnable: what => what != 0x864f && gl.enable(what), // no depth clamp
   }
   // The others take numbers, and names (o) of things
   const names = { BindFramebuffer: 'no', BindRenderbuffer: 'no', FramebufferRenderbuffer: 'nnno', CompileShader: 'o',
