@@ -6,7 +6,7 @@
 . "$(dirname "$0")/display.sh"
 . "$(dirname "$0")/recorded.sh"
 minutes=${2:-3} mute=--mute
-LENGTH=162 # seconds of film
+LENGTH=164 # seconds of film
 LEAST=6    # seconds of the shortest run
 ROOM=8     # MB that a run may grow by after its first third, for scenes that it had not shown before
 cp "$BUILD/odraz" "$WORK/film" # a copy, because the original may be rebuilt meanwhile

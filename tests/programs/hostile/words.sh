@@ -22,8 +22,8 @@ values() { # values OPTION PLACEHOLDER: sets good to what it may be given, by it
     odraz*--dump) good=("${folders[@]}") ;;
     odraz*--wav) good=("${files[@]}") ;;
     odraz*--fps) good=(25 30 1000 60 24000/1001 1/1000 23.976 1001 0 25/0 23.9761 1000000/1000000) ;;
-    odraz*--from) good=(20 20.04 20.1 20.123456 20.1234567 00020 162 161.999999 163 100001) ;;
-    odraz*--to) good=(20 20.04 20.1 20.2 0 19 162.000001 163 '') ;;
+    odraz*--from) good=(20 20.04 20.1 20.123456 20.1234567 00020 164 163.999999 165 100001) ;;
+    odraz*--to) good=(20 20.04 20.1 20.2 0 19 164.000001 165 '') ;;
     odraz*--size) good=(16x9 1x1 64x36 7x13 7680x1 1x4320 0x0 7681x1 16x 16X9 16x9x3 x9 -16x9 99999999999x9) ;;
     odraz*--quality) good=(draft play film reference live Draft) ;;
     odraz*--threads) good=(1 2 64 65 0 1.5) ;;

@@ -61,7 +61,7 @@ try {
 
   // --- Music: as output/wav.cpp writes it ---
   writeFileSync(out + '/music.sha256', await b.evaluate(`new Promise(done => {
-    const blocks = 162 * 200, size = blocks * 960, to = new DataView(new ArrayBuffer(44 + size))
+    const blocks = 164 * 200, size = blocks * 960, to = new DataView(new ArrayBuffer(44 + size))
     const text = 'RIFF    WAVEfmt                     data'
     const numbers = [[4, 36 + size], [16, 16], [20, 0x20001], [24, 48000], [28, 192000], [32, 0x100004], [40, size]]
     for (let i = 0; i < text.length; ++i) to.setUint8(i, text.charCodeAt(i))

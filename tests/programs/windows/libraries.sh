@@ -20,5 +20,5 @@ asks "frames without the hall" "kernel32" --dump - --from 20 --to 20.04 "${small
 asks "music" "kernel32" --wav - --to 0.1
 asks "help" "kernel32" --help
 asks "frames of the hall" "gdi32 kernel32 opengl32 user32" --dump - --from 100 --to 100.04 "${small[@]}"
-asks "the film" "gdi32 kernel32 opengl32 user32 winmm" --window --size 64x36 --from 161.9
+asks "the film" "gdi32 kernel32 opengl32 user32 winmm" --window --size 64x36 --from 163.9
 finish

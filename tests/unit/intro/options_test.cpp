@@ -10,7 +10,7 @@ namespace {
 
 bool parse(std::vector<const char *> args, Options &o, Message &wrong) {
     args.insert(args.begin(), "odraz");
-    return parseOptions((int)args.size(), args.data(), 162, o, wrong);
+    return parseOptions((int)args.size(), args.data(), 164, o, wrong);
 }
 
 Options good(std::vector<const char *> args) {
@@ -43,7 +43,7 @@ TEST(Options, DefaultsPlayTheWholeFilm) {
     EXPECT_EQ(o.dump, nullptr);
     EXPECT_EQ(o.width, 1280);
     EXPECT_EQ(o.quality, QualityName::Count);
-    EXPECT_EQ(firstFrame(o.to, {25, 1}), 162 * 25);
+    EXPECT_EQ(firstFrame(o.to, {25, 1}), 164 * 25);
 }
 
 TEST(Options, ReadsEveryOption) {
@@ -102,7 +102,7 @@ TEST(Frames, AreCountedExactly) {
     EXPECT_EQ(first("0.1", "10"), 1);
     EXPECT_EQ(first("0.3", "10"), 3); // 0.3 * 10 is more than 3 in binary
     EXPECT_EQ(first("1.001", "30000/1001"), 30);
-    EXPECT_EQ(first("161.999999", "1000"), 162000);
+    EXPECT_EQ(first("163.999999", "1000"), 164000);
     EXPECT_EQ(first("10", "23.976"), 240);
 }
 
@@ -110,7 +110,7 @@ TEST(Frames, ShardsJoinWithoutGapOrOverlap) {
     for (const char *fps : {"25", "30000/1001", "7", "1/3", "59.94"}) {
         Options whole = good({"--fps", fps});
         int64_t next = 0;
-        for (int i = 0; i < 162; ++i) {
+        for (int i = 0; i < 164; ++i) {
             Options shard = good(
                 {"--fps", fps, "--from", std::to_string(i).c_str(), "--to", std::to_string(i + 1).c_str()});
             EXPECT_EQ(firstFrame(shard.from, shard.fps), next);

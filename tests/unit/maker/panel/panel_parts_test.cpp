@@ -12,7 +12,7 @@ using namespace odraz::maker;
 // --- Steps and loops ---
 
 TEST(Steps, VisitEveryPictureOnceAndComeBack) {
-    constexpr double kEnd = 162;
+    constexpr double kEnd = 164;
     for (double rate : {24., 25., 30., 59.94, 60.}) {
         int last = (int)(kEnd * rate);
         double t = 0;
@@ -76,29 +76,29 @@ TEST(Loops, LeadBackToTheirStart) {
 
 TEST(Strip, LiesAlongTheLowerEdge) {
     for (auto [width, height] : {std::pair{640, 360}, {1280, 720}, {1920, 1080}, {3840, 2160}}) {
-        Strip s = stripOf(width, height, 162);
+        Strip s = stripOf(width, height, 164);
         EXPECT_EQ(s.area.bottom(), height);
         EXPECT_EQ(s.area.width, width);
         EXPECT_GT(s.area.height, 20);
         EXPECT_LT(s.area.height, height / 4);
     }
-    EXPECT_EQ(stripOf(64, 36, 162).area.height, 0);
-    EXPECT_FALSE(stripOf(64, 36, 162).area.holds(10, 36));
+    EXPECT_EQ(stripOf(64, 36, 164).area.height, 0);
+    EXPECT_FALSE(stripOf(64, 36, 164).area.holds(10, 36));
 }
 
 TEST(Strip, HasATimeForEveryPixel) {
-    Strip s = stripOf(1280, 720, 162);
+    Strip s = stripOf(1280, 720, 164);
     EXPECT_EQ(s.timeAt(0), 0);
     EXPECT_NEAR(s.timeAt(640), 81, 1e-9);
-    EXPECT_EQ(s.timeAt(1280), 162);
+    EXPECT_EQ(s.timeAt(1280), 164);
     EXPECT_EQ(s.timeAt(-50), 0);
-    EXPECT_EQ(s.timeAt(2000), 162);
+    EXPECT_EQ(s.timeAt(2000), 164);
     s.zoom(300, 0.1);
     for (double x : {0., 77.5, 300., 1279.}) EXPECT_NEAR(s.xOf(s.timeAt(x)), x, 1e-6);
 }
 
 TEST(Strip, StretchesAboutThePointer) {
-    Strip s = stripOf(1280, 720, 162);
+    Strip s = stripOf(1280, 720, 164);
     double at = s.timeAt(900);
     s.zoom(900, 0.5);
     EXPECT_NEAR(s.timeAt(900), at, 1e-9);
@@ -108,20 +108,20 @@ TEST(Strip, StretchesAboutThePointer) {
     EXPECT_NEAR(s.timeAt(900), at, 1e-6);
     for (int i = 0; i < 50; ++i) s.zoom(10, 2);
     EXPECT_EQ(s.from, 0);
-    EXPECT_EQ(s.to, 162);
+    EXPECT_EQ(s.to, 164);
 }
 
 TEST(Strip, FollowsWhatIsShown) {
-    Strip s = stripOf(1280, 720, 162);
+    Strip s = stripOf(1280, 720, 164);
     s.zoom(0, 0.1);
     s.follow(10);
     EXPECT_EQ(s.from, 0);
-    for (double t : {100., 162., 3., 0.}) {
+    for (double t : {100., 164., 3., 0.}) {
         s.follow(t);
         EXPECT_LE(s.from, t);
         EXPECT_GE(s.to, t);
         EXPECT_GE(s.from, 0);
-        EXPECT_LE(s.to, 162);
+        EXPECT_LE(s.to, 164);
         EXPECT_NEAR(s.to - s.from, 16.2, 1e-9);
     }
 }

@@ -158,7 +158,7 @@ TEST(Panel, ServesPicturesOfAllSizes) {
     for (auto [width, height] : {std::pair{1, 1}, {16, 9}, {239, 200}, {320, 180}, {100, 500}, {500, 100}}) {
         Shown film(width, height);
         Panel &panel = film.panel;
-        double time = 161.9;
+        double time = 163.9;
         bool paused = false, sought = false;
         for (Action a : {Action::Panel, Action::Heat, Action::Help, Action::LoopShot}) {
             panel.act(a);

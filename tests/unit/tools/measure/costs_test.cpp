@@ -103,7 +103,7 @@ TEST(Costs, WhatIsWrongIsReported) {
 // The table that the repository has is whole.
 TEST(Costs, EveryMomentOfTheFilmIsCounted) {
     Costs costs(common::readWhole(kCostsFile));
-    for (double s = 0; s < 162; s += 0.25) {
+    for (double s = 0; s < 164; s += 0.25) {
         double last = 1e18;
         for (float level : {0.1f, 1.f, 1.5f, 2.f}) {
             Cost c = costs.of({s, level, kLarge, 0});
