@@ -38,7 +38,8 @@ static constexpr Part kParts[] = {
     {kTable, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
     {kTable, 0, 12, {kPad, 3, 4, 100}, 1, 16, 40, 55, "0"},
     {kTable, 0, 12, {kWind, 6, 1, 100}, 1, 32, 15, 25, "02"},
-    {kTable, 0, 12, {kBass, 2, 1, 100}, 1, 16, 60, 80, "0"},
+    {kTable, 0, 8, {kBass, 2, 1, 100}, 2, 16, 60, 75, kGround},
+    {kTable, 8, 12, {kBass, 2, 1, 100}, 2, 16, 70, 80, "01"},
     {kTable, 0, 8, {kPiano, 4, 1, 100}, 1, 4, 70, 80, kTune},
     {kTable, 8, 12, {kPiano, 5, 1, 100}, 1, 4, 75, 70, kTune + kAnswer},
     {kTable, 1, 3, {kWood, 4, 1, 100}, 4, 16, 50, 60, "0.214.35"},
@@ -48,12 +49,14 @@ static constexpr Part kParts[] = {
 
     {kFlake, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 80, 80, "a"},
     {kFlake, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
-    {kFlake, 0, 10, {kBass, 2, 1, 100}, 2, 16, 60, 90, "0"},
+    {kFlake, 0, 10, {kBass, 2, 1, 100}, 2, 16, 60, 90, "01"},
+    {kFlake, 6, 10, {kVoice, 2, 1, 100}, 1, 32, 60, 80, "1"},
     {kFlake, 0, 4, {kPiano, 5, 1, 120}, 1, 4, 55, 70, kMirrored},
-    {kFlake, 1, 12, {kPiano, 4, 1, 100}, 8, 16, 35, 60, "0214352614253"},
+    {kFlake, 1, 4, {kPiano, 4, 1, 100}, 8, 16, 35, 45, "0214352614253"},
+    {kFlake, 4, 12, {kPiano, 5, 1, 120}, 1, 4, 65, 85, "F-Gbd--bc-dec--dd-cbG--ac--de---"},
     {kFlake, 2, 12, {kWood, 5, 1, 100}, 5, 16, 40, 70, "0314"},
     {kFlake, 3, 12, {kGlassDrop, 6, 1, 100}, 7, 16, 20, 45, "46253"},
-    {kFlake, 4, 12, {kVoice, 4, 1, 100}, 1, 8, 60, 90, kTune},
+    {kFlake, 4, 12, {kVoice, 4, 1, 100}, 1, 8, 60, 85, kTune},
     {kFlake, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 20, 50, "..a..aa."},
     {kFlake, 6, 12, {kPad, 3, 4, 100}, 1, 16, 35, 80, "0"},
     {kFlake, 8, 12, {kPulse, 5, 1, 100}, 16, 16, 10, 60, "02132"},
@@ -74,12 +77,12 @@ static constexpr Part kParts[] = {
     {kHall, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 55, 55, "a"},
     {kHall, 0, left(8), {kWind, 5, 1, 100}, 1, 16, 20, 20, "024135"},
     {kHall, 0, left(4), {kPad, 3, 3, 120}, 1, 16, 55, 30, "0"},
-    {kHall, 0, kDay, {kBass, 2, 1, 100}, 1, 16, 50, 60, "0"},
+    {kHall, 0, kDay, {kBass, 2, 1, 100}, 2, 16, 50, 60, "01"},
     {kHall, left(16), left(10), {kVoice, 4, 1, 100}, 1, 4, 65, 70, kTune},
     {kHall, left(16), left(10), {kBreath, 5, 1, 100}, 1, 4, 20, 20, kTune},
     {kHall, left(10), left(8), {kVoice, 5, 1, 120}, 1, 4, 65, 50, kMirrored + 24},
     {kHall, 0, left(8), {kGlassDrop, 5, 1, 150}, 5, 32, 40, 35, "3142.50"},
-    {kHall, left(8), left(1), {kPiano, 4, 1, 120}, 1, 4, 60, 95, kTune},
+    {kHall, left(8), left(1), {kPiano, 4, 1, 120}, 1, 4, 60, 90, kTune},
     {kHall, kDoor - 1, kDoor, {kGlassDrop, 6, 1, 120}, 2, 16, 60, 60, "EC"},
     {kHall, kDoor - 2, kDoor, {kRiser, 6, 1, 100}, 1, 32, 35, 35, "a"},
     {kHall, kDoor, kDay, {kSub, 1, 1, 100}, 1, 16, 20, 40, "D"},
@@ -91,14 +94,15 @@ static constexpr Part kParts[] = {
     {kHall, left(2), kDay, {kRiser, 6, 1, 100}, 1, 32, 60, 60, "a"},
 
     {kOdraz, 0, 12, {kPad, 3, 3, 100}, 1, 16, 90, 50, "0"},
-    {kOdraz, 0, 12, {kBass, 2, 1, 100}, 2, 16, 85, 50, "0"},
+    {kOdraz, 0, 8, {kBass, 2, 1, 100}, 2, 16, 80, 80, kGround},
+    {kOdraz, 8, 12, {kBass, 2, 1, 100}, 2, 16, 65, 50, "01"},
     {kOdraz, 0, 8, {kSub, 1, 1, 100}, 1, 16, 70, 70, "DDDADDAD"},
     {kOdraz, 0, 7, {kDrum, 1, 1, 60}, 2, 16, 90, 90, "a"},
-    {kOdraz, 0, 7, {kImpact, 4, 1, 100}, 2, 16, 34, 32, "D"},
-    {kOdraz, 0, 8, {kBrush, 7, 1, 100}, 16, 16, 40, 70, "a.aa"},
+    {kOdraz, 0, 7, {kImpact, 4, 1, 100}, 2, 16, 42, 40, "D"},
+    {kOdraz, 0, 8, {kBrush, 7, 1, 100}, 16, 16, 60, 90, "a.aa"},
     {kOdraz, 0, 7, {kWood, 5, 1, 100}, 3, 8, 60, 60, "03142"},
     {kOdraz, 0, 8, {kPiano, 4, 1, 100}, 16, 16, 45, 75, "0214352614253"},
-    {kOdraz, 1, 9, {kGlassDrop, 6, 1, 100}, 5, 16, 35, 25, "42531"},
+    {kOdraz, 1, 9, {kGlassDrop, 6, 1, 100}, 5, 16, 55, 60, "42531"},
     {kOdraz, 0, 8, {kPiano, 5, 1, 120}, 1, 4, 85, 80, kTune},
     {kOdraz, 0, 8, {kVoice, 5, 1, 100}, 1, 4, 75, 70, kTune},
     {kOdraz, 2, 8, {kVoice, 4, 1, 100}, 1, 4, 90, 90, kMirrored},
@@ -108,9 +112,9 @@ static constexpr Part kParts[] = {
     {kOdraz, 10, 11, {kGlassDrop, 6, 1, 150}, 2, 16, 80, 80, ".a"},
 
     {kCredits, 0, 1, {kPiano, 2, 2, 150}, 1, 16, 60, 60, "0"},
-    {kCredits, 0, 4, {kPad, 4, 5, 150}, 1, 64, 35, 35, "0"},
+    {kCredits, 0, 4, {kPad, 4, 5, 150}, 1, 68, 35, 35, "0"},
     {kCredits, 0, 2, {kWind, 6, 1, 100}, 1, 16, 20, 10, "0"},
-    {kCredits, 2, 5, {kGlassDrop, 5, 1, 150}, 4, 16, 60, 50, "Ge..a-e-E..."},
+    {kCredits, 2, 5, {kGlassDrop, 5, 1, 150}, 4, 16, 60, 45, "Ge..a-eFdE.."},
 };
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
@@ -174,5 +178,14 @@ static constexpr EventSound kEventSounds[] = {
     {kLine2, {kGlassDrop, 6, 1, 120}, 60, 'a'},
 };
 // clang-format on
+
+// The share of each side that the other takes, per cent: wide in the hall, and scene 4 is narrow until light
+// comes.
+static int narrowAt(int scene, int bar) {
+    static constexpr int8_t kNarrow[kSceneCount] = {
+        [kPoint] = 15, [kTable] = 25, [kFlake] = 12,  [kPatches] = 8,
+        [kHall] = 4,   [kOdraz] = 1,  [kCredits] = 10};
+    return scene == kPatches && bar < kLight ? 35 : kNarrow[scene];
+}
 
 } // namespace odraz

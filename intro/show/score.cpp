@@ -40,7 +40,9 @@ void strike(Mixer &m, const Articulation &articulation, char tone, char chord, f
     int root = stepOf((char)(chord & ~32));
     int step = tone < 'A' ? root + 2 * (tone - '0') : stepOf(tone);
     for (int i = 0; i < articulation.stack; ++i) {
-        int at = step + 2 * i + (i & 1) * 7 + 70, degree = at % 7;
+        int at = step + 2 * i + 70, degree = at % 7;
+        // A chord's tones keep to their octaves: from chord to chord they stand or move by a step or two
+        if (articulation.stack > 1) at = 70 + degree + ((i & 1) + i / 4) * 7;
         const int8_t *scale = chord < 'a' ? kMinor : kMajor;
         int leading = chord == 'A' && degree == 6;
         float key = (float)(12 * (at / 7 - 10 + articulation.octave) + scale[degree] + leading + 14);
@@ -64,6 +66,7 @@ void playRow(Mixer &m, int row) {
     Moment now = momentAt(kFilm, row);
     int scene = now.shot->scene, story = (int)now.storyRow, bar = story / 16;
     char chord = kChords[scene][bar];
+    m.narrow = lerp(m.narrow, (float)narrowAt(scene, bar) * 0.01f, isHit(row) ? 1 : 0.02f);
     for (const Part &p : kParts) {
         int since = story - p.from * 16, strokes = since * p.strokes, stroke = strokes / p.rows;
         if (p.scene != scene || since < 0 || bar >= p.to || strokes - stroke * p.rows >= p.strokes) continue;

@@ -26,8 +26,10 @@ extern const char *const kChords[kSceneCount];
 struct Articulation {
     InstrumentId instrument;
     int8_t octave; // 4 begins at d' = 293 Hz
-    uint8_t stack; // how many tones at once: each a third above the last, every second one an octave higher
-    uint8_t room;  // per cent of what the instrument sends to the room
+    // How many tones at once: each a third above the last, every second one an octave higher, the fifth as
+    // well. If several, each is moved by octaves to where it lies next to those of other chords.
+    uint8_t stack;
+    uint8_t room; // per cent of what the instrument sends to the room
 };
 
 struct Part {

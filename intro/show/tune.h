@@ -12,4 +12,7 @@ inline constexpr int kAnswer = 16; // its second half: the beat at which it begi
 // in the second bar, and D for C in the sixth, where the image would clash with the tune two bars later.
 inline constexpr char kMirrored[] = "a-DEC--EF-GaG---a-ABD--DEFGba---";
 
+// The bass below the tune, a tone each half bar: roots, and what leads from one to the next.
+inline constexpr char kGround[] = "DFFCBDACDFGBACDA";
+
 } // namespace odraz

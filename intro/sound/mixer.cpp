@@ -6,12 +6,11 @@ namespace odraz {
 
 namespace {
 
-constexpr float kLoud = 1.8f;    // of all, before it is clipped softly
-constexpr float kUsual = 0.006f; // mean square above which 4 dB more become 3 dB
-constexpr float kClosing = 0.3f; // of its gain, in a block
+constexpr float kLoud = 1.9f;     // of all, before it is clipped softly
+constexpr float kUsual = 0.006f;  // mean square above which 4 dB more become 3 dB
+constexpr float kClosing = 0.35f; // of its gain, in a block
 constexpr float kRoomLevel = 0.42f;
-constexpr float kCross = 0.12f;      // of each side is heard on the other
-constexpr float kPeak = 0.75f;       // the largest sample: leaves room for peaks between samples
+constexpr float kPeak = 0.68f;       // the largest sample: leaves room for peaks between samples
 constexpr int kSeekBlocks = 8 * 200; // rendered before the block that is sought, so that the room is full
 
 } // namespace
@@ -70,7 +69,7 @@ void renderBlock(Mixer &m, float *stereo) {
             m.dry[n] = m.wet[n] = m.late[n] = Float8{};
             x = (Float8)_mm256_hadd_ps(x, x);
             x = (Float8)_mm256_hadd_ps(x, x);
-            x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1), kCross, x);
+            x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1) - x, m.narrow, x);
             squares = fmadd(x, x, squares);
             m.gain = min(m.gain + step, most);
             x *= m.gain;

@@ -24,6 +24,7 @@ struct Mixer {
     int block;    // the next one
     float ducked; // how far loud instruments push the others down: 0 .. 1
     bool hushed;  // set by the player: the gain falls to 0 within 30 ms, and stays 0 until this is cleared
+    float narrow; // set by the player: the share of each side that the other takes; 0.5: both are the same
     float power;  // mean square of all, over a tenth of a second as it grows and a second as it falls
     float gain;   // of all, at the last block's end
     int voiceCount;

@@ -169,6 +169,43 @@ TEST(Score, MirrorsTheTuneInACanon) {
     EXPECT_LE(passing, 1);
 }
 
+// While the flake grows, the piano sings against the tune, which is half as fast: few notes, in steps and
+// thirds, consonant with it on every half bar.
+TEST(Score, HasACounterTuneInTheGrowth) {
+    int from = firstRow(kFlake) + 64, key = 0, low = 200, high = 0, count = 0;
+    char upper = 0;
+    for (int row = 0; row < 128; row += 4) {
+        for (const Note &n : notesOf(from + row))
+            if (n.instrument == &kInstruments[kPiano]) {
+                EXPECT_LE(std::abs((int)n.key - (key ? key : (int)n.key)), 4) << row;
+                key = (int)n.key, low = std::min(low, key), high = std::max(high, key), ++count;
+            }
+        if (row % 8) continue;
+        if (kTune[row / 8] != '-') upper = kTune[row / 8];
+        int apart = (key - keyOf(upper, chordAt(from + row)) + 24) % 12;
+        EXPECT_TRUE((std::set<int>{0, 3, 4, 5, 7, 8, 9}.count(apart)))
+            << row << ": " << key << " over " << upper;
+    }
+    EXPECT_LE(high - low, 12);
+    EXPECT_LE(count, 20);
+}
+
+TEST(Score, IsNarrowWhereItIsDryAndWideInTheHall) {
+    auto m = std::make_unique<Mixer>();
+    std::vector<float> at;
+    for (int row = 0; row < (int)kFilm.endRow; ++row) {
+        m->voiceCount = 0;
+        playRow(*m, row);
+        at.push_back(m->narrow);
+    }
+    auto in = [&](SceneId scene, int row) { return at[(size_t)(firstRow(scene) + row)]; };
+    EXPECT_GT(in(kPatches, 0), 0.3f) << "at once, after a silence";
+    EXPECT_LT(in(kPatches, kEvents[kDirectLight].row), 0.1f);
+    EXPECT_GT(in(kTable, 96), 0.2f);
+    EXPECT_LT(in(kHall, 96), 0.06f);
+    EXPECT_LT(in(kOdraz, 0), 0.03f);
+}
+
 // Each half of the tune swells to its second bar, and is not played evenly.
 TEST(Score, IsPhrased) {
     for (int half : {0, 16}) {
