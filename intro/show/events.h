@@ -87,7 +87,7 @@ inline constexpr Event kEvents[] = {
 
     {kLine1,            kCredits,   4, true},
     {kLine2,            kCredits,  28, true},
-    {kLine3,            kCredits,  52, false},
+    {kLine3,            kCredits,  48, false},
 };
 // clang-format on
 static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event, in the enum's order");

@@ -1,5 +1,6 @@
 // Scene 7. The word that the last ball mirrored, on the marble of scene 1. Text states what the film is, how
 // many bytes it has, who made it and what it ran on, and greets those it stands on.
+#include "base/maths.h"
 #include "base/text.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -13,6 +14,8 @@ namespace odraz {
 enum { kMarble, kSilver };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kSilver] = &kMirror};
 static constexpr float kLastBeat = 92; // then all is black, and the room rings out
+// Pages of text begin and end; then the word stands alone for two seconds
+static constexpr float kPages[] = {rowOf(kLine1), rowOf(kLine2), rowOf(kLine3), kLastBeat - 16};
 
 void poseCredits(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
@@ -21,7 +24,8 @@ void poseCredits(const SceneInput &in, Scene &scene) {
     scene.add(Light{{way - 2.4f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f});
     scene.add(Light{{2.6f, 1.7f, -2.6f + way}, {3.2f, 4.4f, 6.8f}, 0.2f});
     scene.add(Light{{0, 0.4f, 1.5f}, {0.3f, 0.14f, 0.06f}, 0.1f}); // the word's
-    scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
+    // No bright vein crosses what it mirrors of the word
+    scene.add(plane({0, 0, 0}, kMarble))->textureShift = {-4, -2.75f, 5.5f};
     scene.add(sphere({-1.95f, 0.6f, -1.2f}, 0.6f, kSilver));
     int tube = scene.add(lamp({4.5f, 1.6f, 0.5f}));
     standText(scene, "odraz", {-1.17f, 0.055f, 0}, 0.045f, 100, tube);
@@ -35,9 +39,10 @@ void poseCredits(const SceneInput &in, Scene &scene) {
 
 void letterCredits(const SceneInput &in, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
-    auto line = [&](float page, const char *text, float y, float size, Rgb colour) {
+    auto line = [&](int page, const char *text, float y, float size, Rgb colour) {
+        float shown = min(in.row - kPages[page], kPages[page + 1] - in.row);
         drawText(frame, text, w * 0.5f, h * y,
-                 {h * size, 0.09f, Align::Centre, colour, value(track(kPage), in.row - page)});
+                 {h * size, 0.09f, Align::Centre, colour, value(track(kPage), shown)});
     };
     Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f};
     Text<80> size, machine;
@@ -47,15 +52,15 @@ void letterCredits(const SceneInput &in, const View &, Frame &frame) {
         size << "in less than 65537 bytes";
     machine << "on "
             << (in.facts.machine && *in.facts.machine ? in.facts.machine : "a processor, and nothing else");
-    line(rowOf(kLine1), "light, traced ray by ray as you watched", 0.14f, 0.036f, pale);
-    line(rowOf(kLine1), size.data, 0.24f, 0.046f, accent);
-    line(rowOf(kLine1), "no picture and no sound was recorded", 0.33f, 0.036f, pale);
-    line(rowOf(kLine2), "picture and music", 0.14f, 0.036f, pale);
-    line(rowOf(kLine2), "the odraz team", 0.24f, 0.046f, accent);
-    line(rowOf(kLine2), machine.data, 0.33f, 0.03f, pale);
-    line(rowOf(kLine3), "greetings to those it stands on", 0.14f, 0.036f, pale);
-    line(rowOf(kLine3), "whitted  kajiya  goral  cohen", 0.22f, 0.036f, accent);
-    line(rowOf(kLine3), "greenberg  perlin  sloan  elias", 0.29f, 0.036f, accent);
+    line(0, "light, traced ray by ray as you watched", 0.14f, 0.036f, pale);
+    line(0, size.data, 0.24f, 0.046f, accent);
+    line(0, "no picture and no sound was recorded", 0.33f, 0.036f, pale);
+    line(1, "picture and music", 0.14f, 0.036f, pale);
+    line(1, "the odraz team", 0.24f, 0.046f, accent);
+    line(1, machine.data, 0.33f, 0.03f, pale);
+    line(2, "greetings to those it stands on", 0.14f, 0.036f, pale);
+    line(2, "whitted  kajiya  goral  cohen", 0.22f, 0.036f, accent);
+    line(2, "greenberg  perlin  sloan  elias", 0.29f, 0.036f, accent);
 }
 
 } // namespace odraz
