@@ -9,7 +9,7 @@ done
 TEXTS=$TEXTS/tools text README.txt
 cp "$TEXTS/LICENSE.txt" "$TEXTS/tools/NOTICES.txt" "$linux"
 cp "$ODRAZ/packer/README.md" "$ODRAZ/packer/report.png" "$linux/doc/pack"
-cp "$ODRAZ/tools/radiosity/README.md" "$ODRAZ/tools/radiosity/METHOD.md" "$linux/doc/radiosity"
+cp "$ODRAZ"/tools/radiosity/{README.md,METHOD.md,vault.png} "$linux/doc/radiosity"
 cp "$ODRAZ/tools/CI.md" "$linux/doc"
 seal "$linux" "${programs[@]}"
 cd "$work/tools"
