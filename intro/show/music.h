@@ -38,7 +38,7 @@ static constexpr Part kParts[] = {
     {kTable, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
     {kTable, 0, 12, {kPad, 3, 4, 100}, 1, 16, 40, 55, "0"},
     {kTable, 0, 12, {kWind, 6, 1, 100}, 1, 32, 15, 25, "02"},
-    {kTable, 0, 8, {kBass, 2, 1, 100}, 2, 16, 60, 75, kGround},
+    {kTable, 0, 8, {kBass, 2, 1, 100}, 2, 16, 60, 75, kBassLine},
     {kTable, 8, 12, {kBass, 2, 1, 100}, 2, 16, 70, 80, "01"},
     {kTable, 0, 8, {kPiano, 4, 1, 100}, 1, 4, 70, 80, kTune},
     {kTable, 8, 12, {kPiano, 5, 1, 100}, 1, 4, 75, 70, kTune + kAnswer},
@@ -94,7 +94,7 @@ static constexpr Part kParts[] = {
     {kHall, left(2), kDay, {kRiser, 6, 1, 100}, 1, 32, 60, 60, "a"},
 
     {kOdraz, 0, 12, {kPad, 3, 3, 100}, 1, 16, 90, 50, "0"},
-    {kOdraz, 0, 8, {kBass, 2, 1, 100}, 2, 16, 80, 80, kGround},
+    {kOdraz, 0, 8, {kBass, 2, 1, 100}, 2, 16, 80, 80, kBassLine},
     {kOdraz, 8, 12, {kBass, 2, 1, 100}, 2, 16, 65, 50, "01"},
     {kOdraz, 0, 8, {kSub, 1, 1, 100}, 1, 16, 70, 70, "DDDADDAD"},
     {kOdraz, 0, 7, {kDrum, 1, 1, 60}, 2, 16, 90, 90, "a"},

@@ -13,6 +13,6 @@ inline constexpr int kAnswer = 16; // its second half: the beat at which it begi
 inline constexpr char kMirrored[] = "a-DEC--EF-GaG---a-ABD--DEFGba---";
 
 // The bass below the tune, a tone each half bar: roots, and what leads from one to the next.
-inline constexpr char kGround[] = "DFFCBDACDFGBACDA";
+inline constexpr char kBassLine[] = "DFFCBDACDFGBACDA";
 
 } // namespace odraz
