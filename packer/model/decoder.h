@@ -11,11 +11,14 @@ struct Layout {
     uint32_t size, codeBegin, codeSize;
 };
 
-inline uint64_t memoryBehindModel(const ModelParameters &parameters, uint32_t size) {
-    return (sizeof(Slot) << parameters.slotBits) + sizeof(Place) * (kPast + (uint64_t)size + kFuture);
+template <class Around = Surroundings>
+uint64_t memoryBehindModel(const ModelParameters &parameters, uint32_t size) {
+    return (sizeof(Slot) << parameters.slotBits) +
+           sizeof(typename Around::Place) * (kPast + (uint64_t)size + kFuture);
 }
-inline uint64_t modelMemory(const ModelParameters &parameters, uint32_t size) {
-    return sizeof(Model) + memoryBehindModel(parameters, size);
+template <class Around = Surroundings>
+uint64_t modelMemory(const ModelParameters &parameters, uint32_t size) {
+    return sizeof(Model) + memoryBehindModel<Around>(parameters, size);
 }
 
 // A binary range decoder, as in LZMA: `code` is a position within `range`, which is kept at 2^24 or above.
@@ -41,15 +44,15 @@ struct Decoder {
 // Writes `image` from the coder's bits. Operands that name addresses relative to the next instruction are
 // coded as offsets from the start of the image, high byte first, so that one target looks the same wherever
 // it is named. `memory`: modelMemory() bytes of zeros, aligned to 64.
-template <class Coder>
+template <class Around = Surroundings, class Coder>
 void run(Coder &coder, const Layout &layout, const ModelParameters &parameters, void *memory,
          uint8_t *image) {
     Model &m = *(Model *)memory;
     Slot *slots = (Slot *)(&m + 1);
-    Surroundings s = {};
-    s.places = (Place *)(slots + (1u << parameters.slotBits)) + kPast;
+    Around s = {};
+    s.places = (typename Around::Place *)(slots + (1u << parameters.slotBits)) + kPast;
     s.size = layout.size;
-    expandOpcodes(m.opcodes);
+    s.prepare(m.opcodes);
     float *weights = (float *)m.finalWeights; // the other weights follow in memory
     uint32_t all = (sizeof m.finalWeights + sizeof m.weights) / sizeof(float);
     for (uint32_t i = 0; i < all; ++i) weights[i] = kFirstWeight;
@@ -69,7 +72,7 @@ void run(Coder &coder, const Layout &layout, const ModelParameters &parameters, 
         s.places[i].byte = image[i] = byte;
         if (data) continue;
         if (uint32_t behind = s.end(i, byte, m.opcodes)) {
-            uint32_t value = s.fields[kTarget] - (i + behind);
+            uint32_t value = s.fields[s.kTarget] - (i + behind);
             __builtin_memcpy(image + i - 3, &value, 4);
         }
     }

@@ -16,16 +16,8 @@ typedef int16_t Short8 __attribute__((vector_size(16)));
 constexpr uint32_t kLanes = 4;                              // floats of a context: its inputs
 constexpr uint32_t kMost8 = kMostContexts * kLanes / 8 + 1; // the last has the odds, and counts uses
 constexpr uint32_t kStretch = 2048; // bytes between two comparisons with another estimate
-constexpr float kUnit = 1 << 13; // a step of the inputs, in a float's last bits; logarithms end at 24 << 23
-constexpr float kRate = kLearning * kUnit, kEarlyRate = kEarlyLearning * kUnit,
-                kFinalRate = kFinalLearning * kUnit;
-
-// What is known about a byte, independent of the parameters.
-struct Known {
-    uint32_t fields[kFields];
-    uint8_t byte, type;
-    float odds[8]; // of each bit
-};
+constexpr float kRate = kLearning * kInputUnit, kEarlyRate = kEarlyLearning * kInputUnit,
+                kFinalRate = kFinalLearning * kInputUnit;
 
 // The mixer's state, and the payload's bits so far.
 struct alignas(64) Mixer {
@@ -67,7 +59,7 @@ struct Rows {
 // predict() and learn() for the bytes from `at` to `end`; `count` vectors of inputs.
 [[gnu::always_inline]] inline void mixBytes(Mixer &m, const Sources &from, const Known *all, uint32_t at,
                                             uint32_t end, uint32_t count) {
-    constexpr float kMost = kMostSum / kUnit;
+    constexpr float kMost = kMostSum / kInputUnit;
     Rows next(m, from, all, at, 1, count);
     for (; at < end; ++at) {
         uint32_t bits = 1;
@@ -92,7 +84,7 @@ struct Rows {
                 std::memcpy(&in.pair[1], from.inputs[2 * i + 1] + offset, 8);
                 x[i] = __builtin_convertvector(__builtin_convertvector(in.all, Int8), Float8);
             }
-            x[count - 1] = Float8{all[at].odds[7 - shift], kConstant / kUnit};
+            x[count - 1] = Float8{all[at].odds[7 - shift], kConstant / kInputUnit};
 #pragma GCC unroll 8
             for (uint32_t s = 0; s < kSets; ++s) {
                 const Float8 *w = rows.weights[s];
@@ -106,10 +98,10 @@ struct Rows {
             }
             results = results > kMost ? kMost : results;
             results = results < -kMost ? -kMost : results;
-            float sum = std::clamp(sumOf(last * results), -kMost, kMost), mixed = squash(sum * kUnit);
+            float sum = std::clamp(sumOf(last * results), -kMost, kMost), mixed = squash(sum * kInputUnit);
 
             // Correct
-            Counter &correction = rows.corrections[(int32_t)(sum * (kSteepness * kUnit) + kMiddle)];
+            Counter &correction = rows.corrections[(int32_t)(sum * (kSteepness * kInputUnit) + kMiddle)];
             int32_t p = (int32_t)(mixed * (1 << kProbabilityBits));
             if (!correction) correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
             float one = (float)((((int32_t)correction >> kSeenBits) + kHalf + 3 * p) | 1) *
@@ -119,7 +111,7 @@ struct Rows {
 
             // Learn
             float y = (float)(int32_t)bit;
-            Int8 odds = __builtin_convertvector(results * kUnit, Int8) + std::bit_cast<int32_t>(1.0f);
+            Int8 odds = __builtin_convertvector(results * kInputUnit, Int8) + std::bit_cast<int32_t>(1.0f);
             Float8 squashed = (Float8)odds / ((Float8)odds + 1), used, by;
             for (uint32_t s = 0; s < kSets; ++s) used[s] = rows.weights[s][count - 1][kLanes - 1]++;
             by = (y - squashed) * (kEarlyRate / (used + kEarlyUses) + kRate);
@@ -191,7 +183,7 @@ struct Estimator::Work {
                 Nibble nibble = nibbleOf(bits);
                 if (nibble.step == 1) hash = mixIn(hash, nibble.start);
                 find(c, slots.data(), slotBits, hash, phase, nibble);
-                Float4 inputs = inputsOf(c.counter) * (1 / kUnit);
+                Float4 inputs = inputsOf(c.counter) * (1 / kInputUnit);
                 for (uint32_t k = 0; k < kLanes; ++k) to[k] = (int16_t)inputs[k];
                 learn(c, bit);
                 bits = bits * 2 + bit;
@@ -201,26 +193,11 @@ struct Estimator::Work {
     }
 };
 
-Estimator::Estimator(const std::vector<uint8_t> &filtered, const Layout &layout) : work(new Work) {
+template std::vector<Known> knownOf<Surroundings>(const std::vector<uint8_t> &, const Layout &);
+
+Estimator::Estimator(std::vector<Known> all, const Layout &layout) : work(new Work) {
     work->layout = layout;
-    work->all.resize(filtered.size());
-    std::vector<Place> places(kPast + filtered.size() + kFuture);
-    Surroundings s = {};
-    s.places = places.data() + kPast;
-    s.size = layout.size;
-    uint8_t opcodes[kOpcodes];
-    expandOpcodes(opcodes);
-    for (uint32_t i = 0; i < filtered.size(); ++i) {
-        s.begin(i);
-        Known &known = work->all[i];
-        std::copy(s.fields, s.fields + kFields, known.fields);
-        known.type = i - layout.codeBegin >= layout.codeSize;
-        known.byte = filtered[i];
-        for (uint32_t k = 0; k < 8; ++k)
-            known.odds[k] = logOf(s.odds((0x100u | filtered[i]) >> (8 - k))) * (1 / kUnit);
-        s.places[i].byte = filtered[i];
-        if (!known.type) s.end(i, filtered[i], opcodes);
-    }
+    work->all = std::move(all);
 }
 
 Estimator::~Estimator() = default;

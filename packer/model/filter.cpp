@@ -4,7 +4,8 @@
 
 namespace pack {
 
-std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &layout) {
+template <>
+std::vector<uint8_t> filter<Surroundings>(const std::vector<uint8_t> &image, const Layout &layout) {
     std::vector<uint8_t> out = image;
     uint8_t opcodes[kOpcodes];
     expandOpcodes(opcodes);

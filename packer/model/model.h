@@ -16,11 +16,7 @@
 // because slots may collide.
 #pragma once
 
-#ifdef PACK_SURROUNDINGS // those of another kind of code
-#include PACK_SURROUNDINGS
-#else
 #include "packer/model/surroundings.h"
-#endif
 
 namespace pack {
 
@@ -46,10 +42,10 @@ struct ModelParameters {
     }
     uint32_t hashes() const { return contexts + kSets - 1; }
     uint32_t inputs4() const { return 1 + contexts; } // in vectors of four: see Model
-    bool sane() const {
+    bool sane(const MayUse &mayUse = kMayUse) const {
         uint32_t unknown = 0; // bits of fields that cannot be used
         for (int type = 0; type < 2; ++type)
-            for (uint32_t mask : masks[type]) unknown |= mask & ~kMayUse[type];
+            for (uint32_t mask : masks[type]) unknown |= mask & ~mayUse[type];
         return contexts >= 4 && contexts <= kMostContexts && contexts % 4 == 0 &&
                slotBits >= kLeastSlotBits && slotBits <= kMostSlotBits && !unknown;
     }
@@ -84,7 +80,7 @@ constexpr float kFirstWeight = 1.0f / 25, kFinalLearning = 1.0f / 1250 * kLogUni
 constexpr float kLearning = 0.0035f * kLogUnit, kEarlyUses = 75,
                 kEarlyLearning = 0.019f * kLogUnit * kEarlyUses;
 constexpr int32_t kLinearShift = 2;       // of the input p - 1/2: kHalf << kLinearShift for 1/2
-constexpr int32_t kOddsShift = 2;         // of the logarithm of Surroundings::odds
+constexpr int32_t kOddsShift = 2;         // of the logarithm of Odds
 constexpr float kMostSum = 11 / kLogUnit; // limit of a weighted sum, on either side of 0
 // Corrections: a hash selects one of 16,384 rows, and the weighted sum one of its 32 counters, 1.25 of them
 // for a factor of e
@@ -151,7 +147,7 @@ inline Float4 inputsOf(Counter *const *c) {
     inputs[3] = p[0] * (1 << kLinearShift);
     return __builtin_convertvector(inputs, Float4);
 }
-inline float logOf(Surroundings::Odds odds) {
+inline float logOf(Odds odds) {
     Int4 logs = logBits(Int4{(int32_t)odds.ones, (int32_t)odds.zeros});
     return (float)((logs[0] - logs[1]) * (1 << kOddsShift));
 }
@@ -238,8 +234,7 @@ inline void begin(Model &m, const ModelParameters &parameters, const uint32_t *f
 
 // The probability that the next bit is a one, in units of 2^-kShareBits: 1 .. 2^kShareBits - 1. `bits`: a
 // leading one, then the byte's bits so far.
-inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits,
-                        Surroundings::Odds odds) {
+inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits, Odds odds) {
     Nibble nibble = nibbleOf(bits);
     if (nibble.step == 1)
         for (uint32_t i = 0; i < parameters.contexts; ++i) {

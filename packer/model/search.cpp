@@ -1,7 +1,5 @@
 #include "packer/model/search.h"
 
-#include "packer/model/estimate.h"
-
 #include <algorithm>
 #include <chrono>
 #include <map>
@@ -46,14 +44,15 @@ struct Change {
 };
 
 // Mostly adds, removes or replaces a field; sometimes takes a new mask, or swaps two selectors.
-Change propose(const ModelParameters &parameters, const Layout &layout, std::mt19937 &random) {
-    uint32_t data = layout.size - layout.codeSize;
-    Change change = {data && (!layout.codeSize || random() % 5 == 0), {}};
+Change propose(const ModelParameters &parameters, const Searched &program, std::mt19937 &random) {
+    const auto &[codeShift, codeBits, dataBits] = program.mayUse;
+    uint32_t data = program.layout.size - program.layout.codeSize;
+    Change change = {data && (!program.layout.codeSize || random() % 5 == 0), {}};
     const uint32_t *masks = parameters.masks[change.type];
     uint32_t i = random() % parameters.hashes();
     uint32_t mask = masks[i];
     auto field = [&] {
-        return change.type ? 1u << random() % kDataBits : 1u << (random() % kCodeBits + kCodeShift);
+        return change.type ? 1u << random() % dataBits : 1u << (random() % codeBits + codeShift);
     };
     // A field that is in the mask, or one that is not
     auto fieldOf = [&](uint32_t all) {
@@ -95,10 +94,9 @@ Change propose(const ModelParameters &parameters, const Layout &layout, std::mt1
 
 } // namespace
 
-ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layout,
-                       const ModelParameters &start, double seconds,
+ModelParameters search(const Searched &program, const ModelParameters &start, double seconds,
                        const std::function<bool(const Progress &)> &goOn) {
-    if (filtered.empty()) return start;
+    if (program.all.empty()) return start;
     constexpr double kWorthIt = 0.5;    // bytes that a change must save
     constexpr double kSlack = 24;       // bytes that it may be behind while it is being estimated
     constexpr double kMeasureEvery = 8; // measurement times from one measurement to the next
@@ -109,13 +107,13 @@ ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layou
     };
     Workspace workspace;
     ModelParameters measured = start; // the best measured
-    double least = measure(filtered, layout, start, workspace), measuring = passed();
+    double least = program.measure(start, workspace, 1e30), measuring = passed();
     int tried = 0, kept = 0;
     bool stopped = !goOn({least, passed(), tried});
     if (stopped || seconds <= passed()) return start;
 
     // The best by estimate, shared by the threads
-    auto best = std::make_shared<const Estimate>(Estimator(filtered, layout)(start));
+    auto best = std::make_shared<const Estimate>(Estimator(program.all, program.layout)(start));
     ModelParameters asked = start; // what was measured last
     double nextMeasure = passed() + kMeasureEvery * measuring;
     std::map<std::vector<uint32_t>, int>
@@ -129,7 +127,7 @@ ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layou
         // There is one workspace: no other thread may measure, even after the time is over
         nextMeasure = 1e30;
         lock.unlock();
-        double bytes = measure(filtered, layout, parameters, workspace, least);
+        double bytes = program.measure(parameters, workspace, least);
         lock.lock();
         if (bytes < least) {
             least = bytes;
@@ -139,10 +137,10 @@ ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layou
     };
     auto work = [&](uint32_t seed) {
         std::mt19937 random(seed);
-        Estimator estimator(filtered, layout);
+        Estimator estimator(program.all, program.layout);
         std::unique_lock lock(mutex);
         while (!stopped && passed() < seconds) {
-            Change change = propose(best->parameters, layout, random);
+            Change change = propose(best->parameters, program, random);
             auto [at, fresh] = triedAt.try_emplace(change.key(), kept);
             if (!fresh && kept < at->second + kForget) continue;
             at->second = kept;

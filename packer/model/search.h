@@ -2,6 +2,7 @@
 #pragma once
 
 #include "packer/model/encoder.h"
+#include "packer/model/estimate.h"
 
 #include <functional>
 
@@ -19,8 +20,23 @@ struct Progress {
 // `start` if none are better. Two runs may give different results, so the result is kept in a file instead of
 // being searched for again. With a program of 185 KB it needs 12 MB for each context, 50 MB for each
 // processor, and the memory that decoding takes.
+struct Searched {
+    std::vector<Known> all;
+    Layout layout;
+    MayUse mayUse;
+    std::function<double(const ModelParameters &, Workspace &, double enough)> measure;
+};
+ModelParameters search(const Searched &program, const ModelParameters &start, double seconds,
+                       const std::function<bool(const Progress &)> &goOn);
+template <class Around = Surroundings>
 ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layout,
                        const ModelParameters &start, double seconds,
-                       const std::function<bool(const Progress &)> &goOn);
+                       const std::function<bool(const Progress &)> &goOn) {
+    auto measured = [&](const ModelParameters &parameters, Workspace &workspace, double enough) {
+        return measure<Around>(filtered, layout, parameters, workspace, enough);
+    };
+    return search({knownOf<Around>(filtered, layout), layout, Around::mayUse, measured}, start, seconds,
+                  goOn);
+}
 
 } // namespace pack

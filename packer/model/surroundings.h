@@ -16,11 +16,14 @@ struct Place {
 constexpr uint8_t kNamed = 128; // an operand that is relative to its instruction named the place
 constexpr uint8_t kBegins = 48; // an instruction begins there
 
-constexpr uint32_t kPast = 128;   // zeros that stand for the places before the first one
-constexpr uint32_t kFuture = 256; // ... and for those after the last one
 static_assert(kPast >= 5 && kPast >= 127 && kFuture >= kFarMark);
 
 struct Surroundings {
+    using Place = pack::Place;
+    static constexpr MayUse mayUse = kMayUse;
+    static constexpr uint32_t kTarget = pack::kTarget;
+    static void prepare(uint8_t *opcodes) { expandOpcodes(opcodes); }
+
     uint32_t fields[kFields];
     Parser parser;
     Place *places; // the first of `size`, with kPast before them and kFuture after them
@@ -52,10 +55,7 @@ struct Surroundings {
     }
 
     // The odds of a one against a zero, by the marks alone, after `bits`: a leading one, then the byte's bits
-    // so far. Equal if nothing is known.
-    struct Odds {
-        uint32_t ones, zeros;
-    };
+    // so far.
     Odds odds(uint32_t bits) const {
         if (!block) return {1, 1};
         uint32_t half = 128u >> (31 - __builtin_clz(bits)), from = bits * half * 2;

@@ -6,18 +6,14 @@
 // correctness, because packer and stub lose their place in the same way.
 #pragma once
 
-#include <stddef.h>
-#include <stdint.h>
+#include "packer/model/fields.h"
 
 namespace pack {
 
 // --- What is known at a place in the program. Each context uses some of these fields ---
 
 enum Field {
-    kWhere,  // used by every context: what the next byte of code is part of, and how many bytes of that are
-             // to come, as the parser's left << kPhaseBits | phase
-    kColumn, // address modulo kColumns
-    kByte5,  // the fifth-last byte
+    kByte5 = kColumn + 1, // the fifth-last byte; kWhere has the parser's left: how many bytes are to come
     kByte4,
     kByte3,
     kByte2,
@@ -42,15 +38,9 @@ enum Field {
 // eight.
 constexpr uint32_t kChoices = kSoFar + 1 - kColumn, kCodeBits = 16, kDataBits = 8;
 constexpr uint32_t kCodeShift = kByte4 - kColumn; // code does not use kColumn and kByte5
-constexpr uint32_t kMayUse[2] = {((1u << kCodeBits) - 1) << kCodeShift, (1u << kDataBits) - 1};
+constexpr MayUse kMayUse = {kCodeShift, kCodeBits, kDataBits};
 static_assert(kCodeShift + kCodeBits == kChoices && kColumn + kDataBits == kTarget + 1);
-constexpr uint32_t kPhases = 7, kPhaseBits = 3, kColumns = 4, kFarMark = 16;
-constexpr uint32_t kHash = 0x2c9277b5, kHashShift = 15;
-
-static inline uint32_t mixIn(uint32_t hash, uint32_t value) {
-    hash = (hash + value + 1) * kHash;
-    return hash ^ hash >> kHashShift;
-}
+constexpr uint32_t kFarMark = 16;
 
 // --- The parser ---
 

@@ -1,5 +1,6 @@
 // The page's decoder, as WebAssembly: the packer's model, compiled for the browser.
 #include "packer/model/decoder.h"
+#include "packer/web/surroundings.h"
 
 using namespace pack;
 
@@ -25,6 +26,6 @@ EXPORT(d) unsigned char *decode() {
     const ModelParameters &parameters = *(const ModelParameters *)(&layout + 1);
     unsigned char *image = payload() + kMostPayload, *model = image + kMostDecoded;
     Decoder decoder = {(const uint8_t *)(&parameters + 1)};
-    run(decoder, layout, parameters, model, image);
+    run<web::Surroundings>(decoder, layout, parameters, model, image);
     return image;
 }

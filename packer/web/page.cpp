@@ -8,6 +8,7 @@
 // charset, the script fetches the page itself.
 #include "packer/model/encoder.h"
 #include "packer/model/search.h"
+#include "packer/web/surroundings.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 
@@ -25,7 +26,10 @@
 namespace pack {
 
 // Nothing in WebAssembly is relative to its place.
-std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &) { return image; }
+template <>
+std::vector<uint8_t> filter<web::Surroundings>(const std::vector<uint8_t> &image, const Layout &) {
+    return image;
+}
 
 namespace {
 
@@ -142,12 +146,12 @@ Layout layoutOf(const std::string &all, size_t program) {
 
 // plain.js finds relaxed instructions by their bytes alone. Refuses a program where others look like them.
 void checkRelaxed(const std::vector<uint8_t> &bytes, const Layout &layout) {
-    Parser parser = {};
-    uint32_t fields[kFields] = {};
+    web::Parser parser = {};
+    uint32_t fields[web::kFields] = {};
     for (uint32_t i = layout.codeBegin; i + 2 < layout.codeBegin + layout.codeSize; ++i) {
         uint8_t kind = bytes[i + 1];
         bool looks = bytes[i] == 0xfd && bytes[i + 2] == 2 && (kind == 0x81 || kind == 0x85 || kind == 0x8b);
-        if (looks && parser.phase != Parser::kOpcodeByte)
+        if (looks && parser.phase != web::Parser::kOpcodeByte)
             throw std::runtime_error("the program has a number that looks like a relaxed instruction, which "
                                      "plain.js would change: change some address or constant");
         parser.step(fields, bytes[i]);
@@ -160,7 +164,8 @@ ModelParameters readModel(const std::string &path) {
     ModelParameters parameters = {16, 22, {}};
     for (auto &type : parameters.masks)
         for (uint32_t &mask : type) text >> std::hex >> mask;
-    if (!text || !parameters.sane()) throw common::Refused(path + ": these are no masks");
+    if (!text || !parameters.sane(web::Surroundings::mayUse))
+        throw common::Refused(path + ": these are no masks");
     return parameters;
 }
 void writeModel(const std::string &path, const ModelParameters &parameters) {
@@ -215,12 +220,14 @@ void makePage(char **words, double seconds) {
     Layout layout = layoutOf(all, script.size());
     checkRelaxed(bytes, layout);
     if (seconds > 0) {
-        parameters = search(bytes, layout, parameters, seconds, [](const Progress &) { return true; });
+        parameters = search<web::Surroundings>(bytes, layout, parameters, seconds,
+                                               [](const Progress &) { return true; });
         writeModel(words[2], parameters);
     }
     Workspace workspace;
-    Encoded encoded = encode(bytes, layout, parameters, workspace);
-    if (decode(encoded.payload.data(), encoded.payload.size(), layout, parameters, workspace) != bytes)
+    Encoded encoded = encode<web::Surroundings>(bytes, layout, parameters, workspace);
+    if (decode<web::Surroundings>(encoded.payload.data(), encoded.payload.size(), layout, parameters,
+                                  workspace) != bytes)
         throw std::runtime_error("the decoder does not decode");
     std::string model((const char *)&layout, sizeof layout);
     model.append((const char *)&parameters, sizeof parameters);

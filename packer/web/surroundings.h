@@ -1,19 +1,16 @@
-// What is known at a place in a page's payload: scripts and a WebAssembly program. In place of
-// packer/model/surroundings.h, for the same model: the fields, a parser of WebAssembly, and the byte that
+// What is known at a place in a page's payload: scripts and a WebAssembly program. As
+// packer/model/surroundings.h for the same model: the fields, a parser of WebAssembly, and the byte that
 // followed the last place that looked like this one.
 #pragma once
 
-#include <initializer_list>
-#include <stddef.h>
-#include <stdint.h>
+#include "packer/model/fields.h"
 
-namespace pack {
-inline namespace web {
+#include <initializer_list>
+
+namespace pack::web {
 
 enum Field {
-    kWhere,  // used by every context: what the next byte is part of, and the how manieth byte of it
-    kColumn, // address modulo four
-    kByte5,  // the fifth-last byte
+    kByte5 = kColumn + 1, // the fifth-last byte; kWhere counts the bytes of what the next byte is part of
     kByte4,
     kByte3,
     kByte2,
@@ -45,17 +42,7 @@ enum Field {
     kTarget = kLocal2 // the last field that contexts outside code may use
 };
 
-constexpr uint32_t kChoices = kSoFar + 1 - kColumn, kCodeShift = kByte3 - kColumn,
-                   kCodeBits = kChoices - kCodeShift;
-constexpr uint32_t kDataBits = kLocal2 + 1 - kColumn;
-constexpr uint32_t kMayUse[2] = {((1u << kCodeBits) - 1) << kCodeShift, (1u << kDataBits) - 1};
-constexpr uint32_t kPhases = 7, kPhaseBits = 3, kColumns = 4;
-constexpr uint32_t kHash = 0x2c9277b5, kHashShift = 15;
-
-static inline uint32_t mixIn(uint32_t hash, uint32_t value) {
-    hash = (hash + value + 1) * kHash;
-    return hash ^ hash >> kHashShift;
-}
+static_assert(kFields <= kMostFields);
 
 // How many operands an instruction takes from the stack, and whether it leaves one there: taken * 2 + left. A
 // call takes all of them.
@@ -221,15 +208,14 @@ struct Parser {
     }
 };
 
-struct Place {
-    uint8_t byte;
-};
-constexpr uint32_t kPast = 128, kFuture = 256; // zeros before and behind the bytes
-
-constexpr uint32_t kOpcodes = 1; // the parser has no table
-inline void expandOpcodes(uint8_t *) {}
-
 struct Surroundings {
+    struct Place {
+        uint8_t byte;
+    };
+    static constexpr MayUse mayUse = {kByte3 - kColumn, kSoFar + 1 - kByte3, web::kTarget + 1 - kColumn};
+    static constexpr uint32_t kTarget = web::kTarget;
+    static void prepare(uint8_t *) {} // the parser has no table
+
     static constexpr uint32_t kSeenPlaces = 16, kLeastMatch = 5, kMostMatch = 32;
     uint32_t fields[kFields];
     Parser parser;
@@ -273,9 +259,6 @@ struct Surroundings {
         before = i;
     }
 
-    struct Odds {
-        uint32_t ones, zeros;
-    };
     Odds odds(uint32_t bits) const {
         if (!match) return {1, 1};
         uint32_t expected = places[match].byte | 256u, coded = 31 - (uint32_t)__builtin_clz(bits);
@@ -292,5 +275,4 @@ struct Surroundings {
     }
 };
 
-} // namespace web
-} // namespace pack
+} // namespace pack::web

@@ -315,7 +315,7 @@ TEST(Estimates, AreNearTheTruth) {
         for (int type = 0; type < 2; ++type)
             for (uint32_t i = 12; i < parameters.hashes(); ++i)
                 parameters.masks[type][i] = 7u << i % (kChoices - 2) & kMayUse[type];
-        Estimator estimator(filtered, layout);
+        Estimator estimator(knownOf(filtered, layout), layout);
         Estimate first = estimator(parameters);
         double truth = measure(filtered, layout, parameters, workspace);
         EXPECT_NEAR(first.bytes, truth, truth * 0.01) << contexts;
