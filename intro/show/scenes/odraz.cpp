@@ -17,10 +17,11 @@ namespace odraz {
 enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
+constexpr float kGround = 2.8f; // of all strips; a tone adds to one of them
+constexpr int kCanon = 8;       // the beat at which the mirrored voice begins in music.h
+
 // Three lanes: the ball that stays with three behind it, and six on either side. The first to come stands in
 // front and goes last, so that no ball passes another.
-constexpr float kGround = 2.8f; // what strips burn with, all together, when none is struck
-constexpr int kCanon = 8;       // the beat at which the mirrored voice begins in music.h
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
 constexpr float kStays = -5, kHidden = -11.4f; // in z, behind the door
 constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
@@ -38,7 +39,7 @@ static void addBall(Scene &scene, float row, float x, float z, float radius, flo
 }
 
 void poseOdraz(const SceneInput &in, Scene &scene) {
-    HallLight light = {kNight, {}, {}, 1, value(track(kDoor), in.row)};
+    HallLight light = {kNight, {}, {}, 1, 1};
     light.lanterns[1] = light.lanterns[2] = value(track(kOuter), in.row);
     light.lanterns[0] = max(light.lanterns[1], value(track(kLast), in.row));
     // The strips are the scale: each tone of the tune strikes one, as they rose to it, and from the fifth bar
@@ -53,7 +54,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
         if (beat >= kAnswer) strike(kMirrored[beat - kCanon], struck * 0.5f);
     }
     // They go out as they came, copper first, and blue is left
-    float each = value(track(kEven), in.row) / all;
+    float each = 7 / all;
     for (int i = 0; i < kStrips; ++i) {
         light.strips[i] = (light.strips[i] + kGround / kStrips) * each *
                           value(track(kStripsGo), in.row - (float)(kBeat * i));
