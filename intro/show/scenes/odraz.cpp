@@ -17,8 +17,8 @@ namespace odraz {
 enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
-constexpr float kGround = 2.8f; // of all strips; a tone adds to one of them
-constexpr int kCanon = 8;       // the beat at which the mirrored voice begins in music.h
+constexpr float kGlow = 2.8f; // of all strips; a tone adds to one of them
+constexpr int kCanon = 8;     // the beat at which the mirrored voice begins in music.h
 
 // Three lanes: the ball that stays with three behind it, and six on either side. The first to come stands in
 // front and goes last, so that no ball passes another.
@@ -44,7 +44,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     light.lanterns[0] = max(light.lanterns[1], value(track(kLast), in.row));
     // The strips are the scale: each tone of the tune strikes one, as they rose to it, and from the fifth bar
     // its mirror image does so half as hard. Together they burn evenly: the colour changes, not the level
-    float all = kGround, burn = 0;
+    float all = kGlow, burn = 0;
     auto strike = [&](char tone, float struck) {
         if (tone != '-') light.strips[stepOf(tone) & 7] += struck, all += struck;
     };
@@ -56,8 +56,8 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     // They go out as they came, copper first, and blue is left
     float each = 7 / all;
     for (int i = 0; i < kStrips; ++i) {
-        light.strips[i] = (light.strips[i] + kGround / kStrips) * each *
-                          value(track(kStripsGo), in.row - (float)(kBeat * i));
+        light.strips[i] =
+            (light.strips[i] + kGlow / kStrips) * each * value(track(kStripsGo), in.row - (float)(kBeat * i));
         burn += light.strips[i] / kStrips;
     }
     // The word glows up when it is large enough to be read, and lights the hall
