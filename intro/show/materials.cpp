@@ -104,13 +104,12 @@ const Material kCopper = {.texture = plain(linear(184, 87, 46)),
                           .tint = linear(256, 159, 108)};
 
 Material pearl(bool warm, float reflect) {
-    Rgb own = warm ? linear(169, 77, 44) : linear(141, 143, 148);
+    Rgb own = warm ? linear(184, 66, 28) : linear(141, 143, 148);
     return {.texture = plain(own),
             .diffuse = 0.5f - 0.8f * reflect,
             .specular = 13 / 16.f,
             .exponent = 300,
             .reflect = reflect,
-            .fresnel = reflect > 0,
             .tint = warm ? linear(256, 169, 118) : linear(246, 248, 256)};
 }
 // Never inlined: it clears a whole material

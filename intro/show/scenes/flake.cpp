@@ -31,7 +31,7 @@ struct Flake {
         // come near
         float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / away * kPixelsPerUnit;
-        int shade = clamp((int)(pixels * 0.05f) - 1, 0, kShades - 1);
+        int shade = clamp((int)(pixels * 0.04f) - level, 0, kShades - 1);
         scene.add(sphere(centre, radius, level > 1 ? pearls[level & 1][shade] : level ? copper : silver));
         float size = grown[min(level, kLevels - 1)] * (1.f / 3) * saturate(pixels * 0.05f - 0.4f);
         if (level == kLevels || size <= 0) return;
@@ -56,7 +56,7 @@ void poseFlake(const SceneInput &in, Scene &scene) {
     flake.copper = scene.add(pearl(true, 0.45f));
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)
-            flake.pearls[warm][i] = scene.add(pearl(warm, 0.2f * (float)i / (kShades - 1)));
+            flake.pearls[warm][i] = scene.add(pearl(warm, 0.26f * (float)i / (kShades - 1)));
     scene.add(plane({0, 0, 0}, scene.add(kSlate)));
     flake.add(0, {0, 2.5f, 0}, 2.5f, kIdentity);
 
@@ -65,7 +65,7 @@ void poseFlake(const SceneInput &in, Scene &scene) {
     Vec3 eye = flake.camera.eye, back = normalize(eye - flake.camera.target);
     scene.add(Light{kDuskSun * 3.f, {4600, 2900, 1700}, 1.8f});
     scene.add(Light{eye + back * 0.6f + Vec3{back.z, 0.7f, -back.x} * 0.9f,
-                    Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.05f), 0.1f});
+                    Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.03f), 0.1f});
     scene.ambientLow = {0.13f, 0.115f, 0.135f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky(in.row + 192);
