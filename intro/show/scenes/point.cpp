@@ -35,6 +35,10 @@ void posePoint(const SceneInput &in, Scene &scene) {
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
     scene.sky = plainSky(Rgb{0.004f, 0.005f, 0.008f} * key, Rgb{0.016f, 0.021f, 0.034f} * key);
+    // A cold glow from behind at the right, beyond the picture: the ball's edge gathers it
+    scene.sky.sun = normalize(Vec3{0.9f, 0.15f, -0.5f});
+    scene.sky.near = Rgb{0.9f, 1.6f, 3.6f} * saturate(fmadd(in.row, 1 / 64.f, -0.375f));
+    scene.sky.glow = scene.sky.near * 0.004f;
     scene.fog = 0.09f;
     scene.exposure = 1.5f;
 }
