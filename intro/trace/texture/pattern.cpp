@@ -19,7 +19,7 @@ static Float8 marble(const Vec3x8 &p, Float8 width) {
     for (int i = 0; i < 2; ++i) {
         // A vein widens to what a sample sees, and pales in proportion
         constexpr float kEdge = 0.4f; // its share of the width
-        Float8 off = noise(bent), wide = fmadd(seen, 0.7f, own), edge = fmadd(seen, 1.2f, own * kEdge);
+        Float8 off = noise(bent), wide = fmadd(seen, 1.f, own), edge = fmadd(seen, 1.5f, own * kEdge);
         Float8 inside = saturate(1.f - max(off / wide, -off / edge));
         veins = fmadd(inside * inside, own * (1 + kEdge) / (wide + edge) * share, veins);
         bent = bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f};
