@@ -95,14 +95,15 @@ struct PageFilm {
     Pace paceOf(int scene) const { return pageOf(odraz::paceOf(scene)); }
     Can can(double time) const { return needsHall(time, time + 1e-3) ? hall : Can::Now; }
 } theFilm;
-PagePlayer<PageFilm> thePlayer = {&theFilm, 1};
+Queue theQueue; // apart from the rest, which is not zero at the start
+PagePlayer<PageFilm> thePlayer = {&theFilm, &theQueue, 1};
 } // namespace
 
 // How many workers trace pictures.
 EXPORT(workers) int workersOf(int cores) { return pageWorkers(cores); }
 // Begins, or begins elsewhere: pictures that were planned before are forgotten.
 EXPORT(begin) void begin(double from, int width, int height, int workers) {
-    thePlayer = {&theFilm, workers};
+    thePlayer.workers = workers;
     thePlayer.begin(from, width, height);
     theStatistics.sixtieth = 0;
 }
@@ -111,9 +112,10 @@ EXPORT(can) int can(double seconds) { return (int)theFilm.can(seconds); }
 // The picture that an idle worker traces next, if the film is at `now` seconds; null: none yet.
 EXPORT(plan) const double *plan(double now) {
     static double planned[4];
-    Made m;
-    if (!thePlayer.next(m, now)) return nullptr;
-    planned[0] = m.time, planned[1] = m.level, planned[2] = m.size.width, planned[3] = m.size.height;
+    if (!thePlayer.next(now)) return nullptr;
+    TracedSize size = thePlayer.governor.size();
+    planned[0] = thePlayer.time, planned[1] = thePlayer.governor.level();
+    planned[2] = size.width, planned[3] = size.height;
     return planned;
 }
 // It was traced, in seconds.
@@ -123,20 +125,15 @@ EXPORT(traced) void traced(double time, float trace, float samples, int width) {
 EXPORT(ready) float ready() { return thePlayer.ready(); }
 // The picture to show at this refresh, by its time, if the film is at `now` seconds; -1: none.
 EXPORT(due) double due(double now) {
-    Queue &q = thePlayer.queue;
-    for (;; q.remove()) {
-        Queue::Action action = q.action(now + thePlayer.kNearest);
-        if (action == Queue::kWait) return -1;
-        if (action == Queue::kShow) return q.first().time;
-        theStatistics.add(q.first());
-    }
+    Queue::Action action;
+    while ((action = theQueue.action(now + thePlayer.kNearest)) == Queue::kSkip) theQueue.remove();
+    return action == Queue::kShow ? theQueue.first().time : -1;
 }
 // It came on the screen that many seconds of the film behind its beginning, and took `present` milliseconds.
 EXPORT(shown) void shown(double at, double present) {
-    Queue &q = thePlayer.queue;
-    theStatistics.show(q.first(), nanosecondsOf(at * 1e3), nanosecondsOf(present));
-    theStatistics.add(q.first());
-    q.remove();
+    theStatistics.show(theQueue.first(), at, nanosecondsOf(present));
+    theStatistics.add(theQueue.first());
+    theQueue.remove();
 }
 
 // --- Statistics ---

@@ -13,6 +13,7 @@ struct FilmWindow {
     WindowState *state;
     Gl gl;             // current on the thread that opened the window
     int width, height; // as the system last reported it; another thread sets it
+    int stands;        // 1: the film does, from one press of the space bar to the next; likewise
     GLuint picture, framebuffer;
     int64_t loadingShown; // when loading was last shown, in nanoseconds()
 };

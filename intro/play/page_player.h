@@ -35,21 +35,26 @@ template <class Film> struct PagePlayer {
     static constexpr double kNearest = 0.008;
 
     Film *film;
+    Queue *queue;
     int workers;
-    unsigned most = kMostReady + (unsigned)workers; // pictures that are ready or being traced
+    unsigned most = 0; // pictures that are ready or being traced
     GovernorOf<false> governor = {};
-    Queue queue = {};
     double time = 0;                 // of the picture to trace next, or of the last one
     bool planned = false;            // it is that of the next one
     unsigned started = 0, ended = 0; // pictures whose tracing has
 
+    // Plays from there on. What was made before is forgotten.
     void begin(double from, int width, int height) {
+        governor = {};
         governor.width = width, governor.height = height;
+        queue->made = queue->shown = started = ended = 0;
+        most = kMostReady + (unsigned)workers;
         time = from, planned = true;
     }
-    unsigned waiting() const { return queue.made - queue.shown; }
-    // The picture that an idle worker traces next, if the film is at `now`. False: there is none yet.
-    bool next(Made &m, double now) {
+    unsigned waiting() const { return queue->made - queue->shown; }
+    // Whether an idle worker shall trace a picture, if the film is at `now`: that of `time`, with the
+    // governor's level and size.
+    bool next(double now) {
         for (;; planned = false) {
             if (!planned) time = nextTime(*film, governor, time, now, workers), planned = true;
             if (!film->goesOn(time) || waiting() + started - ended >= most) return false;
@@ -59,14 +64,12 @@ template <class Film> struct PagePlayer {
         }
         enter(*film, governor, time);
         ++started, planned = false;
-        m = {};
-        m.time = time, m.size = governor.size(), m.level = governor.level();
         return true;
     }
     // A worker has traced that picture, in m.trace seconds. Its first one does not count: it takes longer.
     void traced(const Made &m) {
         if (ended++ >= (unsigned)workers) governor.spent(m.trace / (float)workers, 0, 0);
-        queue.insert(m);
+        queue->insert(m);
     }
     // Whether enough pictures are ready to begin: 1.
     float ready() const { return min((float)waiting() / (float)min((int)most, (int)Queue::kAhead), 1.f); }

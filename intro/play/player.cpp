@@ -83,11 +83,14 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     while (p.queue.ready() < Queue::kAhead && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE) && !p.leaves())
         sleepFor(kNap);
     startMusic(theMusic, sound, from, leave);
-    int64_t start = nanoseconds(), firstShown = 0;
-    for (;;) {
+    int64_t firstShown = 0;
+    for (double time = from;;) {
         int64_t before = nanoseconds();
         theMusic.clock.watch(before, processorNanoseconds());
-        double time = theMusic.clock.at(before);
+        bool stands = __atomic_load_n(&window.stands, __ATOMIC_RELAXED);
+        theMusic.playback.pause(stands);
+        if (stands) theMusic.clock.start(time, before);
+        time = theMusic.clock.at(before);
         if (time < from) time = from; // what is heard first is still on its way
         if (time >= to || p.leaves()) break;
         Queue::Action action = p.queue.action(time);
@@ -100,7 +103,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             present(window, m.picture.rgba, m.picture.width, m.picture.height);
             int64_t shown = nanoseconds();
             if (!firstShown) firstShown = shown;
-            theStatistics.show(m, shown - start, shown - before);
+            theStatistics.show(m, time - from, shown - before);
         }
         if (recorder)
             recorder->record(recorder->context, m,

@@ -15,10 +15,10 @@ double Histogram::quantile(double share) const {
     return 0;
 }
 
-void Statistics::show(const Made &m, int64_t at, int64_t present) {
+void Statistics::show(const Made &m, double at, int64_t present) {
     SceneStatistics &s = scenes[sceneAt(m.time)];
     int64_t before = sixtieth;
-    sixtieth = (int64_t)((double)at * 1e-9 * kScreenRate) + 1;
+    sixtieth = (int64_t)(at * kScreenRate) + 1;
     if (before && sixtieth > before + 1) s.missed += (int)(sixtieth - before - 1);
     ++s.shown;
     s.present.add(present);

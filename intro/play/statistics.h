@@ -34,8 +34,8 @@ struct Statistics {
     SceneStatistics scenes[kMaxScenes];
     int64_t sixtieth; // when the last picture was shown, plus 1
 
-    // A picture came on the screen that many nanoseconds after the film began, and took `present` to show.
-    void show(const Made &m, int64_t at, int64_t present);
+    // A picture came on the screen `at` seconds of the film after it began, and took `present` nanoseconds.
+    void show(const Made &m, double at, int64_t present);
     // It was made, whether it was shown or skipped.
     void add(const Made &m);
 };

@@ -20,6 +20,14 @@ check "ESC leaves while it loads" leaves xdotool key Escape
 
 check "plays in a window" play "$odraz" --window --size 640x360 --from 50 --stats
 check "its window has the film's size" measures 640 360
+looks() { import -window "$window" rgb:- | md5sum; }
+stands() { [ "$(looks)" = "$(sleep 0.4; looks)" ]; }
+moves() { ! stands; }
+xdotool key space
+check "stands by the space bar" await stands
+check "... for longer" stands
+xdotool key space
+check "... and goes on by it" await moves
 xdotool windowsize "$window" 900 300
 check "draws at another size" await is_black 180x300+0+0
 check "with bars at both sides" await is_black 180x300+720+0

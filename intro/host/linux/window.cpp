@@ -50,6 +50,7 @@ bool isLeaving(WindowState &w, XEvent &event) {
     if (event.type == ClientMessage) return (Atom)event.xclient.data.l[0] == w.closeRequest;
     if (event.type != KeyPress) return false;
     KeySym key = w.x.XLookupKeysym(&event.xkey, 0);
+    if (key == XK_space) __atomic_xor_fetch(&w.film->stands, 1, __ATOMIC_RELAXED);
     return key == XK_Escape || (key == XK_F4 && (event.xkey.state & Mod1Mask));
 }
 

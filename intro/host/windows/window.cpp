@@ -24,7 +24,7 @@ WindowState theWindow = {}; // one process shows one window
 
 constexpr uint32_t kSize = 5, kClose = 16, kSetCursor = 32, kKeyDown = 256, kCommand = 0x112,
                    kScreenSaver = 0xf140, kMonitorPower = 0xf170;
-constexpr uint64_t kEscape = 27;
+constexpr uint64_t kEscape = 27, kSpace = 32;
 
 void leave() {
     __atomic_store_n(theWindow.leave, 1, __ATOMIC_RELAXED);
@@ -43,6 +43,7 @@ void leave() {
     }
     // The system turns Alt-F4 and the close button into the same message
     if (message == kClose || (message == kKeyDown && a == kEscape)) leave();
+    if (message == kKeyDown && a == kSpace) __atomic_xor_fetch(&film.stands, 1, __ATOMIC_RELAXED);
     if (message == kSetCursor && (b & 0xffff) == 1 /* within */) {
         SetCursor(nullptr);
         return 1;

@@ -242,7 +242,7 @@ TEST(Governor, MixesQualities) {
     auto thresholdAt = [&](float level) { return g.coarseness = level, g.quality().threshold; };
     for (auto [level, name] :
          {std::pair{0.f, QualityName::Film}, {1, QualityName::Play}, {2, QualityName::Draft}})
-        EXPECT_EQ(thresholdAt(level), kQualities[(int)name].threshold) << level;
+        EXPECT_FLOAT_EQ(thresholdAt(level), kQualities[(int)name].threshold) << level;
     for (float level = 0; level < 1.99f; level += 0.01f)
         EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
     // ... and has all of a named one's other knobs

@@ -80,7 +80,8 @@ struct Page : Film {
 };
 Page page(double core, unsigned workers, Can dark = Can::Now) {
     Page film = {{core}, {}, {}, workers, dark};
-    PagePlayer<Page> player = {&film, (int)workers};
+    Queue queue = {};
+    PagePlayer<Page> player = {&film, &queue, (int)workers};
     player.begin(kFrom, 1280, 720);
     bool one = workers == 1;
     if (one) player.most = 2; // slots

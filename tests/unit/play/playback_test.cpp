@@ -92,6 +92,7 @@ struct Play {
     FilmClock clock = {};
     std::vector<double> film;         // at every millisecond
     int64_t frozen = -1, thawed = -1; // when the process is stopped
+    int64_t stands = -1, goesOn = -1; // when the viewer pauses
 
     std::vector<double> run(int64_t length, int64_t from, int64_t to, double begin = 0) {
         theDevice = &device;
@@ -102,6 +103,9 @@ struct Play {
             device.pass(now);
             if (now < frozen || now >= thawed || frozen < 0) {
                 if (now >= 300 * kMillisecond && !clock.started()) clock.start(begin, now);
+                bool paused = now >= stands && now < goesOn;
+                player.pause(paused);
+                if (paused) clock.start(film.back(), now);
                 if (now >= picture && clock.started()) {
                     clock.watch(now, now - (frozen >= 0 && now >= thawed ? thawed - frozen : 0));
                     picture = now + 33 * kMillisecond;
@@ -209,4 +213,17 @@ TEST(Playback, AStoppedFilmGoesOnWhereItStopped) {
     p.thawed = 9 * kSecond;
     EXPECT_LT(largest(p.run(20 * kSecond, 11 * kSecond, 20 * kSecond)), 20);
     EXPECT_NEAR(p.film.back(), 16, 0.2);
+}
+
+TEST(Playback, StandsWhileTheViewerPauses) {
+    Play p;
+    p.stands = 5 * kSecond;
+    p.goesOn = 9 * kSecond;
+    EXPECT_LT(largest(p.run(20 * kSecond, 10 * kSecond, 20 * kSecond)), 20);
+    EXPECT_NEAR(p.film.back(), 16, 0.5);
+    EXPECT_EQ(p.film[8900], p.film[5100]);
+    for (const Device::PlayedFrame &f : p.device.record)
+        if (f.when > 5100 * kMillisecond && f.when < 9 * kSecond) {
+            ASSERT_EQ(f.value, 0) << "it is silent meanwhile";
+        }
 }

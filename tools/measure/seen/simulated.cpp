@@ -95,7 +95,8 @@ public:
         : costOf(costOf), machine(machine), to(to) {}
 
     std::vector<Shown> play(double from) {
-        PagePlayer<PageSimulation> player = {this, machine.workers};
+        Queue queue = {};
+        PagePlayer<PageSimulation> player = {this, &queue, machine.workers};
         player.begin(from, machine.width, machine.height);
         playPage(player, from, 1 / kScreenRate, player.kNearest);
         std::vector<Shown> list;

@@ -82,8 +82,11 @@ template <class Film> void playPage(PagePlayer<Film> &player, double from, doubl
             return begin < 0 ? Governor::kNotBegun : from + (double)(moment - begin) * 1e-9;
         };
         if (begin < 0 && player.ready() == 1) begin = moment;
-        for (Made m; (int)busy.size() < player.workers && player.next(m, filmAt());)
+        while ((int)busy.size() < player.workers && player.next(filmAt())) {
+            Made m = {};
+            m.time = player.time, m.size = player.governor.size(), m.level = player.governor.level();
             busy.push_back({m, moment, moment + player.film->tracing(m)});
+        }
         if (busy.empty() && begin < 0) begin = moment; // too short to get ahead of the clock
         if (busy.empty() && !player.waiting()) return;
         auto first = std::min_element(busy.begin(), busy.end(),
@@ -92,7 +95,7 @@ template <class Film> void playPage(PagePlayer<Film> &player, double from, doubl
         int64_t next = begin + nanosecondsOf(at);
         if (begin >= 0 && (first == busy.end() || next < first->end)) {
             moment = next, ++refreshes;
-            Queue &q = player.queue;
+            Queue &q = *player.queue;
             for (Queue::Action a = Queue::kSkip; a == Queue::kSkip;) {
                 a = q.action(from + at + nearest);
                 if (a == Queue::kShow)
