@@ -1,52 +1,64 @@
-# `tradeoff`, which measures the speed and accuracy of the tracer, and the packer's speed and size: its quick runs, of
-# one scene or of all.
+# `tradeoff` and `bench_pack`, which measure the tracer's speed and accuracy, and the packer's: small runs, of one scene
+# or of all.
 #   tradeoff.sh BUILD [all]
 . "$(dirname "$0")/common.sh"
 needs_built tradeoff
 skip_unless g++
 tradeoff=$BUILD/tradeoff
-# the sweep's options, its scenes, those in which qualities are compared, and the points of its plot
-sweep=(--scene field) scenes=(field) apart=(field) points=5
+# the scenes, and those in which qualities are compared
+scenes=(field) apart=(field)
 if [ "${2-}" = all ]; then
-    sweep=() scenes=(A B field point table flake patches hall odraz credits) apart=(A B field table flake hall) points=50
+    scenes=(A B field point table flake patches hall odraz credits) apart=(A B field table flake hall)
 fi
-check "the tracer's trade-off is measured" "$tradeoff" trace --quick "${sweep[@]}" --csv "$WORK/csv" --plot "$WORK/svg"
+quick=("$tradeoff" trace --width 256)
+check "the tracer's trade-off is measured" \
+    eval '"${quick[@]}" $([ ${#scenes[@]} -gt 1 ] || echo --scene field) >"$WORK/csv"'
 check "... as a table, its measures named" \
-    grep -qx "scene,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,words" "$WORK/csv"
+    grep -qx "scene,setting,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db" "$WORK/csv"
 for scene in "${scenes[@]}"; do
-    check "... with the points of $scene that ship" \
-        table "$WORK/csv" "shipped += \$1 == \"$scene\" && \$3 == 1" 'shipped >= 3'
+    check "... with the qualities of $scene" test "$(grep -c "^$scene," "$WORK/csv")" = 3
 done
-. "$SOURCE/tools/measure/tables.sh"
 # measured COLUMN SCENE SETTING
-measured() { csv "\$scene == \"$2\" && \$setting == \"$3\" { print \$$1 }" "$WORK/csv"; }
+measured() { awk -F, -v column="$1" -v scene="$2" -v setting="$3" '$1 == scene && $2 == setting { print $column }' "$WORK/csv"; }
 for scene in "${apart[@]}"; do
     for pair in "draft play" "play film"; do
         set -- $pair
-        check "... in which $2 is nearer than $1 in $scene: by FLIP" \
-            less "$(measured mean_flip $scene $2)" "$(measured mean_flip $scene $1)"
-        check "... in linear light" less "$(measured linear_psnr_db $scene $1)" "$(measured linear_psnr_db $scene $2)"
-        check "... and in sRGB" less "$(measured srgb_psnr_db $scene $1)" "$(measured srgb_psnr_db $scene $2)"
+        check "... in which $2 is nearer than $1 in $scene: by FLIP" less "$(measured 5 $scene $2)" "$(measured 5 $scene $1)"
+        check "... in linear light" less "$(measured 6 $scene $1)" "$(measured 6 $scene $2)"
+        check "... and in sRGB" less "$(measured 7 $scene $1)" "$(measured 7 $scene $2)"
     done
 done
-check "... and as a plot of $points points" test "$(grep -c 'class="mark"' "$WORK/svg")" = $points
 mkdir "$WORK/kept"
-again() { "$tradeoff" trace --quick --scene credits --references "$WORK/kept" --setting play --setting play,grid=2,cutoff=1/64 | cut -d, -f1-4,6-; }
-check "a setting of one's own, a reference to keep" \
-    prints '^credits,play grid=2 cutoff=1/64,0,4.000,' again
+again() {
+    "${quick[@]}" --rounds 1 --scene credits --references "$WORK/kept" --setting play --setting play,grid=2,cutoff=1/64 \
+        --setting level=1.5 | cut -d, -f1-3,5-
+}
+check "a setting of one's own, a reference to keep" prints '^credits,play grid=2 cutoff=1/64,4.000,' again
 check "... which is kept" test "$(stat -c %s "$WORK/kept/credits-256")" = $((256 * 144 * 3))
 cp "$WORK/printed" "$WORK/first"
 check "... and used again" cmp "$WORK/first" <(again)
+check "a level of the governor's has samples between those of its qualities" \
+    less "$(sed -n 's/^credits,level=1.5,\([^,]*\),.*/\1/p' "$WORK/first")" "$(sed -n 's/^credits,play,\([^,]*\),.*/\1/p' "$WORK/first")"
 
-# (a program of some hundred bytes, since the film takes 14 s)
+# (a program of some hundred bytes, since the film takes a second)
 bash "$SOURCE/packer/example/build.sh" "$BUILD/pack" "$WORK" >/dev/null
-check "the packer's trade-off is measured" "$tradeoff" pack --quick --csv "$WORK/csv" --plot "$WORK/svg" "$WORK/hello.elf"
-check "... as a table" grep -qx "file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb" "$WORK/csv"
-check "... with one point that ships, smaller than the packed file by its headers" table "$WORK/csv" \
-    'if ($3 == 1) { ++shipped; bytes = $4 }' "shipped == 1 && bytes > 50 && bytes < $(stat -c %s "$WORK/hello")"
-check "... and as a plot of five points" test "$(grep -c 'class="mark"' "$WORK/svg")" = 5
+packed() { "$BUILD/bench_pack" "$@" >"$WORK/csv"; }
+bytes() { sed -n '2s/^[^,]*,\([^,]*\),.*/\1/p' "$WORK/csv"; }
+check "a program is packed, decoded, and measured" packed "$WORK/hello.elf"
+check "... as a table" grep -qx "bytes,payload,encode_s,decode_kb_s,memory_mb" "$WORK/csv"
+check "... smaller than the packed file by its headers" less "$(bytes)" "$(stat -c %s "$WORK/hello")"
+ships=$(bytes)
+check "... with fewer contexts" packed --contexts 4 --slots 16 "$WORK/hello.elf"
+check "... with arbitrary ones, searched for" packed --arbitrary --search 0.2 "$WORK/hello.elf"
+check "... which are no better than those that ship" less "$ships" "$(($(bytes) + 40))"
+objcopy -O binary -j .text "$BUILD/pack" "$WORK/code"
+head -c 4096 "$WORK/code" >"$WORK/sample"
+check "instructions alone" packed "$WORK/sample"
+check "... all of them" grep -q '^4096,' "$WORK/csv"
 
 check "a knob that is not there" \
     refuses 2 "there is no knob 'colour'; there are: grid" "$tradeoff" trace --setting play,colour=1
-check "a program that is none" refuses 2 "not an ELF file" "$tradeoff" pack "$SOURCE/README.md"
+check "a quality that is not there" refuses 2 "there is no quality 'fine'" "$tradeoff" trace --setting fine
+check "a level that is none" refuses 2 "level" "$tradeoff" trace --setting level=3
+check "a number of contexts that cannot be" refuses 2 "a multiple of 4" "$BUILD/bench_pack" --contexts 5 "$WORK/sample"
 finish

@@ -1,10 +1,8 @@
-// How fast radiosity is: hemicubes, and whole solutions of the sizes in table 4.1 of the thesis.
-#include "tools/common/clock.h"
+// How fast radiosity is: whole solutions of the sizes in table 4.1 of the thesis.
 #include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
-#include "tools/measure/oracle/reference_hall.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/solve/solve.h"
@@ -17,33 +15,6 @@ namespace odraz::measure {
 using namespace radiosity;
 
 namespace {
-
-// Milliseconds for each hemicube of the model, drawn and summed.
-double hemicubeMs(const Model &m, const Gl &gl, int px) {
-    HeapArena memory(hemicubeBytes(px));
-    Hemicubes h;
-    if (!openHemicubes(h, gl, memory.arena, px)) throw std::runtime_error("no hemicubes here");
-    std::vector<float> delta((size_t)(3 * px * px)), sums((size_t)(3 * px * (px + 1))),
-        row((size_t)m.patchCount);
-    deltaFormFactors(px, delta.data());
-    accumulateFormFactors(px, delta.data(), sums.data());
-    std::vector<Eye> eyes;
-    for (int i = 0; i < m.patchCount; ++i)
-        if (m.patches[i].share > 0 && !m.charts[m.patches[i].chart].open)
-            eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
-    std::vector<double> times;
-    for (int round = 0; round < 3; ++round) {
-        double began = common::processorSeconds();
-        for (size_t i = 0; i < eyes.size(); i += (size_t)h.batch) {
-            int count = std::min((int)(eyes.size() - i), h.batch);
-            drawHemicubes(h, m, &eyes[i], count);
-            for (int k = 0; k < count; ++k) sumHemicube(h, k, sums.data(), row.data());
-        }
-        times.push_back((common::processorSeconds() - began) * 1e3 / (double)eyes.size());
-    }
-    closeHemicubes(h);
-    return common::median(times);
-}
 
 // Table 4.1 of the thesis: its sizes, and seconds at 100 x 100 pixels.
 struct Size {
@@ -66,24 +37,6 @@ double areaFor(const std::string &kind, size_t triangles) {
         (count >= triangles ? low : high) = middle;
     }
     return low;
-}
-
-void hemicubes(const Gl &gl, Workers &workers) {
-    std::printf("| processor ms of a hemicube and its row | 16 px | 32 px | 64 px | 128 px |\n"
-                "|---|---|---|---|---|\n");
-    SolvedHall hall(kHallSettings, gl, workers);
-    auto line = [&](const char *name, const Model &m) {
-        std::printf("| %s, %d polygons |", name, m.facetCount);
-        for (int px : {16, 32, 64, 128}) std::printf(" %.3f |", hemicubeMs(m, gl, px));
-        std::printf("\n");
-        std::fflush(stdout);
-    };
-    line("the film's hall", hall.hall->model);
-    SolveSettings patches;
-    patches.way = Way::kPatches;
-    for (const char *kind : {"columns", "cube"})
-        line(kind, *solveModel(generatedMesh(kind, 0), patches, gl, workers, &kNever, {}).patches->model);
-    std::printf("\nThe film's hall, as it ships: %.2f s.\n", hall.seconds);
 }
 
 // A line of the table of whole solutions. `thesis`: its seconds, or 0 if it has none. `small`: take the
@@ -113,7 +66,7 @@ void solution(const char *name, const Mesh &mesh, const SolveSettings &settings,
 }
 
 void solutions(const Gl &gl, Workers &workers) {
-    std::printf("\n| model | triangles | elements | sites | rays from each | the thesis, s | odraz, s "
+    std::printf("| model | triangles | elements | sites | rays from each | the thesis, s | odraz, s "
                 "| us a triangle | median of 1,000 places, %% | rms, %% "
                 "|\n|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Size &row : kThesis) {
@@ -131,11 +84,10 @@ void solutions(const Gl &gl, Workers &workers) {
 }
 
 int run(common::CommandLine &line) {
-    line.about("Times radiosity: hemicubes, and whole solutions. Prints Markdown.");
+    line.about("Times radiosity: whole solutions. Prints Markdown.");
     line.parse();
     Gl gl = openGl();
     Workers workers = allProcessors();
-    hemicubes(gl, workers);
     solutions(gl, workers);
     return 0;
 }

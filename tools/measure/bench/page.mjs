@@ -1,10 +1,8 @@
-// node page.mjs times chromium|firefox PAGE SECONDS...: what a picture of 1280x720 takes one worker, in `draft`: CSV
-// node page.mjs unpack PAGE: the seconds of processor time that its decoder takes: the least of three, in node
-// node page.mjs play chromium|firefox PAGE [QUERY]: opens the page, clicks it, and plays to the end: first what
-// `--stats` prints, then a line "page,opens,first,hall,MB before,MB at most": seconds, and memory of the page's
-// process. Firefox needs a display.
+// node page.mjs times chromium|firefox PAGE SECONDS...: what a picture of 1280x720 takes one worker, in `draft`: a CSV
+// node page.mjs play chromium|firefox PAGE LENGTH SECONDS...: opens the page, clicks it, and plays so many seconds from
+// each of these: what `--stats` prints, then a line "page,opens,first,MB before,MB at most": seconds, and memory of the
+// page's process. Firefox needs a display.
 import { readFileSync, readdirSync } from 'node:fs'
-import { inflateRawSync } from 'node:zlib'
 import { open, later } from '../../../tests/programs/web/browser.mjs'
 
 const [what, kind, page, ...words] = process.argv.slice(2)
@@ -28,77 +26,53 @@ const memory = child => {
   return Math.round(Math.max(...kib) / 1024)
 }
 
-// As the page's loader does it, whose script has the numbers
-const unpack = async page => {
-  const file = readFileSync(page), text = file.toString('latin1'), script = text.slice(text.indexOf('<script>'))
-  const [count, key, model, head] = ['length<(\\d+)', '\\)\\^(\\d+)', 'slice\\(0,(\\d+)\\),i', 'o\\.slice\\(0,(\\d+)']
-    .map(what => +script.match(what)[1])
-  const coded = new Uint8Array(count)
-  for (let i = text.indexOf('<!--') + 4, n = 0; n < count; ++n) {
-    const c = file[i++]
-    coded[n] = (c == 1 ? file[i++] ^ 64 : c) ^ key
+// use(browser, seconds until the page is there)
+const opened = async (query, use) => {
+  const began = performance.now(), b = await open(kind, `file://${page}?full=0&stats${query}`)
+  try {
+    await until(b, 'self.film && document.querySelector("b").textContent')
+    await use(b, (performance.now() - began) / 1e3)
+  } finally {
+    await b.close()
   }
-  const decoder = inflateRawSync(coded.slice(0, head)), { exports } =
-    (await WebAssembly.instantiate(decoder.slice(model))).instance, bytes = new Uint8Array(exports.memory.buffer)
-  bytes.set(decoder.slice(0, model), exports.i()), bytes.set(coded.slice(head), exports.i() + model)
-  const before = process.cpuUsage()
-  exports.d()
-  const { user, system } = process.cpuUsage(before)
-  return (user + system) / 1e6
-}
-if (what == 'unpack') {
-  const times = []
-  for (let i = 0; i < 3; ++i) times.push(await unpack(kind))
-  console.log(Math.min(...times).toFixed(2))
-  process.exit()
 }
 
-const b = await open(kind, `file://${page}?full=0&stats${words[0]?.startsWith('&') ? words[0] : ''}`)
-const began = performance.now()
-try {
-  await until(b, 'self.film && document.querySelector("b").textContent')
-  const opens = performance.now() - began
-  if (what == 'times') {
-    await until(b, 'film.state().hall')
-    for (const t of words) {
-      const times = await b.evaluate(`(async () => {
-        const times = []
-        let heard
-        const k = film.start(d => heard(d), 'trace', film.module, 1280, 720)
-        const asked = (...all) => new Promise(done => {
-          heard = done
-          if (all.length) k.postMessage(all)
-        })
-        await asked()
-        if (${t} > 63) {
-          self.hall ??= await new Promise((done, fail) =>
-            film.start(d => d.hall ? done(d.hall) : d.wrong && fail(d.wrong), 'solve', film.module, 1280, 720))
-          self.hall = (await asked('light', self.hall)).hall
-        }
-        for (let i = 0; i < ${kWarm + kTimed}; ++i) {
-          const t = performance.now()
-          await asked('picture', { time: ${t} + i / ${kFps}, level: 2, width: 0, height: 0 })
-          times.push(performance.now() - t)
-        }
-        k.terminate()
-        return times.slice(${kWarm})
-      })()`)
-      console.log(`${t},${times.sort((a, b) => a - b)[kTimed >> 1].toFixed(1)}`)
-    }
-  } else {
-    await later(5000)
-    const before = memory(b.child)
-    await b.click()
-    await until(b, 'film.state().shown')
-    const { first } = await b.evaluate('film.state()')
-    let hall = 0, most = 0
-    for (let s; !(s = await b.evaluate('film.state()')).over; await later(1000)) {
-      if (s.hall && !hall) hall = s.film
-      most = Math.max(most, memory(b.child))
-    }
-    console.log(await b.evaluate('film.statistics()'))
-    console.log(['page', (opens / 1000).toFixed(1), (first / 1000).toFixed(2), hall.toFixed(1), before, most].join())
+// The median time of a picture, in the page: one worker, which has made some before
+const traced = async (t, warm, timed, fps) => {
+  const times = []
+  let heard
+  const k = film.start(d => heard(d), 'trace', film.module, 1280, 720)
+  const asked = (...all) => new Promise(done => {
+    heard = done
+    if (all.length) k.postMessage(all)
+  })
+  await asked()
+  for (let i = 0; i < warm + timed; ++i) {
+    const began = performance.now()
+    await asked('picture', { time: t + i / fps, level: 2, width: 0, height: 0 })
+    times.push(performance.now() - began)
   }
-} finally {
-  await b.close()
+  k.terminate()
+  return times.slice(warm).sort((a, b) => a - b)[timed >> 1]
 }
+
+if (what == 'times')
+  await opened('', async b => {
+    await until(b, 'film.state().hall') // which would take the processors meanwhile
+    console.log('second,ms')
+    for (const t of words)
+      console.log(`${t},${(await b.evaluate(`(${traced})(${t}, ${kWarm}, ${kTimed}, ${kFps})`)).toFixed(1)}`)
+  })
+else
+  for (const from of words.slice(1))
+    await opened('&from=' + from, async (b, opens) => {
+      const before = memory(b.child)
+      await b.click()
+      await until(b, 'film.state().shown')
+      const { first } = await b.evaluate('film.state()'), end = +from + +words[0]
+      let most = before
+      for (let s; !(s = await b.evaluate('film.state()')).over && s.film < end; await later(500))
+        most = Math.max(most, memory(b.child))
+      console.log(await b.evaluate('film.statistics()'))
+      console.log(['page', opens.toFixed(2), (first / 1000).toFixed(2), before, most].join())
+    })

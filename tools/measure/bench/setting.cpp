@@ -1,10 +1,11 @@
 #include "tools/measure/bench/setting.h"
 
+#include "play/governor.h"
 #include "tools/common/command_line.h"
+#include "tools/measure/detect/screening.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <vector>
 
@@ -67,18 +68,25 @@ void turn(Quality &q, const std::string &knob, float value) {
     throw common::Refused("there is no knob '" + knob + "'; there are:" + known);
 }
 
+// A quality by its name, or the governor's of a level
+Quality named(const std::string &name) {
+    if (name.rfind("level=", 0) == 0) {
+        double level = common::numberOf("level", name.substr(6), {0, Governor::kSteps});
+        return qualityOf((float)level);
+    }
+    std::string known;
+    for (const Quality &q : kQualities) {
+        if (name == q.name) return q;
+        known += std::string(" ") + q.name;
+    }
+    throw common::Refused("there is no quality '" + name + "'; there are:" + known);
+}
+
 } // namespace
 
 Quality settingOf(const std::string &words) {
     size_t comma = words.find_first_of(", ");
-    std::string name = words.substr(0, comma), known;
-    const Quality *named = nullptr;
-    for (const Quality &q : kQualities) {
-        if (name == q.name) named = &q;
-        known += std::string(" ") + q.name;
-    }
-    if (!named) throw common::Refused("there is no quality '" + name + "'; there are:" + known);
-    Quality setting = *named;
+    Quality setting = named(words.substr(0, comma));
     while (comma != std::string::npos) {
         size_t next = words.find_first_of(", ", comma + 1);
         std::string turned = words.substr(comma + 1, next - comma - 1);
@@ -91,23 +99,6 @@ Quality settingOf(const std::string &words) {
     if (!setting.grid && (setting.fine > setting.coarse || !setting.fine))
         throw common::Refused("without a grid, fine and coarse are needed, and fine is at most coarse");
     return setting;
-}
-
-std::string wordsOf(const Quality &setting) {
-    std::string words = *setting.name ? setting.name : "play"; // a blend has no name
-    Quality q = setting, named = settingOf(words);
-    std::vector<Knob> turned = knobsOf(q), usual = knobsOf(named);
-    for (size_t i = 0; i < turned.size(); ++i) {
-        const Knob &k = turned[i], &u = usual[i];
-        char value[40];
-        if (k.whole)
-            std::snprintf(value, sizeof value, "%d", *k.whole);
-        else
-            std::snprintf(value, sizeof value, "%.9g", (double)*k.real); // exact
-        if (k.whole ? *k.whole != *u.whole : *k.real != *u.real)
-            words += std::string(" ") + k.name + "=" + value;
-    }
-    return words;
 }
 
 } // namespace odraz::measure

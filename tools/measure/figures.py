@@ -1,0 +1,63 @@
+"""The figures in README.md. The lines between its marks are made of cells of RESULTS.md, so README.md cannot have a
+figure that RESULTS.md lacks."""
+import re
+
+from machine import Failed
+
+BLOCK = re.compile(r'(?<=^<!-- figures -->\n).*?(?=^<!-- /figures -->$)', re.S | re.M)
+
+
+def number(text):
+    return float(re.match(r'[-+0-9.]+', text)[0])
+
+
+def rounded(text, digits=0):
+    return f'{number(text):,.{digits}f}'
+
+
+def least_to_most(texts, digits):
+    """'3 to 7', of the numbers that cells begin with."""
+    numbers = [number(text) for text in texts if re.match(r'[-+]?\d', text)]
+    return f'{min(numbers):,.{digits}f} to {max(numbers):,.{digits}f}'
+
+
+def figures(results):
+    cell = results.cell
+
+    def span(section, column, digits=0):
+        return least_to_most(results.column(section, column).values(), digits)
+
+    def all_scenes(screen):
+        return number(cell('seen', 'all', screen))
+    packed, linked = '`odraz`: packed', '`odraz-safe`: linked and stripped'
+    peer = 'POV-Ray +AM2 +A0.1 +R3'
+    return f'''\
+- **Size:** {rounded(cell('size', 'Linux', packed))} bytes of 65,536, for Windows \
+{rounded(cell('size', 'Windows', packed))}, packed from {rounded(cell('size', 'Linux', linked))}: code to \
+{span('packers', 'to xz', 2)} of `xz -9e`.
+- **Start:** the window after {rounded(cell('start', 'seconds until its window is seen', '`odraz`'), 1)} s, the first \
+picture after {rounded(cell('start', 'until the first picture', '`odraz`'), 1)} s, with the hall solved; \
+{cell('start', 'MB resident at most', '`odraz`')} MB.
+- **Playing** at 1280x720 by software OpenGL: {span('film', 'shown a second')} pictures a second, by scene.
+- **In a browser:** {rounded(cell('page', 'bytes', '`odraz.html`'))} bytes; first picture \
+{rounded(cell('page', 's from the click to the first picture', 'chromium'), 1)} s after the click; \
+{span('page', 'chromium: shown a second')} a second, of {span('page', 'chromium: pixels traced across')} pixels across.
+- **Seen**, against `film`: {all_scenes('1280x720: 16')} dB (sRGB) at 1280x720 on two cores, \
+{all_scenes('1920x1080: 128')} at 1920x1080 on sixteen (simulated).
+- **Tracing** ten balls: FLIP {cell('povray', 'mean FLIP', 'odraz play')} to the reference; POV-Ray has \
+{cell('povray', 'mean FLIP', peer)} in {rounded(cell('povray', 'times of play', peer))} times the time.
+- **Radiosity** of {rounded(cell('radiosity', 'triangles', 'columns'))} triangles: \
+{rounded(cell('radiosity', 'odraz, s', 'columns'), 1)} s (the thesis: {cell('radiosity', 'the thesis, s', 'columns')} \
+s), {rounded(cell('radiosity', 'median of 1,000 places, %', 'columns'), 1)} % off path tracing in the median.
+- **Transfer:** 64 lights of the hall solved in \
+{rounded(cell('transfer', 'processor s, the median of 5', 'all'), 1)} s and relit in \
+{rounded(cell('transfer', 'all texels', 'noon'), 1)} ms a picture, \
+{span('transfer', 'rms of all light, %', 1)} % off.
+'''
+
+
+def filled_in(page, results, make=figures):
+    """README.md with the figures between its marks."""
+    if len(BLOCK.findall(page)) != 1:
+        raise Failed('README.md: the marks <!-- figures --> and <!-- /figures --> are needed')
+    return BLOCK.sub(lambda _: make(results), page)

@@ -1,0 +1,204 @@
+"""What is measured of the film: its size, its start, how it plays, in a browser, too, and what a viewer sees."""
+import json
+import math
+import re
+import statistics
+import time
+from concurrent.futures import ThreadPoolExecutor
+from itertools import accumulate
+
+from machine import PROCESSORS
+from parts import rows
+
+STATISTICS = '''scene traced between shown missed trace_ms trace_95 between_ms between_95 show_ms show_95 samples
+    width'''.split()
+PIECE = 10  # seconds that are played at once
+
+
+def size(machine):
+    names = 'odraz-safe', 'odraz', 'odraz-safe.exe', 'odraz.exe'
+    linked, packed, linked_exe, packed_exe = ((machine.build / name).stat().st_size for name in names)
+    linux, windows = (json.loads((machine.build / f'{name}.json').read_text()) for name in ('odraz', 'odraz-windows'))
+    coded = int(sum(part['bits'] for part in windows['sections'].values()) / 8)
+    machine.note('cmake --build build --target film film_windows')
+    lines = [('`odraz-safe`: linked and stripped', linked, linked_exe),
+             ('`odraz`: packed', packed, packed_exe),
+             ('of these headers and stub', linux['overhead'], windows['overhead']),
+             ('... zeros up to a whole 512', '', packed_exe - windows['overhead'] - coded),
+             ('left of 65536', 65536 - packed, 65536 - packed_exe)]
+    return [dict(zip(('', 'Linux', 'Windows'), line)) for line in lines]
+
+
+# --- It starts, and plays ---
+
+def first_picture(printed):
+    return float(re.search(r'^first picture after (.*) s$', printed, re.M)[1])
+
+
+def seen_first(machine, command):
+    """Runs a program. What it took, and the seconds until its window was seen."""
+    began = time.monotonic()
+
+    def look():
+        machine.run('timeout 60 sh -c "until xdotool search --onlyvisible --name ^odraz$; do sleep 0.01; done"', False)
+        return time.monotonic() - began
+    with ThreadPoolExecutor() as beside:
+        seen = beside.submit(look)
+        return machine.timed(command), seen.result()
+
+
+def start(machine):
+    def run(program):
+        # In the film's middle, so that the hall is solved first
+        took, seen = seen_first(machine, f'build/{program} --window --from 100 --to 100.3 --stats')
+        return {'': f'`{program}`', 'seen': f'{seen:.2f}', 'first': f'{first_picture(took.printed):.2f}',
+                'mb': f'{took.megabytes:.0f}'}
+    with machine.display():
+        return [sorted((run(program) for _ in range(3)), key=lambda row: float(row['first']))[1]
+                for program in ('odraz', 'odraz-safe')]
+
+
+def played(printed):
+    """The scenes of what --stats prints; `rate` is the pictures shown in a second."""
+    lines = [line.split() for line in printed.splitlines()]
+    scenes = [dict(zip(STATISTICS, line)) for line in lines if len(line) == 13 and line[1].isdigit()]
+    for scene in scenes:
+        scene['rate'] = f"{60 * int(scene['shown']) / (int(scene['shown']) + int(scene['missed'])):.1f}"
+    return scenes
+
+
+def around_cuts(machine):
+    """Where to begin to play pieces that show all scenes: around every other cut between scenes."""
+    scenes = rows(machine.run('build/seen --machine 16 --summary', noted=False))
+    cuts = list(accumulate(float(scene['seconds']) for scene in scenes))
+    begins = [int(cut - PIECE / 2) for cut in cuts[:-1:2]]
+    return begins + ([math.ceil(max(cuts[-2], cuts[-1] - PIECE - 1))] if len(cuts) % 2 else [])
+
+
+def film(machine):
+    with machine.display():
+        scenes = [scene for begin in around_cuts(machine) for scene in played(
+            machine.run(f'build/odraz-safe --stats --from {begin} --to {begin + PIECE}'))]
+    shown, missed, traced = (sum(int(scene[what]) for scene in scenes) for what in ('shown', 'missed', 'traced'))
+    seconds = (shown + missed) / 60
+    machine.facts.update(piece=PIECE, shown=f'{shown / seconds:.1f}', traced=f'{traced / seconds:.1f}')
+    return scenes
+
+
+# --- What a viewer sees ---
+
+JUDGED = 'build/seen --length 0.1 --judged 320x180 '
+MACHINES = ' '.join(f'--machine {giga}' for giga in (4, 8, 16, 32, 64, 128))
+SCREENS = '--screen 1280x720 --screen 1920x1080 --screen 2560x1440'
+
+
+def count_costs(machine):
+    """Counts what pictures cost, which the simulated players read; not where programs are taken as they are."""
+    if not machine.built:
+        machine.run('tools/measure/seen/costs')
+    return ''
+
+
+def cell_of(row):
+    return f"{float(row['srgb_db']):.1f} {float(row['flip']):.3f}".replace(' 0.', ' .')
+
+
+def seen(machine):
+    """Cells: PSNR, FLIP, and the pictures shown in a second of the scene."""
+    looked, counted = (rows(machine.run(command)) for command in (
+        JUDGED + f'{MACHINES} {SCREENS}', f'build/seen {MACHINES} {SCREENS} --summary'))
+    rate = {(row['screen'], row['machine'], row['scene']): f" {float(row['a_second']):.0f}" for row in counted}
+    for row in looked:
+        key = row['screen'], row['machine'], row['scene']
+        yield f'{key[0]}: {key[1]}', key[2], cell_of(row) + rate.get(key, '')
+
+
+def played_and_simulated(machine):
+    """The film as it is played here, and by a simulated machine that does as many instructions a second as this one did
+    in that scene, by the counted costs of the pictures that were made: so one with other work only seems slower."""
+    with machine.display():
+        machine.run('build/odraz-debug --shown shown.csv --mute --from 34 --to 46')
+    for real in rows(machine.run('build/seen shown.csv --summary')):
+        command = f"build/seen --machine {real['giga']} --cores {PROCESSORS} --screen 1280x720 --summary"
+        model = next(row for row in rows(machine.run(command, noted=False)) if row['scene'] == real['scene'])
+        line = {'scene': real['scene'], 'giga': f"{float(real['giga']):.1f}"}
+        for name, row in (('', real), ('model_', model)):
+            traced = float(row['traced']) / float(row['seconds'])
+            line |= {name + 'shown': row['a_second'], name + 'traced': f'{traced:.1f}', name + 'level': row['level']}
+        line['change'] = f"{(float(model['a_second']) / float(real['a_second']) - 1) * 100:+.0f}"
+        yield line
+
+
+# --- In a browser ---
+
+BROWSERS = 'chromium', 'firefox'
+MOMENTS = 14, 24, 38, 58, 158  # without the hall, whose solving would be in the native times
+
+
+def page_size(machine):
+    """The numbers in the only line that the page's build prints."""
+    (machine.build / 'odraz.html').unlink(missing_ok=True)
+    printed = machine.run(['cmake', '--build', machine.build, '--target', 'film_web'], noted=False)
+    numbers = [int(word) for word in re.findall(r'\d+', re.search(r'html: (.*)', printed)[1])]
+    whole, coded, scripts, program, decoder, loader = numbers[:6]
+    return [{'': name, 'bytes': value} for name, value in (
+        ('`odraz.html`', whole), (f'... scripts of {scripts} and program of {program} coded', coded),
+        ('... the decoder deflated', decoder), ('... its loader and the first line of markup', loader),
+        ('... for bytes that HTML would change', whole - coded - decoder - loader))]
+
+
+def native_ms(machine, second):
+    """Processor time of a picture, as the difference of two dumps of that second."""
+    low, high = (machine.timed(f'build/odraz-safe --dump dumped --fps {fps} --from {second + 1} --to {second + 2} '
+                               '--size 1280x720 --quality draft', noted=False).processor for fps in (15, 30))
+    return (high - low) / 15 * 1e3
+
+
+def page_times(machine):
+    browsers = {}
+    with machine.display('1280x800'):
+        for name in BROWSERS:
+            command = f"node tools/measure/bench/page.mjs times {name} build/odraz.html {' '.join(map(str, MOMENTS))}"
+            browsers[name] = {row['second']: float(row['ms']) for row in rows(machine.run(command))}
+    lines = []
+    for moment in MOMENTS:
+        native, *both = native_ms(machine, moment), *(browsers[name][str(moment)] for name in BROWSERS)
+        lines.append({'second': moment, 'native': f'{native:.1f}'})
+        for name, ms in zip(BROWSERS, both):
+            lines[-1] |= {name: f'{ms:.1f}', 'times_' + name: f'{ms / native:.2f}'}
+    ratio = statistics.geometric_mean(float(line['times_chromium']) for line in lines)
+    machine.facts['ratio'] = f'{ratio:.2f}'
+    return lines
+
+
+def page_play(machine):
+    """Rows of how it starts; those of the scenes are kept."""
+    machine.facts['piece'], machine.played = PIECE, {}
+    starts = ' '.join(map(str, around_cuts(machine)))
+    with machine.display('1280x800'):
+        for name in BROWSERS:
+            printed = machine.run(f'node tools/measure/bench/page.mjs play {name} build/odraz.html {PIECE} {starts}')
+            machine.played[name] = played(printed)
+            opened = re.findall(r'^page,(.*)$', printed, re.M)
+            yield dict(zip(('browser', 'opens', 'first', 'before', 'most'), [name, *best_of(opened)]))
+
+
+def best_of(lines):
+    """The medians of the starts, and the most memory."""
+    columns = list(zip(*([float(cell) for cell in line.split(',')] for line in lines)))
+    opens, first, before = map(statistics.median, columns[:3])
+    return f'{opens:.1f}', f'{first:.2f}', f'{before:.0f}', f'{max(columns[3]):.0f}'
+
+
+def page_scenes(machine):
+    for name in BROWSERS:
+        for scene in machine.played[name]:
+            for key, title in (('rate', 'shown a second'), ('width', 'pixels traced across'),
+                               ('trace_ms', 'ms to trace: median'), ('trace_95', '95 %')):
+                yield scene['scene'], f'{name}: {title}', scene[key]
+
+
+def page_seen(machine):
+    machines = ' '.join(f'--machine {giga}' for giga in (8, 16, 32, 64))
+    for row in rows(machine.run(JUDGED + f"{machines} --page {machine.facts['ratio']} --screen 1280x720")):
+        yield row['machine'], row['scene'], cell_of(row)

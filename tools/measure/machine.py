@@ -1,0 +1,144 @@
+"""The machine that is measured: runs programs, notes what they took, builds them, and gives them a display."""
+import os
+import shlex
+import subprocess
+import sys
+import tempfile
+import textwrap
+import time
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+PROCESSORS = len(os.sched_getaffinity(0))
+
+
+class Failed(Exception):
+    """A line for whoever asked for it."""
+
+
+def say(what):
+    print(f'  {what}', file=sys.stderr, flush=True)
+
+
+@dataclass
+class Took:
+    printed: str
+    clock: float  # seconds
+    processor: float  # ... of all threads, user and system
+    megabytes: float  # resident at most
+
+
+class Machine:
+    """Where a section is measured: its programs, a folder to work in, its commands, and the facts that texts name."""
+
+    def __init__(self, build, work, built=True):
+        self.build, self.work, self.built = Path(build), Path(work), built
+        self.kept = {}  # what several sections share
+        self.begin()
+
+    def begin(self):
+        self.commands, self.facts = [], {}
+
+    def once(self, make):
+        """What make(machine) returns, made once in a run."""
+        if make not in self.kept:
+            self.kept[make] = make(self)
+        return self.kept[make]
+
+    def words(self, command):
+        """A command as it is run: paths that begin with a folder of the repository lead there."""
+        folders = {'build': self.build, **{name: SOURCE / name for name in ('intro', 'tests', 'tools')}}
+        words = shlex.split(command) if isinstance(command, str) else [str(word) for word in command]
+        found = [(folders.get(word.partition('/')[0]), word.partition('/')[2]) for word in words]
+        return [str(folder / rest) if folder and rest else word for word, (folder, rest) in zip(words, found)]
+
+    def note(self, command):
+        """Puts a command into the section's head."""
+        text = command if isinstance(command, str) else shlex.join(map(str, command))
+        text = textwrap.shorten(text, 150, placeholder=' ...')
+        self.commands = [one for one in self.commands if one != text] + [text]
+
+    def timed(self, command, noted=True):
+        if noted:
+            self.note(command)
+        words, began = self.words(command), time.monotonic()
+        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
+            try:
+                process = subprocess.Popen(words, cwd=self.work, stdout=out, stderr=err)
+            except OSError as why:
+                raise Failed(f'{words[0]}: {why.strerror}') from None
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            clock = time.monotonic() - began
+            out.seek(0), err.seek(0)
+            printed, wrong = out.read().decode(errors='replace'), err.read().decode(errors='replace')
+        if process.returncode:
+            last = (wrong.strip() or printed.strip() or f'status {process.returncode}').splitlines()[-1]
+            raise Failed(f'{Path(words[0]).name}: {last}')
+        if noted:
+            say(f'{clock:6.1f} s  {self.commands[-1]}')
+        return Took(printed, clock, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
+
+    def run(self, command, noted=True):
+        """What it prints."""
+        return self.timed(command, noted).printed
+
+    @contextmanager
+    def display(self, size='1280x720'):
+        """A display in memory for the programs that are run meanwhile."""
+        ours, theirs = os.pipe()
+        server = subprocess.Popen(
+            ['Xvfb', '-noreset', '-displayfd', str(theirs), '-screen', '0', f'{size}x24', '-nolisten', 'tcp'],
+            pass_fds=[theirs], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(theirs)
+        with os.fdopen(ours) as told:
+            os.environ['DISPLAY'] = ':' + told.readline().strip()
+        try:
+            if os.environ['DISPLAY'] == ':':
+                raise Failed('Xvfb does not start')
+            yield
+        finally:
+            server.terminate()
+            server.wait()
+
+
+def at_once(function, items):
+    """function(item) for each, as many at once as there are processors."""
+    with ThreadPoolExecutor(PROCESSORS) as pool:
+        return list(pool.map(function, items))
+
+
+def build(packages, targets, folder, *options):
+    """Installs what is missing and builds, as all scripts do."""
+    script = f'''. tools/build/packages.sh; need_for_building; [ -z "$1" ] || need "measuring" $1
+        BUILD=$2 build $3 "${{@:4}}"'''
+    done = subprocess.run(
+        ['bash', '-euc', script, 'tools/measure', ' '.join(packages), str(folder), ' '.join(targets), *options],
+        cwd=SOURCE, env={**os.environ, 'ODRAZ': str(SOURCE)}, stdout=sys.stderr)
+    if done.returncode:
+        raise Failed('it could not be built')
+
+
+class Load:
+    """How many processors other programs keep busy while something is measured."""
+
+    def __init__(self):
+        self.clock, self.all, self.own = time.monotonic(), self.busy(), self.ours()
+
+    @staticmethod
+    def busy():
+        ticks = [int(word) for word in open('/proc/stat').readline().split()[1:]]
+        return (sum(ticks[:3]) + sum(ticks[5:8])) / os.sysconf('SC_CLK_TCK')
+
+    @staticmethod
+    def ours():
+        return sum(os.times()[:4])
+
+    def seconds(self):
+        return time.monotonic() - self.clock
+
+    def others(self):
+        return max(0, self.busy() - self.all - self.ours() + self.own) / (self.seconds() + 0.01)

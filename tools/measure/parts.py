@@ -1,0 +1,49 @@
+"""What a section is made of: tables and paragraphs. A part is a text, or a function from the machine to Markdown."""
+import csv
+import re
+import textwrap
+
+
+def rows(text):
+    """A CSV as dictionaries by the titles of its columns."""
+    return list(csv.DictReader(text.splitlines()))
+
+
+def markdown(lines):
+    """Rows of cells; the first is the head."""
+    head, *body = ['| ' + ' | '.join(map(str, line)) + ' |' for line in lines]
+    return '\n'.join([head, '|' + '---|' * len(lines[0]), *body])
+
+
+def table(source, columns):
+    """source(machine) gives dictionaries, or a command prints a CSV. columns: 'key = heading; key; ...'."""
+    pairs = [' '.join(column.split()).partition('=') for column in columns.split(';')]
+    keys, heads = [key.strip() for key, _, _ in pairs], [(head or key).strip() for key, _, head in pairs]
+
+    def part(machine):
+        lines = source(machine) if callable(source) else rows(machine.run(source))
+        return markdown([heads] + [[line[key] for key in keys] for line in lines])
+    return part
+
+
+def matrix(source, corner):
+    """source(machine) gives (row, column, value); rows and columns keep the order in which they first come."""
+    def part(machine):
+        cells = {(row, column): value for row, column, value in source(machine)}
+        across = list(dict.fromkeys(column for _, column in cells))
+        down = dict.fromkeys(row for row, _ in cells)
+        return markdown([[corner, *across]] + [
+            [row, *(cells.get((row, column), '') for column in across)] for row in down])
+    return part
+
+
+def printed(command):
+    """A program that prints Markdown."""
+    return lambda machine: machine.run(command).strip()
+
+
+def text_of(part, machine):
+    if callable(part):
+        return part(machine)
+    filled = re.sub(r'\{(\w+)\}', lambda name: str(machine.facts[name[1]]), textwrap.dedent(part).strip())
+    return textwrap.fill(' '.join(filled.split()), 120, break_long_words=False, break_on_hyphens=False)

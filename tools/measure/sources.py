@@ -1,0 +1,122 @@
+"""What is stale. A section is fresh while its sources read the same but for comments and blanks, or while its programs,
+built of them, hold the same code: so a renamed local changes nothing."""
+import hashlib
+import re
+import subprocess
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+
+from machine import SOURCE, Failed
+
+LEFT_OUT = re.compile(r'\.md$|^intro/(maker/|main_debug\.cpp)')
+C_LIKE = re.compile(r'\.(cpp|h|c|S|ld|js|mjs|css)$')
+NAMING = re.compile(r'version\.cmake|/answers\.cpp|\.elf$|/\w+-safe$')  # steps of a build that write the commit's name
+COMPILED = re.compile(r'\.(cpp|h|c|S|ld|js|html|model)$|CMakeLists\.txt$')
+# Strings, comments, words (with digits' separators), and all other characters but blanks
+TOKENS = re.compile(r'''R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`'''
+                    r'''|//[^\n]*|/\*.*?\*/|[0-9][\w'.]*|\w+|[^\w\s]''', re.S)
+
+
+def short(data):
+    return hashlib.sha256(data).hexdigest()[:12]
+
+
+def git(*words):
+    done = subprocess.run(['git', '-C', str(SOURCE), *words], capture_output=True, text=True)
+    if done.returncode:
+        raise Failed(f'{SOURCE} is no checkout: git finds what is stale')
+    return done.stdout
+
+
+def commit(paths):
+    """The commit, and a + if one of these differs from it."""
+    return git('rev-parse', '--short=12', 'HEAD').strip() + ('+' if git('status', '--porcelain', '--', *paths) else '')
+
+
+@lru_cache(None)
+def files():
+    names = git('ls-files', '-z', '--cached', '--others', '--exclude-standard').split('\0')
+    return sorted(name for name in set(names) if name and not LEFT_OUT.search(name) and (SOURCE / name).is_file())
+
+
+def inside(source):
+    return [name for name in files() if name == source or name.startswith(source + '/')]
+
+
+@lru_cache(None)
+def read(name):
+    """What a file says, without comments and blanks."""
+    data = (SOURCE / name).read_bytes()
+    try:
+        text = data.decode()
+    except UnicodeDecodeError:
+        return data
+    if C_LIKE.search(name):
+        tokens = (found[0] for found in TOKENS.finditer(text))
+        return '\n'.join(token for token in tokens if not token.startswith(('//', '/*'))).encode()
+    lines = (line.rstrip() for line in text.splitlines())
+    return '\n'.join(line for line in lines if line and not re.match(r'\s*#(?!!)', line)).encode()
+
+
+@lru_cache(None)
+def written(source):
+    """A hash of a file or folder."""
+    return short(b'\0'.join(name.encode() + b'\0' + read(name) for name in inside(source)))
+
+
+# --- What was built ---
+
+def contents(path, *options):
+    """What a program holds in memory, without the names of symbols and what debuggers need; of a page, all."""
+    with tempfile.TemporaryDirectory() as folder:
+        to = Path(folder) / 'contents'
+        subprocess.run(['objcopy', '-O', 'binary', '-R', '.note*', *options, str(path), str(to)], capture_output=True)
+        return (to if to.exists() else path).read_bytes()
+
+
+@lru_cache(None)
+def code(path):
+    """A hash of a program, but for its commit's name."""
+    return short(re.sub(rb' [0-9a-f]{12}\n', b'', contents(path)))
+
+
+@lru_cache(None)
+def current(build, program):
+    """Whether it was built of what the sources say now: nothing but the commit's name would be compiled and linked."""
+    try:
+        plan = subprocess.run(['ninja', '-C', str(build), '-n', program], capture_output=True, text=True)
+    except OSError:
+        return False
+    steps = [line for line in plan.stdout.splitlines() if line[:1] == '[']
+    return not plan.returncode and all(NAMING.search(step) for step in steps)
+
+
+def built(section, build):
+    """The code of a section's programs, but of those that were not built since."""
+    return [f'{program} {code(build / program)}' for program in section.programs if current(build, program)]
+
+
+# --- Sections ---
+
+def record_of(section, build):
+    """What is written above a section: the commit; its sources; the code of its programs."""
+    for cached in (files, read, written, code, current):
+        cached.cache_clear()  # measuring may have written files
+    then = [f'{source} {written(source)}' for source in section.sources]
+    return '; '.join([commit(section.sources), ', '.join(then), ', '.join(built(section, build))])
+
+
+def verdict(section, record, build):
+    """Nothing if the section is fresh; else a line with the reason."""
+    if not record:
+        return f'unmeasured: {section.name}: tools/measure/all --only {section.name}, {section.minutes:g} minutes'
+    for source in section.sources:
+        if not inside(source):
+            return f'unknown: {section.name} measures {source}, which git does not have'
+    measured, then, programs = (part.split(', ') for part in (record + '; ; ').split('; ')[:3])
+    changed = [source for source in section.sources if f'{source} {written(source)}' not in then]
+    compiled = all(COMPILED.search(source) or (SOURCE / source).is_dir() for source in changed)
+    if not changed or compiled and len(programs) == len(section.programs) and built(section, build) == programs:
+        return ''
+    return f'stale: {section.name}: since {measured[0]} {" ".join(changed)}'

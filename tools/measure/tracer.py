@@ -1,0 +1,123 @@
+"""What is measured of the tracer: its qualities, their knobs, the parts of a picture; and POV-Ray's pictures."""
+import re
+
+import counting
+from machine import at_once, say
+from parts import markdown, rows
+
+SCENES = 'A', 'table', 'flake', 'hall', 'credits'
+SETTINGS = 'draft', 'play', 'film', 'play,grid=1'
+SMALL = '320x180'  # where instructions are counted
+# What is said of a setting in a table
+TITLES = {'play,grid=1': 'one sample a pixel', 'play,grid=2': 'four samples a pixel', 'play,fine=1':
+          'twelve samples inside pixels', **{f'level={level}': f'{"film" if level < 1 else "play"} to '
+          f'{"play" if level < 1 else "draft"}, {level % 1:g}' for level in (0.25, 0.5, 0.75, 1.25, 1.5, 1.75)}}
+KNOBS = [*SETTINGS, 'play,grid=2', *(name for name in TITLES if name[:5] == 'level'), *(
+    f'play,{knob}={value}' for knob, values in (
+        ('fine', (1, 4, 8)), ('coarse', (4, 8, 32)), ('threshold', (0.01, 0.02, 0.08)), ('markThreshold', (0, 0.1)),
+        ('edge', (0.03, 0.06, 0.2, 0.4)), ('markWeight', (0.1,)), ('depth', (2, 3)), ('cutoff', ('1/10', '1/160')))
+    for value in values)]
+
+
+def title(setting):
+    return TITLES.get(setting, setting.replace('play,', '').replace('=', ' '))
+
+
+def references(machine):
+    """A folder with the pictures to compare with. They take longest and are not timed: all processors trace them."""
+    (machine.work / 'references').mkdir()
+    say('tracing 256 samples a pixel')
+    at_once(lambda scene: machine.run(f'build/tradeoff trace --references references --setting draft --rounds 1 '
+                                      f'--scene {scene}', noted=False), SCENES)
+    return 'references'
+
+
+def measured(machine, scenes, settings, more):
+    command = ['build/tradeoff', 'trace', *more.split()]
+    command += [word for scene in scenes for word in ('--scene', scene)]
+    command += [word for setting in settings for word in ('--setting', setting)]
+    # (the CSV has blanks where a setting has commas)
+    return [{**row, 'setting': row['setting'].replace(' ', ',')} for row in rows(machine.run(command))]
+
+
+def millions(count):
+    return f'{count / 1e6:.2f}' if count < 10e6 else f'{count / 1e6:.0f}'
+
+
+def counts(machine):
+    """Instructions by scene and setting or part."""
+    machine.note(f'tools/measure/bench/instructions --parts --size {SMALL} ' + ' '.join(
+        f'--setting {setting}' for setting in SETTINGS))
+    return counting.pictures(machine, SCENES, SETTINGS, SMALL, ('posing', 'glare', 'development'))
+
+
+def qualities(machine):
+    """A table for each measure."""
+    found = measured(machine, SCENES, SETTINGS, f'--references {machine.once(references)}')
+
+    def by_scene(head, value):
+        cells = {(row['setting'], row['scene']): row[value] for row in found}
+        return markdown([[head, *SCENES]] + [
+            [title(setting), *(cells[setting, scene] for scene in SCENES)] for setting in SETTINGS])
+    return '\n\n'.join(by_scene(*each) for each in (
+        ('ms', 'cpu_ms'), ('mean FLIP', 'mean_flip'), ('linear dB', 'linear_psnr_db'), ('sRGB dB', 'srgb_psnr_db'),
+        ('samples a pixel', 'samples_per_pixel')))
+
+
+def parts_of_pictures(machine):
+    for scene, setting, count in machine.once(counts):
+        yield title(setting), scene, millions(count)
+
+
+def knobs(machine):
+    counted = {setting: count for scene, setting, count in counting.pictures(machine, ['A'], KNOBS, SMALL)}
+    for row in measured(machine, ['A'], KNOBS, f'--references {machine.once(references)}'):
+        yield {**row, 'setting': title(row['setting']), 'instructions': millions(counted[row['setting']])}
+
+
+# --- POV-Ray ---
+
+PEER = {'A': 640, 'B': 320}  # widths: B has edges in every pixel, which takes time
+PEER_OPTIONS = '-A', '+AM2 +A0.1 +R3', '+AM2 +A0.3 +R3'
+PEER_SETTINGS = 'play,grid=1', 'draft', 'play', 'film'
+
+
+def povray(options, scene, picture, width):
+    return f'povray +I{scene}.pov +O{picture} -D -GA +FN +W{width} +H{width * 9 // 16} {options}'
+
+
+def povray_rows(machine, scene):
+    """Each picture is compared with one by the same tracer that has 144 samples a pixel: a picture four times as wide
+    and high with nine samples in every pixel, linear, averaged."""
+    width, small = PEER[scene], PEER[scene] // 4
+    all_samples = '+AM1 +A0.0 +R3 -J File_Gamma=1.0 Bits_Per_Color=16'
+    machine.run(povray(all_samples, scene, 'large.png', width * 4), noted=False)
+    machine.run('build/compare --linear large.png reference.png --by 4', noted=False)
+    counted = at_once(lambda options: counting.spent(
+        machine, povray(options + ' +WT1', scene, f'small{options[5:9]}.png', small)), PEER_OPTIONS)
+    for options, count in zip(PEER_OPTIONS, counted):
+        took = machine.timed(povray(options, scene, 'picture.png', width))
+        seen = machine.run('build/compare picture.png reference.png --seen --max 255', noted=False)
+        flip, linear, shown = re.findall(r'[0-9.]+', re.search(r'^mean flip.*', seen, re.M)[0])[:3]
+        yield {'setting': f'POV-Ray {options}', 'ms': f'{took.processor * 1e3:.0f}', 'mean_flip': flip,
+               'linear_psnr_db': linear, 'srgb_psnr_db': shown, 'count': millions(count)}
+
+
+def our_rows(machine, scene):
+    small = f'{PEER[scene] // 4}x{PEER[scene] * 9 // 64}'
+    counted = {setting: count for _, setting, count in counting.pictures(machine, [scene], PEER_SETTINGS, small)}
+    for row in measured(machine, [scene], PEER_SETTINGS, f'--width {PEER[scene]}'):
+        yield {**row, 'setting': 'odraz ' + title(row['setting']), 'ms': row['cpu_ms'],
+               'count': millions(counted[row['setting']])}
+
+
+def against_povray(scene):
+    def part(machine):
+        (machine.work / f'{scene}.pov').write_text(machine.run(f'build/trace_once pov {scene}', noted=False))
+        lines = [*povray_rows(machine, scene), *our_rows(machine, scene)]
+        play = next(float(line['ms']) for line in lines if line['setting'] == 'odraz play')
+        width, keys = PEER[scene], ('setting', 'ms', 'mean_flip', 'linear_psnr_db', 'srgb_psnr_db', 'times', 'count')
+        return markdown([[f'{scene}; {width}x{width * 9 // 16}', 'processor ms', 'mean FLIP', 'linear dB', 'sRGB dB',
+                          'times of play', f'M instructions; {width // 4}x{width * 9 // 64}']] + [
+            [{**line, 'times': f"{float(line['ms']) / play:.1f}"}[key] for key in keys] for line in lines])
+    return part
