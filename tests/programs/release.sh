@@ -107,4 +107,19 @@ check "a build for Windows of another commit" env BUILD="$WORK/other" bash -c '"
 cp "$BUILD/odraz-safe.exe" "$BUILD/pack" "$WORK/other"
 check "... a packed one" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz.exe is of another build"' - "${made[@]}" --to "$WORK/three"
 check "... and leaves nothing" test -z "$(ls -A "$WORK/three")"
+# A small repository, whose programs are of its commit, and whose figures are stale
+mkdir -p "$WORK"/house/{intro,build,tools/measure}
+cd "$WORK/house" || exit 1
+cp "$SOURCE/intro/film.conf" intro
+cp -r "$SOURCE"/tools/{release,build} tools
+printf '#!/bin/sh\necho "stale: size: since 0123456789ab intro"\nexit 1\n' >tools/measure/all
+chmod +x tools/measure/all
+git init -q . && git add --all tools intro && git -c user.name=test -c user.email=test commit -q -m one
+for program in odraz odraz-safe odraz.exe odraz-safe.exe; do
+    printf '#!/bin/sh\necho odraz 1.2.3 %s\n' "$(git rev-parse --short=12 HEAD)" >build/$program
+    chmod +x build/$program
+done
+stale=(env BUILD="$PWD/build" tools/release --built --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/three")
+check "stale figures" bash -c '! "$@" 2>"$0" && grep -q "^stale: size:" "$0"' "$WORK/err" "${stale[@]}"
+check "... unless asked to" bash -c '! "$@" 2>"$0" && ! grep -q stale "$0"' "$WORK/err" "${stale[@]}" --unclean
 finish
