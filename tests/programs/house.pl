@@ -17,7 +17,7 @@ sub text {
 
 # --- Read every CMakeLists.txt: who knows whom, what a target is made of, and what it links ---
 my (%knows, %sources, @linked);
-for my $list (grep { m{(^|/)CMakeLists\.txt$} && !m{^(tests|tools/new_film)/} } @files) {
+for my $list (grep { m{(^|/)CMakeLists\.txt$} && !m{^(tests|tools/film_template)/} } @files) {
     my ($room) = $list =~ m{^(.*)/} or next; # the top-level one adds rooms, no code
     my $text = text($list);
     $text =~ s/#.*//g;
@@ -74,7 +74,7 @@ sub judge {
     return push @wrong, "$file: no room has it" if !defined $from;
     push @wrong, "$file includes $to" if !defined $room || !(may($from, $room) || may($from, $to));
 }
-my @code = grep { /\.(h|cpp|c|S)$/ && !m{^(tests|tools/new_film)/} } @files;
+my @code = grep { /\.(h|cpp|c|S)$/ && !m{^(tests|tools/film_template)/} } @files;
 for my $file (@code) {
     judge($file, $_) for text($file) =~ /^\s*#\s*include\s*"([^"]+)"/mg;
 }
