@@ -43,9 +43,8 @@ template <class Film> struct PagePlayer {
     bool planned = false;            // it is that of the next one
     unsigned started = 0, ended = 0; // pictures whose tracing has
 
-    // Plays from there on. What was made before is forgotten.
+    // Plays from there on. What was made before is forgotten, but for what the governor has learned.
     void begin(double from, int width, int height) {
-        governor = {};
         governor.width = width, governor.height = height;
         queue->made = queue->shown = started = ended = 0;
         most = kMostReady + (unsigned)workers;

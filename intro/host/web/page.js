@@ -138,8 +138,7 @@ const main = async (wasm, scripts) => {
   // For tests
   const state = () => ({
     film: filmAt(), heard: zero != null && audio.state == 'running' ? heardAt(now()) : null, ready: pictures.size,
-    shown, skipped, shownTime, first: first - clicked, silent, holds: [...holds], unlit, hall: lit >= count, over,
-    duration,
+    shown, skipped, first: first - clicked, unlit, hall: lit >= count, over, duration,
   })
   self.film = { module, start: startWorker, statistics, state }
   if (self.clicked) play()

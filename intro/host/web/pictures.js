@@ -1,7 +1,7 @@
 // Pictures: workers trace them, as the program plans, and they wait here, by their times, until it shows them.
 const pictures = new Map, cores = navigator.hardwareConcurrency || 2
 let count, w, h, tracers = [], solver, idle, spare = [], lit, solved, unlit
-let turn = 0, shown = 0, skipped = 0, first = 0, shownTime = -1 // turn: how often the viewer has sought
+let turn = 0, shown = 0, skipped = 0, first = 0 // turn: how often the viewer has sought
 const startWorker = (heard, ...first) => {
   const k = new Worker(url)
   k.onerror = e => fail('The film has stopped: ' + e.message)
@@ -49,7 +49,6 @@ const showDue = (film, t) => {
   paint(pictures.get(due))
   if (!shown++) first = now()
   x.shown(film - from, now() - t)
-  shownTime = due
   for (const [time, rgba] of pictures)
     if (time <= due) skipped += time < due, forget(time, rgba)
 }
