@@ -131,8 +131,7 @@ EXPORT(due) double due(double now) {
 }
 // It came on the screen that many seconds of the film behind its beginning, and took `present` milliseconds.
 EXPORT(shown) void shown(double at, double present) {
-    theStatistics.show(theQueue.first(), at, nanosecondsOf(present));
-    theStatistics.add(theQueue.first());
+    theStatistics.add(theQueue.first(), at, nanosecondsOf(present));
     theQueue.remove();
 }
 

@@ -99,16 +99,17 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             continue;
         }
         const Made &m = p.queue.first();
+        int64_t presenting = -1;
         if (action == Queue::kShow) {
             present(window, m.picture.rgba, m.picture.width, m.picture.height);
             int64_t shown = nanoseconds();
             if (!firstShown) firstShown = shown;
-            theStatistics.show(m, time - from, shown - before);
+            presenting = shown - before;
         }
         if (recorder)
             recorder->record(recorder->context, m,
                              action == Queue::kShow ? theMusic.clock.at(nanoseconds()) : -1);
-        theStatistics.add(m);
+        theStatistics.add(m, time - from, presenting);
         p.queue.remove();
     }
     endMusic(theMusic);

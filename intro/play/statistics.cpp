@@ -15,17 +15,15 @@ double Histogram::quantile(double share) const {
     return 0;
 }
 
-void Statistics::show(const Made &m, double at, int64_t present) {
+void Statistics::add(const Made &m, double at, int64_t present) {
     SceneStatistics &s = scenes[sceneAt(m.time)];
-    int64_t before = sixtieth;
-    sixtieth = (int64_t)(at * kScreenRate) + 1;
-    if (before && sixtieth > before + 1) s.missed += (int)(sixtieth - before - 1);
-    ++s.shown;
-    s.present.add(present);
-}
-
-void Statistics::add(const Made &m) {
-    SceneStatistics &s = scenes[sceneAt(m.time)];
+    if (present >= 0) {
+        int64_t before = sixtieth;
+        sixtieth = (int64_t)(at * kScreenRate) + 1;
+        if (before && sixtieth > before + 1) s.missed += (int)(sixtieth - before - 1);
+        ++s.shown;
+        s.present.add(present);
+    }
     if (m.trace > 0) {
         ++s.traced;
         s.samples += m.samples;

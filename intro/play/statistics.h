@@ -34,10 +34,9 @@ struct Statistics {
     SceneStatistics scenes[kMaxScenes];
     int64_t sixtieth; // when the last picture was shown, plus 1
 
-    // A picture came on the screen `at` seconds of the film after it began, and took `present` nanoseconds.
-    void show(const Made &m, double at, int64_t present);
-    // It was made, whether it was shown or skipped.
-    void add(const Made &m);
+    // A picture came on the screen `at` seconds of the film after it began, and took `present` nanoseconds;
+    // or it was skipped: -1.
+    void add(const Made &m, double at, int64_t present);
 };
 
 // Prints a row for every scene that was shown, and how far the sound was from the picture; exit status.
