@@ -70,14 +70,19 @@ class Machine:
                 process = subprocess.Popen(words, cwd=self.work, stdout=out, stderr=err)
             except OSError as why:
                 raise Failed(f'{words[0]}: {why.strerror}') from None
-            _, status, usage = os.wait4(process.pid, 0)
+            try:
+                _, status, usage = os.wait4(process.pid, 0)
+            except BaseException:
+                process.kill()  # whoever stops this program stops that one
+                raise
             process.returncode = os.waitstatus_to_exitcode(status)
             clock = time.monotonic() - began
             out.seek(0), err.seek(0)
             printed, wrong = out.read().decode(errors='replace'), err.read().decode(errors='replace')
         if process.returncode:
             last = (wrong.strip() or printed.strip() or f'status {process.returncode}').splitlines()[-1]
-            raise Failed(f'{Path(words[0]).name}: {last}')
+            name = Path(words[0]).name + ': '
+            raise Failed(name + last.removeprefix(name))
         if noted:
             say(f'{clock:6.1f} s  {self.commands[-1]}')
         return Took(printed, clock, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
