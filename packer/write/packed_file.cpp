@@ -2,11 +2,11 @@
 
 #include "packer/stub/stub.h"
 #include "tools/common/text.h"
+#include "tools/common/whole_file.h"
 
 #include <algorithm>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <stdexcept>
 
 namespace pack {
@@ -146,9 +146,7 @@ PackedFile makePacked(const PackedKind &kind, const Program &program, const Mode
 
 void checkBudget(const std::string &path, size_t size, long budget) {
     if (budget < 0 || size <= (size_t)budget) return;
-    std::error_code none;
-    auto earlier = std::filesystem::canonical(path, none);
-    bool removed = std::filesystem::is_regular_file(earlier, none) && std::filesystem::remove(earlier, none);
+    bool removed = common::removeWhole(path);
     std::fflush(stdout); // the report, which goes before this line
     throw std::runtime_error(path + ": over budget by " + common::thousands((double)size - (double)budget) +
                              " bytes (" + common::thousands((double)size) + " of " +

@@ -32,6 +32,8 @@ check "a search ends by itself" prints 'bytes left' bash -c "exec '$pack' '$hell
 cp "$WORK/hello" "$WORK/large"
 check "over budget is refused, with size and budget" refuses 1 "over budget by 1 bytes (3," "${packs[@]}" -o "$WORK/large" --budget $((size - 1))
 check "... and no file is left" test ! -e "$WORK/large"
+echo kept >"$WORK/appended"
+check "... but one that is appended to" eval '! "${packs[@]}" -o /dev/stdout --budget 9 >>"$WORK/appended" 2>/dev/null && grep -qx kept "$WORK/appended"'
 check "at the budget is fine" prints ', 0 bytes left' "${packs[@]}" -o "$WORK/c" --budget "$size"
 mkfifo "$WORK/fifo"
 check "a file that is a pipe" refuses 2 "not a regular file" "$pack" "$WORK/fifo" -o "$WORK/x"

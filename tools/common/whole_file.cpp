@@ -174,4 +174,10 @@ void writeWhole(const std::string &given, std::string_view bytes, unsigned mode)
     if (wrong) throw std::runtime_error(cannot("write", path));
 }
 
+bool removeWhole(const std::string &given) {
+    const auto [path, direct, descriptor] = targetOf(given);
+    std::error_code none;
+    return !direct && fs::is_regular_file(path, none) && fs::remove(path, none);
+}
+
 } // namespace common

@@ -63,4 +63,8 @@ struct WouldReplace : std::runtime_error {
 // reason.
 void writeWhole(const std::string &path, std::string_view bytes, unsigned mode = 0);
 
+// Removes the file that writeWhole() would replace; not what it would write to directly. False: there is
+// none.
+bool removeWhole(const std::string &path);
+
 } // namespace common

@@ -24,7 +24,7 @@ check "it names $name-safe where it may not run packed" grep -qa "use $name-safe
 
 # Its archives have its own texts
 check "archives are made of it" eval '"$film/tools/release" --built --no-capture --poster "$film/tests/golden/film-006.png" >/dev/null'
-check "... of the film alone" test "$(ls "$film/build/release" | wc -l)" = 2
+check "... of the film alone, with its page and an index, if that is built" test "$(ls "$film/build/release" | wc -l)" = $((2 + 2 * $(ls "$film/build/$name.html" 2>/dev/null | wc -l)))
 tar -C "$WORK" -xzf "$film/build/release/$name-0.1.0.tar.gz"
 for text in $name.nfo README.txt file_id.diz; do check "... whose $text does not name odraz" lacks odraz "$WORK/$name-0.1.0/$text"; done
 check "... and a licence of this year" grep -qx "Copyright (c) $(date +%Y) the $name team" "$WORK/$name-0.1.0/LICENSE.txt"
