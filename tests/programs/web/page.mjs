@@ -20,7 +20,7 @@ const until = async (b, what, seconds = 1200) => {
 
 // --- A click while it is unpacked is remembered ---
 const early = await open(kind, 'file://' + page + '?full=0')
-const unpacks = await until(early, 'document.body && /unpacked/.test(document.body.innerText)', 60)
+const unpacks = await until(early, 'document.body && /unpacking/.test(document.body.innerText)', 60)
 await early.click()
 const before = await early.evaluate('!self.film')
 check('says that it is unpacked', unpacks && before, before)
