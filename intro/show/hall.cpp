@@ -11,7 +11,7 @@ namespace odraz {
 namespace {
 
 constexpr float kDust = 0.017f; // share of light that dust scatters, a metre
-constexpr float kDoorLamp = 0.55f;
+constexpr float kDoorLamp = 0.38f;
 constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // of the door's light: the wall about it stays dark and cold
 constexpr Rgb kLanternLight = Rgb{33, 28, 21};
 

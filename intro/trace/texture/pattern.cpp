@@ -93,7 +93,7 @@ static Float8 plaster(const Vec3x8 &p, Float8 width) {
 // From the middle of each to its edges; a ninth of their distance is left between them.
 static Float8 tubes(const Vec3x8 &p, Float8 width) {
     Float8 aside = fract(p.x) - 0.5f;
-    return fmadd(min(aside * aside * 8.f, 1.f) - 0.33f, bandLimit(width, 2.f), 0.33f);
+    return fmadd(min(aside * aside * 8.f, 1.f) - 0.4f, bandLimit(width, 2.f), 0.4f);
 }
 
 static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
