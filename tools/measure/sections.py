@@ -53,7 +53,7 @@ SECTIONS = [
             '''{piece} seconds around every other cut between scenes, at 1280x720, on a display in memory with software
             OpenGL, which runs on the same cores. The governor is on, and times are of a clock.''']),
     Section(
-        'seen', 'What a viewer sees, by machine and screen', 3.0,
+        'seen', 'What a viewer sees, by machine and screen', 2.5,
         sources=['intro/play', 'intro/timeline', 'intro/trace', 'intro/show', 'tools/measure/seen',
                  'tools/measure/seen/costs.csv'],
         programs=['seen', 'odraz-debug'], packages=[*PICTURES, 'xvfb', 'libglfw3-dev'],
