@@ -45,14 +45,14 @@ struct Change {
 
 // Mostly adds, removes or replaces a field; sometimes takes a new mask, or swaps two selectors.
 Change propose(const ModelParameters &parameters, const Searched &program, std::mt19937 &random) {
-    const auto &[codeShift, codeBits, dataBits] = program.mayUse;
+    const MayUse &may = program.mayUse;
     uint32_t data = program.layout.size - program.layout.codeSize;
     Change change = {data && (!program.layout.codeSize || random() % 5 == 0), {}};
     const uint32_t *masks = parameters.masks[change.type];
     uint32_t i = random() % parameters.hashes();
     uint32_t mask = masks[i];
     auto field = [&] {
-        return change.type ? 1u << random() % dataBits : 1u << (random() % codeBits + codeShift);
+        return change.type ? 1u << random() % may.dataBits : 1u << (random() % may.codeBits + may.codeShift);
     };
     // A field that is in the mask, or one that is not
     auto fieldOf = [&](uint32_t all) {
