@@ -24,12 +24,12 @@ static constexpr Texture kWhiteMarble = {
     .palette = {linear(184, 177, 166), linear(159, 151, 141), linear(113, 108, 102), linear(77, 74, 72)}};
 static constexpr Texture kSpeckled = {
     .pattern = Pattern::Stone,
-    .scale = 42,
-    .palette = {linear(12, 12, 13), linear(72, 70, 68), linear(85, 83, 82), linear(119, 111, 101)}};
+    .scale = 64,
+    .palette = {linear(34, 34, 34), linear(74, 72, 70), linear(84, 82, 81), linear(104, 98, 92)}};
 static constexpr Texture kPaleStone = {
     .pattern = Pattern::Stone,
-    .scale = 30,
-    .palette = {linear(120, 112, 96), linear(152, 144, 128), linear(168, 160, 144), linear(184, 176, 160)}};
+    .scale = 60,
+    .palette = {linear(148, 140, 124), linear(158, 150, 134), linear(164, 156, 140), linear(169, 161, 145)}};
 // Stained in patches and near the floor, and streaked by the trowel.
 static constexpr Texture plaster(Rgb c) {
     auto times = [&](float k) { return Rgb{c.x * k, c.y * k, c.z * k}; };
