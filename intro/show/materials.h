@@ -17,8 +17,9 @@ extern const Material kGranite, kOak, kGlass, kMirror, kCopper;
 Material pearl(bool warm, float reflect); // copper if warm, else silver; reflect: how much of a mirror
 Material lamp(const Rgb &radiance);       // a body that only glows
 
-// Dusk under clouds that drift with the rows and glow near the sun. kDuskSun: the sun's place, for a light.
-Sky duskSky(float row);
+// Dusk under clouds that drift with the rows and glow near the sun; late, 0 to 1, it is blue and the sun low.
+// kDuskSun: the sun's place, for a light.
+Sky duskSky(float row, float late = 0);
 inline constexpr Vec3 kDuskSun = {-13.7f, 4.9f, 10.6f};
 
 } // namespace odraz

@@ -68,7 +68,9 @@ void poseFlake(const SceneInput &in, Scene &scene) {
                     Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.03f), 0.1f});
     scene.ambientLow = {0.13f, 0.115f, 0.135f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
-    scene.sky = duskSky(in.row + 192);
+    // It begins in a blue twilight
+    float late = saturate(1 - in.row * in.row * (1.f / 16384));
+    scene.sky = duskSky(in.row + 192, late);
     scene.exposure = 0.75f;
 }
 
