@@ -47,7 +47,7 @@ void strike(Mixer &m, const Articulation &articulation, char tone, char chord, f
         int leading = chord == 'A' && degree == 6;
         float key = (float)(12 * (at / 7 - 10 + articulation.octave) + scale[degree] + leading + 14);
         playNote(m, {&kInstruments[articulation.instrument], key, velocity, rows * 0.125f,
-                     (float)articulation.room * 0.01f});
+                     (float)articulation.room * 0.01f, (float)articulation.left * 0.01f});
     }
 }
 

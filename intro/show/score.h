@@ -29,7 +29,8 @@ struct Articulation {
     // How many tones at once: each a third above the last, every second one an octave higher, the fifth as
     // well. If several, each is moved by octaves to where it lies next to those of other chords.
     uint8_t stack;
-    uint8_t room; // per cent of what the instrument sends to the room
+    uint8_t room;     // per cent of what the instrument sends to the room, and of its width
+    uint8_t left = 0; // per cent: how far it stands on the left
 };
 
 struct Part {

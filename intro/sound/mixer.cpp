@@ -89,7 +89,7 @@ void renderBlock(Mixer &m, float *stereo) {
 
 void seekBlock(Mixer &m, int block) {
     RowPlayer player = m.player;
-    __builtin_memset(&m, 0, sizeof m);
+    __builtin_memset((void *)&m, 0, sizeof m);
     m.player = player;
     float unheard[2 * kBlock];
     while (m.block < block) renderBlock(m, m.block < block - kSeekBlocks ? nullptr : unheard);

@@ -96,7 +96,7 @@ void beginVoice(Voice &v, const Note &note, int block) {
     v.band = v.low = Float8{};
     v.groups = i.partials / 4;
     float frequency = exp2((note.key - 69) * (1.f / 12)) * 440;
-    float tilt = i.tilt + i.softer * (1 - note.velocity);
+    float tilt = i.tilt + i.softer * (1 - note.velocity), width = min(note.room, 1.f);
     for (int g = 0; g < v.groups; ++g) {
         Voice::Group &group = v.group[g];
         Int8 left = kLanes & 3;
@@ -108,14 +108,15 @@ void beginVoice(Voice &v, const Note &note, int block) {
         Float8 side = select(kLanes < 4, 1.f, -1.f);
         Float8 ratio = exp2(k * i.stretch);
         ratio += (shared - 0.5f) * 2.f * i.scatter;
-        ratio = abs(ratio) * (1.f + side * i.detune);
+        ratio = abs(ratio) * (1.f + side * (i.detune * width));
         Float8 hertz = ratio * frequency;
         group.turn = (Uint8)toInt(min(hertz, kHighest) * (kTurn / kSampleRate));
-        group.phase = phaseOf(mine * i.spread + (isStruck(i) ? Float8{} : shared));
+        group.phase = phaseOf(mine * (i.spread * width) + (isStruck(i) ? Float8{} : shared));
         group.hertz = hertz;
-        group.amplitude =
-            select(hertz * (1 + i.bend) < kHighest,
-                   exp2(k * -tilt) * fmadd(shared, 0.4f, 0.8f) * (i.level * note.velocity), 0.f);
+        group.amplitude = select(hertz * (1 + i.bend) < kHighest,
+                                 exp2(k * -tilt) * fmadd(shared, 0.4f, 0.8f) * fmadd(side, note.left, 1.f) *
+                                     (i.level * note.velocity),
+                                 0.f);
         group.fall = exp2(k * i.damp) * (-9.96578f / kSampleRate / i.decay);
     }
 }

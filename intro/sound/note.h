@@ -22,7 +22,8 @@ struct Note {
     float key;      // semitones, MIDI's: 69 is a' = 440 Hz; above 0, and below 20 kHz to be heard
     float velocity; // 0 .. 1, and a little above where a phrase swells
     float length;   // seconds until it is released
-    float room;     // factor of the instrument's send to the room, from 0
+    float room;     // factor of the instrument's send to the room, from 0, and below 1 of its width as well
+    float left = 0; // 1: on the left alone, 0: in the middle
 };
 
 // A note as it sounds.

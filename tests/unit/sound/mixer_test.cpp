@@ -169,7 +169,10 @@ TEST(Mixer, SeeksToWhatWouldBePlayed) {
         ASSERT_EQ(played->voiceCount, sought->voiceCount);
         EXPECT_EQ(played->ducked, sought->ducked);
         for (int i = 0; i < played->voiceCount; ++i)
-            EXPECT_EQ(std::memcmp(&played->voices[i].note, &sought->voices[i].note, sizeof(Note)), 0) << i;
+            EXPECT_EQ(std::memcmp(&played->voices[i].note, &sought->voices[i].note,
+                                  offsetof(Note, left) + sizeof(float)),
+                      0)
+                << i;
         std::vector<float> a = rendered(*played, 100), b = rendered(*sought, 100);
         double error = 0, power = 0;
         for (size_t i = 0; i < a.size(); ++i) {

@@ -59,7 +59,7 @@ TEST(Noise, StaysBoundedHoweverItIsSwept) {
 }
 
 TEST(Noise, DiffersOnBothSidesAndInAllBands) {
-    std::vector<Float8> x = rendered(*begun({&kBands, 69, 1, 100, 0}), 1);
+    std::vector<Float8> x = rendered(*begun({&kBands, 69, 1, 100, 1}), 1);
     for (int a = 0; a < 8; ++a)
         for (int b = 0; b < a; ++b) {
             double aa = 0, bb = 0, ab = 0;

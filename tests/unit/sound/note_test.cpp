@@ -59,7 +59,7 @@ TEST(Note, HasThePartialsOfItsInstrument) {
     for (int k = 1; k <= 4; ++k) EXPECT_LT(centsOff(x, 24000, 36000, 440 * std::pow(k, 1.5)), 0.5) << k;
     // Left and right are out of tune by the same
     bell.detune = 0.001f;
-    auto voice = begun({&bell, 69, 1, 1, 0});
+    auto voice = begun({&bell, 69, 1, 1, 1});
     for (int lane = 0; lane < 4; ++lane)
         EXPECT_NEAR((double)voice->group[0].turn[lane] / (double)voice->group[0].turn[lane + 4],
                     1.001 / 0.999, 1e-6);
