@@ -24,8 +24,8 @@ constexpr const char *const kChords[] = {
     [kCredits] = "dddddd",
 };
 
-// Scene, bars from and to; instrument, octave, tones at once, room; strokes in rows; velocity at the start and
-// at the end; line.
+// Scene, bars from and to; instrument, octave, tones at once, room, how far left; strokes in rows; velocity at
+// the start and at the end; line.
 static constexpr Part kParts[] = {
     {kPoint, 0, 5, {kGlassDrop, 5, 1, 100}, 5, 64, 50, 60, "..D.aG"},
     {kPoint, 0, 8, {kWind, 6, 1, 100}, 1, 32, 8, 16, "0"},
@@ -38,18 +38,19 @@ static constexpr Part kParts[] = {
     {kTable, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
     {kTable, 0, 12, {kPad, 3, 4, 100}, 1, 16, 40, 55, "0"},
     {kTable, 0, 12, {kWind, 6, 1, 100}, 1, 32, 15, 25, "02"},
-    {kTable, 0, 8, {kBass, 2, 1, 100}, 2, 16, 60, 75, kBassLine},
-    {kTable, 8, 12, {kBass, 2, 1, 100}, 2, 16, 70, 80, "01"},
+    {kTable, 0, 8, {kBass, 2, 1, 0}, 2, 16, 60, 75, kBassLine},
+    {kTable, 8, 12, {kBass, 2, 1, 0}, 2, 16, 70, 80, "01"},
     {kTable, 0, 8, {kPiano, 4, 1, 100}, 1, 4, 70, 80, kTune},
     {kTable, 8, 12, {kPiano, 5, 1, 100}, 1, 4, 75, 70, kTune + kAnswer},
     {kTable, 1, 3, {kWood, 4, 1, 100}, 4, 16, 50, 60, "0.214.35"},
     {kTable, 3, 12, {kWood, 4, 1, 100}, 3, 16, 40, 55, "02143"},
-    {kTable, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 20, 35, "..a..aa."},
+    {kTable, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 30, 50, "..a..aa."},
     {kTable, 8, 12, {kGlassDrop, 5, 1, 100}, 5, 32, 25, 50, "42.31"},
 
     {kFlake, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 80, 80, "a"},
     {kFlake, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
-    {kFlake, 0, 10, {kBass, 2, 1, 100}, 2, 16, 60, 90, "01"},
+    {kFlake, 0, 6, {kBass, 2, 1, 0}, 2, 16, 60, 80, "01"},
+    {kFlake, 6, 10, {kBass, 2, 1, 0}, 8, 16, 80, 90, "0--0--1-"},
     {kFlake, 6, 10, {kVoice, 2, 1, 100}, 1, 32, 60, 80, "1"},
     {kFlake, 0, 4, {kPiano, 5, 1, 120}, 1, 4, 55, 70, kMirrored},
     {kFlake, 1, 4, {kPiano, 4, 1, 100}, 8, 16, 35, 45, "0214352614253"},
@@ -57,7 +58,7 @@ static constexpr Part kParts[] = {
     {kFlake, 2, 12, {kWood, 5, 1, 100}, 5, 16, 40, 70, "0314"},
     {kFlake, 3, 12, {kGlassDrop, 6, 1, 100}, 7, 16, 20, 45, "46253"},
     {kFlake, 4, 12, {kVoice, 4, 1, 100}, 1, 8, 60, 85, kTune},
-    {kFlake, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 20, 50, "..a..aa."},
+    {kFlake, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 25, 60, "..a..aa."},
     {kFlake, 6, 12, {kPad, 3, 4, 100}, 1, 16, 35, 80, "0"},
     {kFlake, 8, 12, {kPulse, 5, 1, 100}, 16, 16, 10, 60, "02132"},
     {kFlake, 10, 12, {kRiser, 6, 1, 100}, 1, 32, 70, 70, "a"},
@@ -66,47 +67,50 @@ static constexpr Part kParts[] = {
     {kPatches, 1, kLight, {kWood, 5, 1, 20}, 7, 16, 40, 60, "2"},
     {kPatches, 1, kLight, {kBrush, 8, 1, 20}, 5, 20, 20, 40, "D.DD.D."},
     {kPatches, 2, kLight, {kPulse, 5, 1, 20}, 7, 20, 30, 50, "20412"},
-    {kPatches, kLight - 2, kLight, {kBass, 2, 1, 50}, 1, 16, 50, 80, "0"},
-    {kPatches, kLight, kLightless, {kPad, 3, 4, 120}, 1, 16, 50, 70, "0"},
+    {kPatches, kLight - 2, kLight, {kBass, 2, 1, 0}, 1, 16, 50, 80, "0"},
+    {kPatches, kLight, kLightless, {kPad, 3, 4, 60}, 1, 16, 50, 70, "0"},
     {kPatches, kLight, kLightless, {kWind, 6, 1, 100}, 1, 16, 20, 20, "0241"},
-    {kPatches, kLight, kLightless, {kBass, 2, 1, 100}, 1, 16, 60, 80, "0"},
+    {kPatches, kLight, kLightless, {kBass, 2, 1, 0}, 1, 16, 60, 80, "0"},
     {kPatches, kLight + 3, kLight + 4, {kGlassDrop, 6, 1, 120}, 4, 16, 95, 95, ".024"}, // the photon's bounces
     {kPatches, kLight + 4, kLightless, {kPiano, 4, 1, 120}, 5, 16, 35, 50, "0243125"},
     {kPatches, kLightless - 4, kLightless, {kPiano, 5, 1, 120}, 1, 4, 65, 60, kMirrored},
 
     {kHall, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 55, 55, "a"},
     {kHall, 0, left(8), {kWind, 5, 1, 100}, 1, 16, 20, 20, "024135"},
-    {kHall, 0, left(4), {kPad, 3, 3, 120}, 1, 16, 55, 30, "0"},
-    {kHall, 0, kDay, {kBass, 2, 1, 100}, 2, 16, 50, 60, "01"},
-    {kHall, left(16), left(10), {kVoice, 4, 1, 100}, 1, 4, 65, 70, kTune},
+    {kHall, 0, left(4), {kPad, 3, 3, 60}, 1, 16, 55, 30, "0"},
+    {kHall, 0, left(12), {kBass, 2, 1, 0}, 2, 16, 50, 55, "01"},
+    {kHall, left(12), kDay, {kBass, 2, 1, 0}, 8, 16, 50, 50, "0--0--1-"},
+    {kHall, left(14), left(2), {kBrush, 8, 1, 100}, 8, 16, 8, 30, ".D"},
+    {kHall, left(16), left(10), {kVoice, 4, 1, 50}, 1, 4, 65, 70, kTune},
     {kHall, left(16), left(10), {kBreath, 5, 1, 100}, 1, 4, 20, 20, kTune},
     {kHall, left(10), left(8), {kVoice, 5, 1, 120}, 1, 4, 65, 50, kMirrored + 24},
     {kHall, 0, left(8), {kGlassDrop, 5, 1, 150}, 5, 32, 40, 35, "3142.50"},
     {kHall, left(8), left(1), {kPiano, 4, 1, 120}, 1, 4, 60, 90, kTune},
     {kHall, kDoor - 1, kDoor, {kGlassDrop, 6, 1, 120}, 2, 16, 60, 60, "EC"},
     {kHall, kDoor - 2, kDoor, {kRiser, 6, 1, 100}, 1, 32, 35, 35, "a"},
-    {kHall, kDoor, kDay, {kSub, 1, 1, 100}, 1, 16, 20, 40, "D"},
+    {kHall, kDoor, kDay, {kSub, 1, 1, 100}, 1, 16, 18, 30, "DDaa"},
     {kHall, left(4), kDay, {kVoice, 4, 1, 100}, 1, 4, 45, 60, "D-dcb--aGFECE-G-"},
-    {kHall, left(4), kDay, {kPad, 3, 4, 100}, 1, 16, 25, 40, "0"},
+    {kHall, left(4), kDay, {kPad, 3, 4, 100}, 1, 16, 20, 35, "0"},
     {kHall, left(4), kDay, {kPiano, 4, 1, 100}, 8, 16, 20, 45, "02143526143"},
     {kHall, left(2), kDay, {kWood, 4, 1, 120}, 4, 16, 50, 70, "0"},
-    {kHall, left(2), kDay, {kBrush, 7, 1, 100}, 16, 16, 5, 60, "a"},
-    {kHall, left(2), kDay, {kRiser, 6, 1, 100}, 1, 32, 60, 60, "a"},
+    {kHall, left(2), kDay, {kBrush, 7, 1, 100}, 16, 16, 5, 50, "a"},
+    {kHall, left(2), kDay, {kRiser, 6, 1, 100}, 1, 32, 45, 45, "a"},
 
-    {kOdraz, 0, 12, {kPad, 3, 3, 100}, 1, 16, 90, 50, "0"},
-    {kOdraz, 0, 8, {kBass, 2, 1, 100}, 2, 16, 80, 80, kBassLine},
-    {kOdraz, 8, 12, {kBass, 2, 1, 100}, 2, 16, 65, 50, "01"},
-    {kOdraz, 0, 8, {kSub, 1, 1, 100}, 1, 16, 70, 70, "DDDADDAD"},
+    {kOdraz, 0, 12, {kPad, 3, 3, 85}, 1, 16, 45, 45, "0"},
+    {kOdraz, 0, 8, {kBass, 2, 1, 0}, 2, 16, 90, 90, kBassLine},
+    {kOdraz, 8, 12, {kBass, 2, 1, 0}, 2, 16, 65, 50, "01"},
+    {kOdraz, 0, 8, {kSub, 1, 1, 100}, 1, 16, 35, 35, "DFbaDGaD"},
     {kOdraz, 0, 7, {kDrum, 1, 1, 60}, 2, 16, 90, 90, "a"},
-    {kOdraz, 0, 7, {kImpact, 4, 1, 100}, 2, 16, 42, 40, "D"},
-    {kOdraz, 0, 8, {kBrush, 7, 1, 100}, 16, 16, 60, 90, "a.aa"},
-    {kOdraz, 0, 7, {kWood, 5, 1, 100}, 3, 8, 60, 60, "03142"},
-    {kOdraz, 0, 8, {kPiano, 4, 1, 100}, 16, 16, 45, 75, "0214352614253"},
+    {kOdraz, 0, 7, {kImpact, 4, 1, 100}, 2, 16, 38, 36, "D"},
+    {kOdraz, 0, 8, {kBrush, 7, 1, 100}, 16, 16, 50, 75, "a.aa"},
+    {kOdraz, 0, 7, {kWood, 5, 1, 100}, 3, 8, 45, 45, "03142"},
+    {kOdraz, 0, 8, {kPiano, 4, 1, 100}, 16, 16, 28, 40, ".214.526.425"},
     {kOdraz, 1, 9, {kGlassDrop, 6, 1, 100}, 5, 16, 55, 60, "42531"},
-    {kOdraz, 0, 8, {kPiano, 5, 1, 120}, 1, 4, 85, 80, kTune},
-    {kOdraz, 0, 8, {kVoice, 5, 1, 100}, 1, 4, 75, 70, kTune},
-    {kOdraz, 2, 8, {kVoice, 4, 1, 100}, 1, 4, 90, 90, kMirrored},
-    {kOdraz, 2, 8, {kGlassDrop, 4, 1, 150}, 1, 4, 90, 90, kMirrored},
+    {kOdraz, 0, 8, {kPiano, 5, 1, 30}, 1, 4, 90, 90, kTune},
+    {kOdraz, 0, 8, {kVoice, 5, 1, 30}, 1, 4, 90, 90, kTune},
+    {kOdraz, 0, 8, {kVoice, 6, 1, 30}, 1, 4, 36, 36, kTune},
+    {kOdraz, 2, 8, {kVoice, 4, 1, 100, 80}, 1, 4, 50, 50, kMirrored},
+    {kOdraz, 2, 8, {kGlassDrop, 4, 1, 150, 80}, 1, 4, 50, 50, kMirrored},
     {kOdraz, 8, 12, {kPiano, 4, 1, 120}, 1, 4, 70, 40, "D-dcb--aG-F-E-C-"},
     {kOdraz, 8, 12, {kBreath, 5, 1, 120}, 1, 4, 20, 10, "D-dcb--aG-F-E-C-"},
     {kOdraz, 10, 11, {kGlassDrop, 6, 1, 150}, 2, 16, 80, 80, ".a"},
@@ -115,6 +119,7 @@ static constexpr Part kParts[] = {
     {kCredits, 0, 4, {kPad, 4, 5, 150}, 1, 68, 35, 35, "0"},
     {kCredits, 0, 2, {kWind, 6, 1, 100}, 1, 16, 20, 10, "0"},
     {kCredits, 2, 5, {kGlassDrop, 5, 1, 150}, 4, 16, 60, 45, "Ge..a-eFdE.."},
+    {kCredits, 4, 5, {kPiano, 5, 2, 30}, 4, 16, 35, 35, "...D-"},
 };
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
@@ -179,12 +184,12 @@ static constexpr EventSound kEventSounds[] = {
 };
 // clang-format on
 
-// The share of each side that the other takes, per cent: wide in the hall, and scene 4 is narrow until light
-// comes.
+// The share of each side that the other takes, per cent: scene 4 is narrow until light comes, and the finale
+// is the widest.
 static int narrowAt(int scene, int bar) {
     static constexpr int8_t kNarrow[kSceneCount] = {
-        [kPoint] = 15, [kTable] = 25, [kFlake] = 12,  [kPatches] = 8,
-        [kHall] = 4,   [kOdraz] = 1,  [kCredits] = 10};
+        [kPoint] = 15, [kTable] = 25, [kFlake] = 12,  [kPatches] = 16,
+        [kHall] = 13,  [kOdraz] = 6,  [kCredits] = 10};
     return scene == kPatches && bar < kLight ? 35 : kNarrow[scene];
 }
 

@@ -190,7 +190,7 @@ TEST(Score, HasACounterTuneInTheGrowth) {
     EXPECT_LE(count, 20);
 }
 
-TEST(Score, IsNarrowWhereItIsDryAndWideInTheHall) {
+TEST(Score, IsNarrowWhereItIsDryAndWidestInTheFinale) {
     auto m = std::make_unique<Mixer>();
     std::vector<float> at;
     for (int row = 0; row < (int)kFilm.endRow; ++row) {
@@ -200,10 +200,10 @@ TEST(Score, IsNarrowWhereItIsDryAndWideInTheHall) {
     }
     auto in = [&](SceneId scene, int row) { return at[(size_t)(firstRow(scene) + row)]; };
     EXPECT_GT(in(kPatches, 0), 0.3f) << "at once, after a silence";
-    EXPECT_LT(in(kPatches, kEvents[kDirectLight].row), 0.1f);
+    EXPECT_LT(in(kPatches, kEvents[kDirectLight].row), 0.2f);
     EXPECT_GT(in(kTable, 96), 0.2f);
-    EXPECT_LT(in(kHall, 96), 0.06f);
-    EXPECT_LT(in(kOdraz, 0), 0.03f);
+    EXPECT_LT(in(kHall, 96), 0.15f);
+    EXPECT_LT(in(kOdraz, 0), 0.08f);
 }
 
 // Each half of the tune swells to its second bar, and is not played evenly.
