@@ -170,12 +170,12 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
 
     // Outside, sand to the horizon, a hill (no ball: those cost more), a pair of columns
     if (grey == 0) {
-        scene.add(box({0, -0.2f, 259}, {999, 0.1f, 250}, kSand));
+        scene.add(box({0, -0.2f, 159}, {999, 0.1f, 350}, kSand));
         Shape hill = cylinder({100, -388, 600}, 406, 100, kSand);
         hill.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
         scene.add(hill);
         for (int i = 0; i < 2; ++i)
-            scene.add(cylinder({kColumnX, 4, 16.f + 14 * (float)i}, kColumnRadius, 4, kShaft));
+            scene.add(cylinder({kColumnX, 4, 16.f + 14 * (float)i}, kColumnRadius, 4, kWarm));
     }
     // The ambient light of balls is the mean light of floor and ceiling
     scene.ambientHigh = meanLight(hall, hall.floor);
