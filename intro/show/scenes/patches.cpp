@@ -46,7 +46,7 @@ struct Step {
         number = -1;
         while (number + 1 < kStageCount && row >= kStages[number + 1].row) ++number;
         float at = row - kStages[max(number, 0)].row;
-        join = smoothstep(11.f, 14.f, at);
+        join = smoothstep(8.f, 10.5f, at);
     }
     Rgb of(const Hall &hall, int patch) const {
         Rgb before = number ? hall.bounce[number - 1][patch] : Rgb{},
@@ -105,7 +105,7 @@ void letterPatches(const SceneInput &in, const View &view, Frame &frame) {
     const Hall &hall = *in.hall;
     Step step(in.row);
     float h = (float)frame.height;
-    if (step.number >= 0 && in.row < rowOf(kBounce3) + 4)
+    if (step.number >= 0 && in.row < rowOf(kBounce3) + 10)
         drawText(frame, kStages[step.number].name, view.width - h * 0.12f, h * 0.88f,
                  {h * 0.032f, 0.085f, Align::Right, {0.8f, 0.42f, 0.24f}});
     // One photon: a leg a beat, then into the lens
