@@ -10,7 +10,7 @@ namespace odraz {
 
 namespace {
 
-constexpr float kDust = 0.017f; // share of light that dust scatters, a metre
+constexpr float kDust = 0.012f; // share of light that dust scatters, a metre
 constexpr float kDoorLamp = 0.38f;
 constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // of the door's light: the wall about it stays dark and cold
 constexpr Rgb kLanternLight = Rgb{33, 28, 21};
@@ -64,7 +64,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
     // They get fainter as the sun sinks, because low ones would lie along the view and hide the hall
-    Rgb scatter = now.sunlight * (kDust * light.sun * saturate(fmadd(sun.y, 2.4f, -0.35f)));
+    Rgb scatter = now.sunlight * (kDust * light.sun * saturate(fmadd(sun.y, 3.4f, -0.5f)));
     if (maxComponent(scatter) <= 0) return;
     float deep = kDeep / -sun.x, down = deep * sun.y, along = -deep * sun.z;
     s.sun = sun;
