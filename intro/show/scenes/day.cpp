@@ -23,8 +23,8 @@ void poseDay(const SceneInput &in, Scene &scene) {
     for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), in.row - kRows[i]);
     // The light of scene 1, from the entrance to the first strip
     float since = in.row - rowOf(kLightReturns),
-          shines =
-              value(track(kRise), since + 1.5f) * value(track(kGoesOut), 0.65f * (in.row - rowOf(kStrip1)));
+          shines = value(track(kRise), fmadd(since, 0.5f, 3.5f)) *
+                   value(track(kGoesOut), 0.65f * (in.row - rowOf(kStrip1)));
     Vec3 point = {value(track(kAside), since), 1.4f, value(track(kFlies), since)};
     light.guest = {point, Rgb{2.6f, 2.0f, 1.35f} * shines, 0.06f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
