@@ -32,7 +32,7 @@ for odd in "--fps 30000/1001 --from 15.93 --to 16.032345 --quality draft" "--fps
     rm -r "$WORK/odd" "$to/odd"
 done
 check "the film's end" rendered --from 163.93 --size 65x37 --quality draft --shard 1 "$to/end"
-check "... is its last frame" test "$(ls "$to/end")" = frame-004049.ppm
+check "... is its last frame" test "$(ls "$to/end")" = frame-004099.ppm
 
 # --- Video ---
 check "a video in one shard" rendered "${small[@]}" "$to/one.mp4"

@@ -80,7 +80,7 @@ TEST(Options, ReportsWhatIsWrongInALine) {
     const std::pair<std::string, const char *> kBadValues[] = {
         {"--fps ", "0 -1 1e3 25/0 25/ 2000 1/2000 99999999999999999999"},
         {"--from ", "1,5 . 1. -1 1.1234567"},
-        {"--to ", "163"},
+        {"--to ", "165"},
         {"--size ", "0x5 5 5x 5x5x5 7681x1 1x4321"},
         {"--threads ", "0 65 two"},
     };

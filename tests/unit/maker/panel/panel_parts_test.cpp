@@ -89,7 +89,7 @@ TEST(Strip, LiesAlongTheLowerEdge) {
 TEST(Strip, HasATimeForEveryPixel) {
     Strip s = stripOf(1280, 720, 164);
     EXPECT_EQ(s.timeAt(0), 0);
-    EXPECT_NEAR(s.timeAt(640), 81, 1e-9);
+    EXPECT_NEAR(s.timeAt(640), 82, 1e-9);
     EXPECT_EQ(s.timeAt(1280), 164);
     EXPECT_EQ(s.timeAt(-50), 0);
     EXPECT_EQ(s.timeAt(2000), 164);
@@ -102,7 +102,7 @@ TEST(Strip, StretchesAboutThePointer) {
     double at = s.timeAt(900);
     s.zoom(900, 0.5);
     EXPECT_NEAR(s.timeAt(900), at, 1e-9);
-    EXPECT_NEAR(s.to - s.from, 81, 1e-9);
+    EXPECT_NEAR(s.to - s.from, 82, 1e-9);
     for (int i = 0; i < 50; ++i) s.zoom(900, 0.5);
     EXPECT_NEAR(s.to - s.from, 2, 1e-9);
     EXPECT_NEAR(s.timeAt(900), at, 1e-6);
@@ -122,7 +122,7 @@ TEST(Strip, FollowsWhatIsShown) {
         EXPECT_GE(s.to, t);
         EXPECT_GE(s.from, 0);
         EXPECT_LE(s.to, 164);
-        EXPECT_NEAR(s.to - s.from, 16.2, 1e-9);
+        EXPECT_NEAR(s.to - s.from, 16.4, 1e-9);
     }
 }
 
