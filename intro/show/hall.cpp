@@ -86,7 +86,8 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
     LightVector v = {};
     Daylight now = daylightAt(light.hour);
     now.sky.near = {}; // it counts as part of the sun
-    project(now.sky, v.bounced);
+    if (light.hour < kNight)
+        project(now.sky, v.bounced); // the night's is seen, but lights nothing: that is cheaper
     // The sun's bounced light, interpolated between two positions; its direct light, as far as the tracer
     // does not draw it
     float at = clamp(light.hour * 4, 0.f, (float)(kSuns - 1));
@@ -168,8 +169,9 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     if (light.door * maxComponent(burning) > 0)
         scene.add(Light{{aside / on, 2.7f, -0.03f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
 
-    // Outside, sand to the horizon, a hill (no ball: those cost more), a pair of columns
-    if (grey == 0) {
+    // Outside, sand to the horizon, a hill (no ball: those cost more), a pair of columns, until the door
+    // burns
+    if (grey + light.door == 0) {
         scene.add(box({0, -0.2f, 159}, {999, 0.1f, 350}, kSand));
         Shape hill = cylinder({100, -388, 600}, 406, 100, kSand);
         hill.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
