@@ -49,7 +49,7 @@ static KEYED Shot kShots[] = {
     {.row = 320, .scene = kFlake, .storyRow = 320, .path = path(kGrowing), .fadeIn = 0, .fadeOut = 0},
     {.row = 384, .scene = kFlake, .storyRow = 320, .path = path(kUnder), .fadeIn = 0, .fadeOut = 0},
     {.row = 432, .scene = kFlake, .storyRow = 320, .path = path(kOver), .fadeIn = 0, .fadeOut = 0},
-    {.row = 480, .scene = kFlake, .storyRow = 320, .path = path(kWhole), .fadeIn = 0, .fadeOut = 1.6f},
+    {.row = 480, .scene = kFlake, .storyRow = 320, .path = path(kWhole), .fadeIn = 0, .fadeOut = 1.5f},
     {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kVisit), .fadeIn = 0, .fadeOut = 0},
     {.row = 656, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn), .fadeIn = 0, .fadeOut = 0},
     {.row = 704, .scene = kPatches, .storyRow = 512, .path = path(kSunPatches), .fadeIn = 0, .fadeOut = 0},

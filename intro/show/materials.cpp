@@ -116,15 +116,16 @@ Material pearl(bool warm, float reflect) {
 [[gnu::noinline]] Material lamp(const Rgb &radiance) { return {.texture = plain({}), .emit = radiance}; }
 
 Sky duskSky(float row, float late) {
-    auto turn = [&](Rgb a, Rgb b) { return lerp(a, b, late); };
-    Rgb low = turn(linear(33, 29, 35), linear(72, 38, 24)),
-        up = turn(linear(4, 10, 28), linear(10, 18, 58)) - low;
+    Rgb low = linear(33, 29, 35), up = linear(4, 10, 28) - low;
     Sky sky = plainSky(low, {});
     sky.slope = up * 3.f, sky.curve = up * -2.2f;
-    sky.sun = normalize(kDuskSun - Vec3{0, 4 * late, 0});
-    sky.near = linear(612, 280, 102) * (1 - 0.6f * late);
-    sky.glow = linear(108, 38, 9) * (1 - 0.8f * late);
-    sky.clouds = turn(linear(141, 51, 28), linear(24, 18, 40));
+    Vec3 sun = kDuskSun;
+    sun.y -= 4 * late;
+    sky.sun = normalize(sun);
+    float less = 1 - 0.75f * late;
+    sky.near = linear(612, 280, 102) * less;
+    sky.glow = linear(108, 38, 9) * less;
+    sky.clouds = lerp(linear(141, 51, 28), linear(10, 18, 56), late);
     sky.cover = 13 / 32.f;
     sky.drift = row / 256;
     return sky;
