@@ -86,7 +86,7 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
     LightVector v = {};
     Daylight now = daylightAt(light.hour);
     now.sky.near = {}; // it counts as part of the sun
-    if (light.hour < kNight)
+    if (light.hour < (float)kNight)
         project(now.sky, v.bounced); // the night's is seen, but lights nothing: that is cheaper
     // The sun's bounced light, interpolated between two positions; its direct light, as far as the tracer
     // does not draw it

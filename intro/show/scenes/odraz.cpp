@@ -74,7 +74,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
         scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.3f});
 
     scene.addAll(kMaterials);
-    scene.add(pearl(true, 0.3f));
+    scene.add(pearl(true, 0.26f));
     scene.add(pearl(false, 0.25f));
     addBall(scene, in.row, 0, kStays, 0.75f, rowOf(kBall1) - 2, 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
