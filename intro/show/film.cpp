@@ -30,7 +30,7 @@ constexpr SceneEntry kScenes[kSceneCount] = {
      .pose = poseOdraz,
      .id = kOdraz,
      .needsHall = true,
-     .pace = Pace{.leastWidth = 1280, .halving = 1.1f, .penalty = {0, 0.6f, 1, 1.2f, 1.5f}}},
+     .pace = Pace{.leastWidth = 1280, .halving = 1.6f, .penalty = {0, 0.6f, 1, 1.2f, 3}}},
     {.name = "credits",
      .pose = poseCredits,
      .letter = letterCredits,
