@@ -27,7 +27,7 @@ struct HallLight {
     float lanterns[kLanterns]; // 0 .. 1
     float strips[kStrips];
     float sun; // how much of the sun the tracer draws: 1, or less where the lightmap has its direct light
-    float door = 0;   // how much of the strips' light it draws, as one lamp with soft shadows
+    float door = 0;   // 1: the tracer draws the strips' light, as one lamp, and nothing that stands outside
     Light guest = {}; // one that the scene adds: drawn, and its light bounces as the nearest lanterns' does
 };
 

@@ -56,7 +56,8 @@ struct EventSound {
           tone(tone) {}
 };
 
-// Plays the notes that begin on a row of the film, from 0 on. It is a RowPlayer (mixer.h).
+// Plays the notes that begin on a row of the film, from 0 on, and sets the mixer's width. It is a RowPlayer
+// (mixer.h).
 void playRow(Mixer &mixer, int row);
 
 } // namespace odraz

@@ -38,6 +38,11 @@ static void addBall(Scene &scene, float row, float x, float z, float radius, flo
     s->frame = {{1, 0, 0}, {0, cos(turn), sin(turn)}, {0, -sin(turn), cos(turn)}};
 }
 
+// The strip that a tone strikes: D to d, and the octave of those below D.
+static constexpr int stripOf(char tone) { return stepOf(tone) + (stepOf(tone) < 0 ? 7 : 0); }
+static_assert(stripOf('D') == 0 && stripOf('A') == stripOf('a') && stripOf('C') == 6 &&
+              stripOf('d') == kStrips - 1);
+
 void poseOdraz(const SceneInput &in, Scene &scene) {
     HallLight light = {kNight, {}, {}, 1, 1};
     light.lanterns[1] = light.lanterns[2] = value(track(kOuter), in.row);
@@ -46,7 +51,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     // its mirror image does so half as hard. Together they burn evenly: the colour changes, not the level
     float all = kGlow, burn = 0;
     auto strike = [&](char tone, float struck) {
-        if (tone != '-') light.strips[stepOf(tone) & 7] += struck, all += struck;
+        if (tone != '-') light.strips[stripOf(tone)] += struck, all += struck;
     };
     for (int beat = 0; beat < 32; ++beat) {
         float struck = value(track(kStruck), in.row - (float)(kBeat * beat));
