@@ -85,6 +85,7 @@ static constexpr Part kParts[] = {
     {kHall, left(16), left(10), {kBreath, 5, 1, 100}, 1, 4, 20, 20, kTune},
     {kHall, left(10), left(8), {kVoice, 5, 1, 120}, 1, 4, 65, 50, kMirrored + 24},
     {kHall, 0, left(8), {kGlassDrop, 5, 1, 150}, 5, 32, 40, 35, "3142.50"},
+    {kHall, left(9), left(8), {kGlassDrop, 5, 1, 150}, 1, 16, 70, 70, "0"}, // the cut to the lanterns
     {kHall, left(8), left(1), {kPiano, 4, 1, 120}, 1, 4, 60, 90, kTune},
     {kHall, kDoor - 1, kDoor, {kGlassDrop, 6, 1, 120}, 2, 16, 60, 60, "EC"},
     {kHall, kDoor - 2, kDoor, {kRiser, 6, 1, 100}, 1, 32, 35, 35, "a"},
