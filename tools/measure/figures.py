@@ -40,7 +40,7 @@ picture after {rounded(cell('start', 'until the first picture', '`odraz`'), 1)} 
 {cell('start', 'MB resident at most', '`odraz`')} MB.
 - **Playing** at 1280x720 by software OpenGL: {span('film', 'shown a second')} pictures a second, by scene.
 - **In a browser:** {rounded(cell('page', 'bytes', '`odraz.html`'))} bytes; first picture \
-{rounded(cell('page', 's from the click to the first picture', 'chromium'), 1)} s after the click; \
+{rounded(cell('page', 's from the click to the first picture', 'chromium'), 1)} s after a click; \
 {span('page', 'chromium: shown a second')} a second, of {span('page', 'chromium: pixels traced across')} pixels across.
 - **Seen**, against `film`: {all_scenes('1280x720: 16')} dB (sRGB) at 1280x720 on two cores, \
 {all_scenes('1920x1080: 128')} at 1920x1080 on sixteen (simulated).
