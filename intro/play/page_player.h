@@ -39,7 +39,7 @@ template <class Film> struct PagePlayer {
     int workers;
     unsigned most = 0; // pictures that are ready or being traced
     GovernorOf<false> governor = {};
-    double time = 0;                 // of the picture to trace next, or of the last one
+    double time = 0;                 // the next picture's to trace, or the last one's
     bool planned = false;            // it is that of the next one
     unsigned started = 0, ended = 0; // pictures whose tracing has
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kDust = 0.012f; // share of light that dust scatters, a metre
 constexpr float kDoorLamp = 0.38f;
-constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // of the door's light: the wall about it stays dark and cold
+constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // what bounces: the wall about the door stays dark and cold
 constexpr Rgb kLanternLight = Rgb{33, 28, 21};
 
 // The door's colours: copper where the light entered, at the left, through white to the sky's. `far`: how far

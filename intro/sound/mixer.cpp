@@ -6,9 +6,9 @@ namespace odraz {
 
 namespace {
 
-constexpr float kLoud = 1.9f;     // of all, before it is clipped softly
+constexpr float kLoud = 1.9f;     // gain before all is clipped softly
 constexpr float kUsual = 0.006f;  // mean square above which 4 dB more become 3 dB
-constexpr float kClosing = 0.35f; // of its gain, in a block
+constexpr float kClosing = 0.35f; // what the gain loses in a block
 constexpr float kRoomLevel = 0.42f;
 constexpr float kPeak = 0.68f;       // the largest sample: leaves room for peaks between samples
 constexpr int kSeekBlocks = 8 * 200; // rendered before the block that is sought, so that the room is full

@@ -28,7 +28,7 @@ constexpr float kInputUnit =
 struct Known {
     uint32_t fields[kMostFields];
     uint8_t byte, type;
-    float odds[8]; // of each bit
+    float odds[8]; // a bit each
 };
 
 // ... about all bytes.

@@ -28,7 +28,7 @@ static inline uint32_t mixIn(uint32_t hash, uint32_t value) {
     return hash ^ hash >> kHashShift;
 }
 
-// Of a one against a zero. Equal if nothing is known.
+// The odds of a one against a zero. Equal if nothing is known.
 struct Odds {
     uint32_t ones, zeros;
 };

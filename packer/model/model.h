@@ -80,7 +80,7 @@ constexpr float kFirstWeight = 1.0f / 25, kFinalLearning = 1.0f / 1250 * kLogUni
 constexpr float kLearning = 0.0035f * kLogUnit, kEarlyUses = 75,
                 kEarlyLearning = 0.019f * kLogUnit * kEarlyUses;
 constexpr int32_t kLinearShift = 2;       // of the input p - 1/2: kHalf << kLinearShift for 1/2
-constexpr int32_t kOddsShift = 2;         // of the logarithm of Odds
+constexpr int32_t kOddsShift = 2;         // the same for the logarithm of Odds
 constexpr float kMostSum = 11 / kLogUnit; // limit of a weighted sum, on either side of 0
 // Corrections: a hash selects one of 16,384 rows, and the weighted sum one of its 32 counters, 1.25 of them
 // for a factor of e

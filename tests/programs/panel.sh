@@ -18,8 +18,8 @@ differ() {
         -format '%[fx:mean]' info:
 }
 STRIP=640x25+0+335 REST=400x200+190+110
-ROWS=$(sed -n 's/.* kEndRow = \([0-9]*\);.*/\1/p' "$SOURCE/intro/show/length.h") # of the film, 8 a second
-seconds_at() { awk "BEGIN { print $1 / $WIDTH * $ROWS / 8 }"; } # of a column of the strip
+ROWS=$(sed -n 's/.* kEndRow = \([0-9]*\);.*/\1/p' "$SOURCE/intro/show/length.h") # the film's length, 8 a second
+seconds_at() { awk "BEGIN { print $1 / $WIDTH * $ROWS / 8 }"; } # a column of the strip, as a time
 
 check "it opens a window" begin "$BUILD/$FILM-debug" --from 25 --size ${WIDTH}x$HEIGHT --mute
 xdotool windowfocus "$window"

@@ -1,5 +1,5 @@
 // Music: a worker composes it, and it is scheduled ten seconds ahead, so that it goes on whatever the machine does.
-const kRate = 48000, kBlock = 240, kChunk = 100, seconds = kChunk * kBlock / kRate // of a chunk: so many blocks
+const kRate = 48000, kBlock = 240, kChunk = 100, seconds = kChunk * kBlock / kRate // a chunk: so many blocks, which last so long
 const kComposed = 10, kFirst = 2 // seconds ahead, and those before the click
 let composer, audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0, waiting = []
 const startComposer = () => composer = startWorker(d => {

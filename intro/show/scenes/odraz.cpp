@@ -17,7 +17,7 @@ namespace odraz {
 enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
-constexpr float kGlow = 2.8f; // of all strips; a tone adds to one of them
+constexpr float kGlow = 2.8f; // all strips together; a tone adds to one of them
 constexpr int kCanon = 8;     // the beat at which the mirrored voice begins in music.h
 
 // Three lanes: the ball that stays with three behind it, and six on either side. The first to come stands in

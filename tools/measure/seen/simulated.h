@@ -25,7 +25,7 @@ struct Machine {
     double presenting = kPresenting; // instructions that showing a pixel takes
     double enlarging = kEnlarging;   // ... and that scaling up takes, for a pixel of the screen
     std::function<Pace(int scene)> paceOf = odraz::paceOf;
-    int workers = 0; // of the page's player, each on a core; 0: the film's own player
+    int workers = 0; // the page's player has so many, each on a core; 0: the film's own player
 };
 
 // What a picture costs. A table's Costs::of(), or a test's own.

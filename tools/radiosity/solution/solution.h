@@ -28,9 +28,9 @@ struct Solution {
     std::vector<Rgb> light;           // that arrives at each texel
     std::vector<Rgb> reflects, emits; // of each chart; the mean if its material has a picture
     std::vector<Rgb> cellReflects;    // of each cell; empty if no material has a picture
-    std::vector<int> material; // of each chart: where its material's name begins in `names`; empty: unknown
-    std::vector<char> names;   // of materials, each with a 0 behind it
-    std::vector<Rgb> gloss;    // of each texel: radiance that a polished surface sends to one eye; usually
+    std::vector<int> material; // for each chart: where its material's name begins in `names`; empty: unknown
+    std::vector<char> names;   // materials' names, each with a 0 behind it
+    std::vector<Rgb> gloss;    // for each texel: radiance that a polished surface sends to one eye; usually
                                // empty, not in files
 
     Solution() = default;

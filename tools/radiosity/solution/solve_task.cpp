@@ -40,7 +40,7 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
                                " elements: their elements are longer than --element asks");
     solution.place = mesh.place;
     this->settings.surroundings.moveTo(mesh.place);
-    std::vector<int> begin; // of each material's name
+    std::vector<int> begin; // where each material's name begins
     for (const MeshMaterial &m : mesh.materials) {
         begin.push_back((int)solution.names.size());
         solution.names.insert(solution.names.end(), m.name.c_str(), m.name.c_str() + m.name.size() + 1);
