@@ -125,8 +125,8 @@ namespace {
 
 class Painter {
 public:
-    Painter(const Solution &b, const Atlas &atlas, int chart, Held held)
-        : b(b), atlas(atlas), held(held), chart(chart), c(b.charts[(size_t)chart]),
+    Painter(const Solution &b, const Atlas &atlas, int chart, PageContent content)
+        : b(b), atlas(atlas), content(content), chart(chart), c(b.charts[(size_t)chart]),
           place(atlas.places[(size_t)chart]), texels((size_t)(place.across * place.down)),
           known(texels.size()) {}
 
@@ -142,7 +142,7 @@ public:
 private:
     const Solution &b;
     const Atlas &atlas;
-    Held held;
+    PageContent content;
     int chart;
     const Chart &c;
     const AtlasPlace &place;
@@ -152,12 +152,12 @@ private:
     size_t at(int i, int j) const { return (size_t)(j * place.across + i); }
 
     Rgb valueIn(int cell, float u, float v) const {
-        switch (held) {
-        case Held::Light:
+        switch (content) {
+        case PageContent::Light:
             return b.lightIn(cell, u, v);
-        case Held::Radiosity:
+        case PageContent::Radiosity:
             return b.radiosityIn(cell, u, v);
-        case Held::Reflectance:
+        case PageContent::Reflectance:
             return b.reflectsOf(cell);
         }
         return {};
@@ -207,14 +207,14 @@ private:
 
 } // namespace
 
-std::vector<float> paintPage(const Solution &b, const Atlas &atlas, int page, Held held) {
+std::vector<float> paintPage(const Solution &b, const Atlas &atlas, int page, PageContent content) {
     const AtlasPage &size = atlas.pages[(size_t)page];
     std::vector<float> to((size_t)size.width * (size_t)size.height * 3);
     int padding = atlas.settings.padding;
     for (size_t i = 0; i < b.charts.size(); ++i) {
         const AtlasPlace &p = atlas.places[i];
         if (p.page != page) continue;
-        Painter painter(b, atlas, (int)i, held);
+        Painter painter(b, atlas, (int)i, content);
         const std::vector<Rgb> &texels = painter.paint();
         for (int y = -padding; y < p.down + padding; ++y)
             for (int x = -padding; x < p.across + padding; ++x) {

@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 
 // The content of a page. Light is irradiance / pi; Radiosity is Light times reflectance plus emission.
 // Reflectance has pages only if it comes from pictures.
-enum class Held { Light, Radiosity, Reflectance };
+enum class PageContent { Light, Radiosity, Reflectance };
 
 struct AtlasSettings {
     bool radiosity = false; // pages hold Radiosity; otherwise Light
@@ -59,7 +59,7 @@ struct Atlas {
 Atlas packAtlas(const Solution &solution, const AtlasSettings &settings);
 
 // The rows from top to bottom, three floats a texel; texels of no chart are black.
-std::vector<float> paintPage(const Solution &solution, const Atlas &atlas, int page, Held held);
+std::vector<float> paintPage(const Solution &solution, const Atlas &atlas, int page, PageContent content);
 
 // Writes model.obj, model.mtl, model.gltf, model.bin and the pages as PNG and HDR into a folder that must be
 // new or empty: all of them or none. Adds a summary to `notes`. Throws Refused, std::runtime_error.

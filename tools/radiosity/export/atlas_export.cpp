@@ -124,12 +124,13 @@ void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &p
         std::string name = model.name + "-" + std::to_string(i);
         notes.push_back(common::format("%s: %d x %d texels", name.c_str(), page.width, page.height));
         texels += (int64_t)page.width * page.height;
-        std::vector<float> light = paintPage(b, atlas, (int)i, s.radiosity ? Held::Radiosity : Held::Light);
+        std::vector<float> light =
+            paintPage(b, atlas, (int)i, s.radiosity ? PageContent::Radiosity : PageContent::Light);
         writePng(folder, name + ".png", page, light, model.one);
         writeHdr(folder, name + ".hdr", page, std::move(light));
         if (model.pictured)
             writePng(folder, "reflectance-" + std::to_string(i) + ".png", page,
-                     paintPage(b, atlas, (int)i, Held::Reflectance), 1);
+                     paintPage(b, atlas, (int)i, PageContent::Reflectance), 1);
     }
     folder.finish();
     notes.push_back(common::format("%zu polygons in %zu page%s, filled by %.0f %%; in PNG 1 stands for %.4g",

@@ -21,10 +21,10 @@ void writeAtlas(const Solution &solution, const std::string &folder, const Atlas
 }
 
 // What can be written: a row each.
-constexpr struct Kind {
+constexpr struct ExportKind {
     const char *option, *value, *what;
     void (*write)(const Solution &solution, const std::string &to, const AtlasSettings &settings);
-} kKinds[] = {
+} kExportKinds[] = {
     {"--csv", "FILE", "a line for every element",
      [](const Solution &b, const std::string &to, const AtlasSettings &) { exportCsv(b, to); }},
     {"--ply", "FILE", "a mesh with colours at its points",
@@ -40,12 +40,12 @@ constexpr struct Kind {
 
 int runExport(common::CommandLine &line) {
     std::string in, out;
-    const Kind *kind = nullptr;
+    const ExportKind *kind = nullptr;
     AtlasSettings s;
     RelightOptions relight;
     line.about("Writes a solution, or a room from transfer, for other programs.");
     line.argument("SOLUTION", in, "a file that solve or transfer wrote", false);
-    for (const Kind &k : kKinds) {
+    for (const ExportKind &k : kExportKinds) {
         auto take = [&](const std::string &path) {
             if (kind) throw common::Refused("export writes one thing at a time");
             kind = &k, out = path;

@@ -15,9 +15,9 @@ namespace odraz::radiosity {
 namespace {
 
 // Converts radiosity to sRGB, 0 .. 1; the 99th percentile of the points becomes 0.9.
-struct Shown {
+struct ColourScale {
     float scale = 1;
-    explicit Shown(const Solution &solution) {
+    explicit ColourScale(const Solution &solution) {
         std::vector<float> all;
         solution.forPieces([&](int chart, int, const std::vector<SolutionPoint> &piece) {
             if (maxComponent(solution.emits[(size_t)chart]) > 0) return;
@@ -105,14 +105,14 @@ void exportCsv(const Solution &solution, const std::string &path) {
 }
 
 void exportPolygons(const Solution &solution, const std::string &path, bool ply) {
-    Shown shown(solution);
+    ColourScale colour(solution);
     LitCorners corners(solution);
     const char *type = length(solution.place) > 0 ? "double" : "float";
     std::string text;
     common::append(text,
                    ply ? "ply\nformat ascii 1.0\ncomment %s; colours are sRGB, 1 stands for %g\n"
                        : "%s: colours after the coordinates are sRGB, 1 stands for %g\n",
-                   kExportedObj, 1 / (double)shown.scale);
+                   kExportedObj, 1 / (double)colour.scale);
     if (ply)
         common::append(text,
                        "element vertex %zu\nproperty %s x\nproperty %s y\nproperty %s z\n"
@@ -121,7 +121,7 @@ void exportPolygons(const Solution &solution, const std::string &path, bool ply)
                        corners.points.size(), type, type, type, corners.faces.size());
     for (const SolutionPoint &p : corners.points) {
         text += (ply ? "" : "v ") + placeText(solution, p.p);
-        for (float c : {shown(p.radiosity.x), shown(p.radiosity.y), shown(p.radiosity.z)})
+        for (float c : {colour(p.radiosity.x), colour(p.radiosity.y), colour(p.radiosity.z)})
             ply ? common::append(text, " %d", (int)(c * 255 + 0.5f))
                 : common::append(text, " %.4f", (double)c);
         text += '\n';

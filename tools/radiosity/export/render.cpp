@@ -56,18 +56,18 @@ void placeCamera(const Solution &solution, RenderSettings &s) {
 namespace {
 
 // A solution's radiosity as seen by a camera.
-class Seen {
+class RadiosityView {
 public:
-    Seen(const Solution &solution, const RenderSettings &s)
+    RadiosityView(const Solution &solution, const RenderSettings &s)
         : solution(solution),
           view(lookAt(upright(s.eye, s.upIsZ), upright(s.target, s.upIsZ), 0, s.lens, s.width, s.height)),
           upIsZ(s.upIsZ), eye(s.eye), tree(cornersOf(solution.facets, solution.charts.data(), charts)) {}
 
-    struct Point {
+    struct Hit {
         int chart; // -1: nothing
         Rgb light;
     };
-    Point at(float x, float y) const {
+    Hit at(float x, float y) const {
         Vec3 d = asInModel(view.direction(x, y), upIsZ);
         RayHit hit = tree.nearestFront(eye, d);
         if (hit.triangle < 0) return {-1, {}};
@@ -85,22 +85,22 @@ private:
 };
 
 // Traces every pixel once, then those that differ from their neighbours with 4 x 4 samples.
-void look(const Seen &seen, Workers &workers, Frame &frame) {
-    std::vector<Seen::Point> first((size_t)frame.width * (size_t)frame.height);
-    auto at = [&](int x, int y) -> Seen::Point & {
+void traceFrame(const RadiosityView &seen, Workers &workers, Frame &frame) {
+    std::vector<RadiosityView::Hit> first((size_t)frame.width * (size_t)frame.height);
+    auto at = [&](int x, int y) -> RadiosityView::Hit & {
         return first[(size_t)y * (size_t)frame.width + (size_t)x];
     };
     parallelFor(workers, frame.height, [&](int y, int) {
         for (int x = 0; x < frame.width; ++x) at(x, y) = seen.at((float)x + 0.5f, (float)y + 0.5f);
     });
-    auto differs = [](const Seen::Point &a, const Seen::Point &b) {
+    auto differs = [](const RadiosityView::Hit &a, const RadiosityView::Hit &b) {
         auto far = [](float x, float y) { return std::fabs(x - y) > 0.05f * std::max(x, y); };
         return a.chart != b.chart && (a.chart < 0 || b.chart < 0 || far(a.light.x, b.light.x) ||
                                       far(a.light.y, b.light.y) || far(a.light.z, b.light.z));
     };
     parallelFor(workers, frame.height, [&](int y, int) {
         for (int x = 0; x < frame.width; ++x) {
-            Seen::Point &own = at(x, y);
+            RadiosityView::Hit &own = at(x, y);
             bool edge = false;
             for (int j = std::max(y - 1, 0); j <= std::min(y + 1, frame.height - 1); ++j)
                 for (int i = std::max(x - 1, 0); i <= std::min(x + 1, frame.width - 1); ++i)
@@ -145,9 +145,9 @@ Rgb logarithmicTone(const Rgb &c, float low, float high) {
 }
 
 void render(const Solution &solution, const RenderSettings &s, Workers &workers, const std::string &path) {
-    HeapFrame looked(s.width, s.height);
-    look(Seen(solution, s), workers, looked.frame);
-    std::vector<Rgb> seen = looked.pixels();
+    HeapFrame traced(s.width, s.height);
+    traceFrame(RadiosityView(solution, s), workers, traced.frame);
+    std::vector<Rgb> seen = traced.pixels();
     std::vector<float> all;
     for (const Rgb &c : seen)
         if (float light = maxComponent(c); light > 0) all.push_back(light);
@@ -158,7 +158,7 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
     if (film) { // the exposure adapts to the picture
         ToneCurve curve;
         makeToneCurve(curve);
-        develop(curve, looked.frame, workers, std::exp2(s.stops) * 0.5f / part(0.6), 0);
+        develop(curve, traced.frame, workers, std::exp2(s.stops) * 0.5f / part(0.6), 0);
     }
     pictures::Image picture = {s.width, s.height, std::vector<uint8_t>(seen.size() * 3)};
     for (size_t i = 0; i < seen.size(); ++i) {
@@ -166,7 +166,7 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
         const float shown[3] = {c.x, c.y, c.z};
         for (size_t k = 0; k < 3; ++k)
             picture.rgb[i * 3 + k] =
-                film ? looked.frame.rgba[i * 4 + k] : (uint8_t)(std::clamp(shown[k], 0.f, 1.f) * 255 + 0.5f);
+                film ? traced.frame.rgba[i * 4 + k] : (uint8_t)(std::clamp(shown[k], 0.f, 1.f) * 255 + 0.5f);
     }
     pictures::writePng(path, picture);
 }

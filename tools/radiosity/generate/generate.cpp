@@ -26,11 +26,11 @@ const std::vector<MeshMaterial> kMaterials = {
     {"receives", {1, 1, 1}, {}},
 };
 
-struct Writer : ObjWriter {
+struct ModelWriter : ObjWriter {
     // A rectangle that is lit on the side of u x v. It is divided into steps as the area requires; no side of
     // a step is more than twice the other.
-    void rect(const char *of, Vec3d corner, Vec3d u, Vec3d v) {
-        use(of);
+    void rect(const char *mtl, Vec3d corner, Vec3d u, Vec3d v) {
+        use(mtl);
         int across = 1, down = 1;
         if (area > 0) {
             double side = std::sqrt(2 * area);
@@ -48,13 +48,13 @@ struct Writer : ObjWriter {
             }
     }
     // A box seen from outside; it has a bottom if `bottom` names a material.
-    void box(const char *of, Vec3d lo, Vec3d hi, const char *bottom) {
+    void box(const char *mtl, Vec3d lo, Vec3d hi, const char *bottom) {
         double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
-        rect(of, {lo[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
-        rect(of, {hi[0], lo[1], hi[2]}, {0, 0, -z}, {0, y, 0});
-        if (hi[1] < 10) rect(of, {lo[0], hi[1], hi[2]}, {x, 0, 0}, {0, 0, -z});
-        rect(of, {hi[0], lo[1], lo[2]}, {-x, 0, 0}, {0, y, 0});
-        rect(of, {lo[0], lo[1], hi[2]}, {x, 0, 0}, {0, y, 0});
+        rect(mtl, {lo[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
+        rect(mtl, {hi[0], lo[1], hi[2]}, {0, 0, -z}, {0, y, 0});
+        if (hi[1] < 10) rect(mtl, {lo[0], hi[1], hi[2]}, {x, 0, 0}, {0, 0, -z});
+        rect(mtl, {hi[0], lo[1], lo[2]}, {-x, 0, 0}, {0, y, 0});
+        rect(mtl, {lo[0], lo[1], hi[2]}, {x, 0, 0}, {0, y, 0});
         if (bottom) rect(bottom, {lo[0], lo[1], lo[2]}, {x, 0, 0}, {0, 0, z});
     }
     // A ceiling from lo to hi at height y, with a lamp set into it.
@@ -76,12 +76,12 @@ struct Writer : ObjWriter {
     }
 };
 
-void cube(Writer &w) {
+void cube(ModelWriter &w) {
     w.room({-5, 0, -5}, {5, 10, 5}, "floor", "red", "green");
     w.ceiling(10, {-5, 10, -5}, {5, 10, 5}, {-1, 10, -1}, {1, 10, 1});
 }
 
-void columns(Writer &w) {
+void columns(ModelWriter &w) {
     w.room({-20, 0, -15}, {20, 10, 15}, "floor", "red", "white");
     w.rect("white", {-20, 10, -15}, {40, 0, 0}, {0, 0, 30});
     for (int i = 0; i < 5; ++i)
@@ -96,7 +96,7 @@ void columns(Writer &w) {
         }
 }
 
-void corner(Writer &w) {
+void corner(ModelWriter &w) {
     // An L of three squares, 4 high; the lamp lights one end
     const double y = 4;
     for (Vec3d p : {Vec3d{0, 0, 0}, Vec3d{8, 0, 0}, Vec3d{8, 0, 8}}) {
@@ -117,7 +117,7 @@ void corner(Writer &w) {
 }
 
 // A closed cube whose sides all emit and reflect.
-void furnace(Writer &w) {
+void furnace(ModelWriter &w) {
     for (int k = 0; k < 3; ++k) {
         Vec3d u = {}, v = {}, n = {};
         u[(k + 1) % 3] = v[(k + 2) % 3] = n[k] = 1;
@@ -127,13 +127,13 @@ void furnace(Writer &w) {
 }
 
 // Two unit squares that face each other at the distance 1.
-void squares(Writer &w) {
+void squares(ModelWriter &w) {
     w.rect("receives", {0, 0, 0}, {0, 0, 1}, {1, 0, 0});
     w.rect("shines", {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
 }
 
 // A sphere seen from inside, with an uneven surface; triangles near the top are the lamp.
-void cave(Writer &w) {
+void cave(ModelWriter &w) {
     int rows = w.area > 0 ? std::max(4, (int)std::sqrt(1257 / w.area / 4)) : 20, columns = 2 * rows;
     auto at = [&](int i, int j) {
         double a = 2 * M_PI * (i % columns) / columns, b = M_PI * j / rows;
@@ -144,22 +144,22 @@ void cave(Writer &w) {
     };
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {
-            const char *of = j < std::max(1, rows / 16) ? "lamp" : j < rows / 2 ? "white" : "stone";
+            const char *mtl = j < std::max(1, rows / 16) ? "lamp" : j < rows / 2 ? "white" : "stone";
             int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-            if (j > 0) w.triangle(of, a, c, b);
-            if (j + 1 < rows) w.triangle(of, a, d, c);
+            if (j > 0) w.triangle(mtl, a, c, b);
+            if (j + 1 < rows) w.triangle(mtl, a, d, c);
         }
 }
 
 } // namespace
 
 std::string generateObj(const std::string &kind, double area, size_t *triangles) {
-    static const std::map<std::string, std::function<void(Writer &)>> kinds = {
+    static const std::map<std::string, std::function<void(ModelWriter &)>> kinds = {
         {"cube", cube},       {"columns", columns},     {"corner", corner},   {"cave", cave},
         {"vault", makeVault}, {"terrain", makeTerrain}, {"furnace", furnace}, {"squares", squares}};
     auto make = kinds.find(kind);
     if (make == kinds.end()) return {};
-    Writer w;
+    ModelWriter w;
     w.area = area;
     make->second(w);
     if (triangles) *triangles = w.triangles;

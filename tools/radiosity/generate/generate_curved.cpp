@@ -24,36 +24,36 @@ struct Curved {
     }
     // A surface of revolution about an upright axis, seen from outside: (radius, height) as a function of v,
     // bottom first.
-    void turned(const char *of, Vec3d foot, int around, int along,
-                const std::function<std::pair<double, double>(double)> &profile) {
-        w.surface(of, steps(around), steps(along), true, [&](double u, double v) {
+    void lathe(const char *mtl, Vec3d foot, int around, int along,
+               const std::function<std::pair<double, double>(double)> &profile) {
+        w.surface(mtl, steps(around), steps(along), true, [&](double u, double v) {
             auto [r, y] = profile(v);
             return foot + Vec3d{r * std::cos(-u * kTurn), y, r * std::sin(-u * kTurn)};
         });
     }
-    void ball(const char *of, Vec3d centre, double radius, int around) {
-        turned(of, centre, around, around / 2, [=](double v) {
+    void ball(const char *mtl, Vec3d centre, double radius, int around) {
+        lathe(mtl, centre, around, around / 2, [=](double v) {
             return std::pair{radius * std::sin(v * M_PI), -radius * std::cos(v * M_PI)};
         });
     }
     // A ring that lies flat.
-    void ring(const char *of, Vec3d centre, double radius, double thick, int around) {
-        w.surface(of, steps(around), steps(around / 2), true, [&](double u, double v) {
+    void ring(const char *mtl, Vec3d centre, double radius, double thick, int around) {
+        w.surface(mtl, steps(around), steps(around / 2), true, [&](double u, double v) {
             double r = radius + thick * std::cos(v * kTurn);
             return centre +
                    Vec3d{r * std::cos(-u * kTurn), thick * std::sin(v * kTurn), r * std::sin(-u * kTurn)};
         });
     }
-    void vase(const char *of, Vec3d foot, double tall, int around) {
-        turned(of, foot, around, around, [=](double v) {
+    void vase(const char *mtl, Vec3d foot, double tall, int around) {
+        lathe(mtl, foot, around, around, [=](double v) {
             return std::pair{tall * (0.18 + 0.2 * std::sin(v * 5) * (1 - v * 0.4)) * std::min(1., 12 * v),
                              tall * v};
         });
     }
     // A cloth that hangs in the plane z, two centimetres thick.
-    void cloth(const char *of, Vec3d top, double wide, double tall) {
+    void cloth(const char *mtl, Vec3d top, double wide, double tall) {
         for (int side = 0; side < 2; ++side)
-            w.surface(of, steps(16), steps(14), false, [&](double u, double v) {
+            w.surface(mtl, steps(16), steps(14), false, [&](double u, double v) {
                 double x = side ? 1 - u : u;
                 return top + Vec3d{wide * (x - 0.5), -tall * (1 - v),
                                    0.25 * std::sin(x * 25) * (1 - v * 0.7) + (side ? -0.01 : 0.01)};
@@ -61,7 +61,8 @@ struct Curved {
     }
     // A wall in the plane x, from z0 to z1 and from 0 to high, with a round-headed window; seen from the side
     // of `inside` (1: from larger x). The window's jambs are `deep`.
-    void windowed(const char *of, double x, double z0, double z1, double high, double inside, double deep) {
+    void wallWithWindow(const char *mtl, double x, double z0, double z1, double high, double inside,
+                        double deep) {
         double zm = (z0 + z1) / 2, r = (z1 - z0) * 0.22, low = high * 0.35, spring = high * 0.62;
         // The wall around the window: straight lines from its outline to the border of the wall
         auto outline = [&](double u) {
@@ -76,12 +77,12 @@ struct Curved {
             return std::pair{(z1 - z0) / 2 * c / m, high / 2 + high / 2 * s / m};
         };
         int around = steps(24) / 4 * 4;
-        w.surface(of, around, steps(3), true, [&](double u, double v) {
+        w.surface(mtl, around, steps(3), true, [&](double u, double v) {
             auto [za, ya] = outline(-u * inside);
             auto [zb, yb] = border(-u * inside);
             return Vec3d{x, ya + (yb - ya) * v, zm - (za + (zb - za) * v)};
         });
-        w.surface(of, around, steps(2), true, [&](double u, double v) {
+        w.surface(mtl, around, steps(2), true, [&](double u, double v) {
             auto [z, y] = outline(-u * inside);
             return Vec3d{x - inside * deep * (1 - v), y, zm - z};
         });
@@ -103,8 +104,8 @@ void makeVault(ObjWriter &w) {
     });
     for (int i = 0; i < 6; ++i)
         for (int side = -1; side <= 1; side += 2)
-            c.windowed(i % 2 ? "red" : "stone", side * wide, -far + 5 * i, -far + 5 * i + 5, high, -side,
-                       0.5);
+            c.wallWithWindow(i % 2 ? "red" : "stone", side * wide, -far + 5 * i, -far + 5 * i + 5, high,
+                             -side, 0.5);
     for (int end = -1; end <= 1; end += 2) {
         c.w.surface("stone", c.steps(24), c.steps(10), false, [&](double u, double v) {
             double x = (2 * u - 1) * wide * -end,
@@ -114,7 +115,7 @@ void makeVault(ObjWriter &w) {
     }
     for (int i = 0; i < 5; ++i)
         for (int side = -1; side <= 1; side += 2)
-            c.turned("stone", {side * 3.6, 0, -10. + 5 * i}, 20, 16, [&](double v) {
+            c.lathe("stone", {side * 3.6, 0, -10. + 5 * i}, 20, 16, [&](double v) {
                 double bulge = 0.32 + 0.05 * std::sin(v * M_PI), base = v < 0.08 || v > 0.92 ? 0.14 : 0;
                 return std::pair{bulge + base, v * 6.2};
             });
@@ -122,15 +123,15 @@ void makeVault(ObjWriter &w) {
         c.cloth(i % 2 ? "green" : "red", {i % 2 ? 1.8 : -1.8, 5.6, -11. + 5.2 * i}, 2.4, 3);
     for (int i = 0; i < 22; ++i) {
         Vec3d at = {c.random(-5, 5), 0, c.random(-13, 13)};
-        const char *of = i % 3 == 0 ? "red" : i % 3 == 1 ? "white" : "green";
+        const char *mtl = i % 3 == 0 ? "red" : i % 3 == 1 ? "white" : "green";
         if (i % 3 == 0)
-            c.vase(of, at, c.random(0.7, 1.4), 16);
+            c.vase(mtl, at, c.random(0.7, 1.4), 16);
         else if (i % 3 == 1) {
             double r = c.random(0.25, 0.6);
-            c.ball(of, at + Vec3d{0, r, 0}, r, 18);
+            c.ball(mtl, at + Vec3d{0, r, 0}, r, 18);
         } else {
             double thick = c.random(0.08, 0.16);
-            c.ring(of, at + Vec3d{0, thick, 0}, c.random(0.4, 0.7), thick, 20);
+            c.ring(mtl, at + Vec3d{0, thick, 0}, c.random(0.4, 0.7), thick, 20);
         }
     }
 }
@@ -148,10 +149,10 @@ void makeTerrain(ObjWriter &w) {
         return Vec3d{x, hills(x, z), z};
     });
     // Start the walls below the hills
-    auto wall = [&](const char *of, Vec3d corner, Vec3d u, Vec3d v) {
+    auto wall = [&](const char *mtl, Vec3d corner, Vec3d u, Vec3d v) {
         int a = w.number(corner), b = w.number(corner + u), d = w.number(corner + u + v),
             e = w.number(corner + v);
-        w.triangle(of, a, b, d), w.triangle(of, a, d, e);
+        w.triangle(mtl, a, b, d), w.triangle(mtl, a, d, e);
     };
     double y = high - low, s = 2 * half;
     wall("red", {-half, low, -half}, {0, y, 0}, {0, 0, s});

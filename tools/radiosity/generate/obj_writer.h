@@ -23,26 +23,26 @@ struct ObjWriter {
         if (added) common::append(points, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
         return entry->second;
     }
-    void use(const char *of) {
-        if (of != material) faces += "usemtl " + std::string(of) + "\n";
-        material = of;
+    void use(const char *mtl) {
+        if (mtl != material) faces += "usemtl " + std::string(mtl) + "\n";
+        material = mtl;
     }
-    void triangle(const char *of, int a, int b, int c) {
-        use(of);
+    void triangle(const char *mtl, int a, int b, int c) {
+        use(mtl);
         common::append(faces, "f %d %d %d\n", a, b, c);
         ++triangles;
     }
     // The surface f(u, v), u and v in 0 .. 1, as columns x rows squares of two triangles each, lit on the
     // side of df/du x df/dv. `around`: its sides u = 0 and u = 1 coincide.
-    template <class F> void surface(const char *of, int columns, int rows, bool around, F &&f) {
+    template <class F> void surface(const char *mtl, int columns, int rows, bool around, F &&f) {
         auto at = [&](int i, int j) {
             return number(f((double)(around ? i % columns : i) / columns, (double)j / rows));
         };
         for (int j = 0; j < rows; ++j)
             for (int i = 0; i < columns; ++i) {
                 int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-                if (a != b && b != c && a != c) triangle(of, a, b, c);
-                if (a != c && c != d && a != d) triangle(of, a, c, d);
+                if (a != b && b != c && a != c) triangle(mtl, a, b, c);
+                if (a != c && c != d && a != d) triangle(mtl, a, c, d);
             }
     }
 };

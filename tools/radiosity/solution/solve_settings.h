@@ -14,7 +14,7 @@ namespace odraz::radiosity {
 
 // How light is transported between surfaces: by rays from every element (rays/), or between patches by
 // hemicubes that OpenGL draws, as in the film (patches/).
-enum class Way { kRays, kPatches };
+enum class SolveMethod { kRays, kPatches };
 
 // The eye of a patch's hemicube number k.
 using EyeOf = std::function<Eye(const Model &model, int patch, int k)>;
@@ -28,7 +28,7 @@ using SolveProgress = std::function<void(const char *step, float done, float res
 using LightWatcher = std::function<void(const Solution &soFar, bool bounced)>;
 
 struct SolveSettings {
-    Way way = Way::kRays;
+    SolveMethod method = SolveMethod::kRays;
     double element = 0;   // area of an element; 0: 1/30,000 of the model's, with final rays 1/120,000
     int lampSamples = 16; // shadow rays to the largest lamp from each place, 1 .. 256
     int bounces = -1;     // -1: until the residual is reached
@@ -56,7 +56,7 @@ struct SolveSettings {
         lightIsDue; // whether to compute light for the watcher now, which takes time; null: always
     // By rays: reports the number of bytes needed, before they are allocated
     std::function<void(size_t bytes)> needs;
-    // By rays: saves the rows found so far (kept.h), every `keepEvery` seconds and after a stop
+    // By rays: saves the rows found so far (saved_state.h), every `keepEvery` seconds and after a stop
     std::function<void(const std::string &rows)> keep;
     double keepEvery = 60;
     std::string_view resumed; // saved rows to continue from, which the system may keep using; empty: none

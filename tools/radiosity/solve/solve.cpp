@@ -17,7 +17,7 @@ Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl,
     SolveTask task(mesh, settings, workers, stop, progress);
     addEvenSky(task);
     Solved solved;
-    if (settings.way == Way::kRays)
+    if (settings.method == SolveMethod::kRays)
         solveByRays(task);
     else
         solved.patches = solveByPatches(task, gl);

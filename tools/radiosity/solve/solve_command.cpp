@@ -1,6 +1,6 @@
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
-#include "tools/radiosity/solution/kept.h"
+#include "tools/radiosity/solution/saved_state.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
@@ -45,18 +45,18 @@ struct SolveJob {
     bool keeps = false;    // OUT is a file, beside which OUT.state can lie
     std::string state() const { return out + ".state"; }
     SolveOptions options;
-    std::unique_ptr<Kept> kept; // the state that `resume` names; null: none
+    std::unique_ptr<SavedState> saved; // the state that `resume` names; null: none
 };
 
 // Reads a command, or the one in the state that it resumes. Throws Refused.
-std::unique_ptr<SolveJob> readJob(const std::vector<std::string> &words) {
+std::unique_ptr<SolveJob> readSolveJob(const std::vector<std::string> &words) {
     auto job = std::make_unique<SolveJob>(words);
     if (std::string state = job->resume; !state.empty()) {
         if (job->line.given().size() > 1 || !job->model.empty())
             throw common::Refused("--resume takes no other option: it continues with the original ones");
-        auto kept = std::make_unique<Kept>(state);
-        job = std::make_unique<SolveJob>(kept->words);
-        job->resume = state, job->kept = std::move(kept);
+        auto saved = std::make_unique<SavedState>(state);
+        job = std::make_unique<SolveJob>(saved->words);
+        job->resume = state, job->saved = std::move(saved);
     }
     if ((job->keeps = claimOutput(job->out))) common::claimOutput(job->state());
     return job;
@@ -72,7 +72,7 @@ bool staysDark(const Solution &b) {
     return light < 0.01 * (double)b.light.size();
 }
 
-void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &settings) {
+void printSolveReport(const Mesh &mesh, const Solved &solved, const SolveSettings &settings) {
     const SolveReport &r = solved.report;
     bool byRays = !solved.patches;
     auto seconds = [&](SolveStep step) { return r.seconds[(int)step]; };
@@ -127,14 +127,14 @@ void printMeans(const Solution &solution) {
 class SolveCommand {
 public:
     explicit SolveCommand(SolveJob &job) : job(job) {
-        toKeep.words = job.kept ? job.kept->words : job.line.words();
+        state.words = job.saved ? job.saved->words : job.line.words();
     }
 
     void run() {
         std::vector<std::string> notes; // printed once nothing is refused, so that a refusal stays one line
         read(notes);
         job.options.addLights(mesh, job.options.settings.surroundings, notes);
-        if (job.kept && job.kept->model != toKeep.model)
+        if (job.saved && job.saved->model != state.model)
             throw common::Refused(job.resume + ": belongs to another model, or " + job.model +
                                   " has changed: solve it again");
         printNotes(notes);
@@ -148,7 +148,7 @@ public:
         }
         solved.solution.save(job.out);
         if (solved.report.whole && job.keeps) std::remove(job.state().c_str());
-        printReport(mesh, solved, job.options.settings);
+        printSolveReport(mesh, solved, job.options.settings);
         printMeans(solved.solution);
         if (!solved.report.whole && !solved.patches && job.keeps)
             std::printf("to continue: radiosity solve --resume %s\n", job.state().c_str());
@@ -156,7 +156,7 @@ public:
 
 private:
     SolveJob &job;
-    Kept toKeep; // the data written beside the solution
+    SavedState state; // the data written beside the solution
     Mesh mesh;
     Workers workers = allProcessors();
     Gl gl = {};
@@ -164,17 +164,17 @@ private:
 
     void read(std::vector<std::string> &notes) {
         mesh = readModel(job.model, job.options.read, notes);
-        toKeep.model = sumOf(mesh, job.options.settings.surroundings.sky);
+        state.model = sumOf(mesh, job.options.settings.surroundings.sky);
     }
 
     void prepare() {
         SolveSettings &settings = job.options.settings;
-        if (job.kept) settings.resumed = job.kept->rows;
+        if (job.saved) settings.resumed = job.saved->rows;
         settings.keepEvery = job.keepEvery;
         if (job.keeps)
             settings.keep = [this](const std::string &rows) {
-                toKeep.rows = rows;
-                toKeep.save(job.state());
+                state.rows = rows;
+                state.save(job.state());
             };
         settings.needs = [](size_t bytes) {
             std::printf("needs about %zu MB of memory\n", bytes >> 20);
@@ -190,7 +190,7 @@ private:
         };
         SolveSettings &settings = job.options.settings;
         Solved solved = solveNamed(job.model, [&] {
-            if (settings.way == Way::kPatches) gl = openGl();
+            if (settings.method == SolveMethod::kPatches) gl = openGl();
             return solveModel(mesh, settings, gl, workers, &stop, progress);
         });
         bar->clear();
@@ -206,7 +206,7 @@ private:
         job.options.read.twoSided = true;
         std::vector<std::string> known; // notes already printed
         read(known);
-        toKeep.words.push_back("--two-sided"); // for --resume
+        state.words.push_back("--two-sided"); // for --resume
         job.options.settings.resumed = {};
     }
 };
@@ -214,7 +214,7 @@ private:
 } // namespace
 
 int runSolve(common::CommandLine &line) {
-    std::unique_ptr<SolveJob> job = readJob(line.words());
+    std::unique_ptr<SolveJob> job = readSolveJob(line.words());
     SolveCommand(*job).run();
     return 0;
 }

@@ -97,7 +97,7 @@ void SolveOptions::finish(const common::CommandLine &line) {
     if (!byRays.empty() && !byPatches.empty())
         throw common::Refused(byRays.back().option + " and " + byPatches.back().option +
                               " do not go together: one solves by rays, the other between patches");
-    if (!byPatches.empty()) settings.way = Way::kPatches;
+    if (!byPatches.empty()) settings.method = SolveMethod::kPatches;
     if (settings.shots > 0 && settings.bounces >= 0)
         throw common::Refused("--shots and --bounces do not go together: shots have no order by bounces");
     settings.memory = (size_t)(megabytes * 1048576);

@@ -56,16 +56,16 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
     }
 }
 
-Gathering::Result Gathering::measure(const Way &way) {
+Gathering::Result Gathering::measure(const Layout &layout) {
     if (patches.empty()) return {errorsOf(expected, expected), NAN, {}};
-    AnyHemicubes hemicubes(study.gl, way.px);
-    const size_t each = way.corners ? 4 : (size_t)way.turns, batch = (size_t)hemicubes.h.batch;
+    AnyHemicubes hemicubes(study.gl, layout.px);
+    const size_t each = layout.corners ? 4 : (size_t)layout.turns, batch = (size_t)hemicubes.h.batch;
     std::vector<Eye> eyes;
     for (int i : patches)
         for (int k = 0; k < (int)each; ++k)
-            eyes.push_back(way.corners ? cornerEye(model, i, k)
-                                       : hemicubeEye(model.patches[i].p, model.patches[i].n,
-                                                     (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
+            eyes.push_back(layout.corners ? cornerEye(model, i, k)
+                                          : hemicubeEye(model.patches[i].p, model.patches[i].n,
+                                                        (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
     // The first picture takes longer. Few patches are measured several times
     drawHemicubes(hemicubes.h, model, &eyes[0], 1);
     Workers alone = serialWorkers();
@@ -88,7 +88,7 @@ Gathering::Result Gathering::measure(const Way &way) {
     }
     double seconds = watch.processor() / (double)(patches.size() * (size_t)rounds);
     for (size_t i = 0; i < light.size(); ++i) light[i] += outside[i];
-    study.worked();
+    study.taskDone();
     return {errorsOf(light, expected), seconds, std::move(light)};
 }
 

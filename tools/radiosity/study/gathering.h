@@ -19,7 +19,7 @@ public:
     size_t count() const { return patches.size(); }
 
     // The hemicubes of a patch: one, several with different rotations, or four at its corners.
-    struct Way {
+    struct Layout {
         int px, turns;
         bool corners;
     };
@@ -28,7 +28,7 @@ public:
         double seconds;           // of the processor, a patch
         std::vector<float> light; // luminance of the light that arrives at each
     };
-    Result measure(const Way &way);
+    Result measure(const Layout &layout);
 
     // The picture in a patch's hemicube, unfolded: the top face with the half faces around it, in the tone of
     // logarithmicTone().

@@ -16,7 +16,7 @@ double Stopwatch::wall() const { return common::wallSeconds() - startWall; }
 Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
              Page &page, ProgressBar &progressBar, int ofChapters)
     : settings(settings), mesh(mesh), gl(gl), workers(workers), stop(stop), page(page), area(areaOf(mesh)),
-      bar(progressBar), works(ofChapters + (settings.quick ? 2 : 3)) {
+      bar(progressBar), tasks(ofChapters + (settings.quick ? 2 : 3)) {
     Regions regions = joinRegions(mesh, std::sqrt(area / 30000));
     if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
         throw ModelError(
@@ -52,7 +52,7 @@ void Study::compare(const Solution &byRays, const Surroundings &around) {
     const int side = settings.quick ? 16 : 48;
     std::vector<MeshProbe> probes = placeMeshProbes(reference, 300);
     tracePaths(mesh, around, probes, side, workers, stop);
-    worked();
+    taskDone();
     e.unknown = "no light reaches the places that were tried";
     if (probes.empty()) return;
     e.places = probes.size(), e.paths = 2 * side * side;
@@ -66,13 +66,13 @@ void Study::check() const {
     if (__atomic_load_n(stop, __ATOMIC_RELAXED)) throw Interrupted();
 }
 
-void Study::worked() {
+void Study::taskDone() {
     check();
     ++done;
     show(0);
 }
 
-void Study::show(float part) { bar.show(name, std::min(((float)done + part) / (float)works, 0.99f), -1); }
+void Study::show(float part) { bar.show(name, std::min(((float)done + part) / (float)tasks, 0.99f), -1); }
 
 void Study::print(const std::string &line) {
     bar.clear();
@@ -90,7 +90,7 @@ RenderSettings Study::camera() const {
 
 SolveSettings Study::thesis(int patches, int px) const {
     SolveSettings s = settings.solve;
-    s.way = Way::kPatches;
+    s.method = SolveMethod::kPatches;
     s.analytic = false;
     s.patch = s.element = area / patches;
     s.hemicube = px;
@@ -107,7 +107,7 @@ Solved Study::solve(const SolveSettings &s) {
     };
     Solved solved =
         solveNamed(settings.model, [&] { return solveModel(mesh, s, gl, workers, stop, progress); });
-    worked();
+    taskDone();
     for (const std::string &note : solved.report.notes)
         if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
     return solved;

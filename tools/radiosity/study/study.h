@@ -44,10 +44,10 @@ struct Interrupted : std::runtime_error {
 
 class Study {
 public:
-    // Solves the reference. `works`: the number of solutions and gathers of all chapters. Throws as
+    // Solves the reference. `tasks`: the number of solutions and gathers of all chapters. Throws as
     // solveModel() does.
     Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
-          Page &page, ProgressBar &bar, int works);
+          Page &page, ProgressBar &bar, int tasks);
 
     const StudySettings &settings;
     const Mesh &mesh;
@@ -67,8 +67,8 @@ public:
     void check() const;
     // Begins a chapter.
     void chapter(const char *named) { name = named; }
-    // Shows that another of the works is done. Throws Interrupted.
-    void worked();
+    // Shows that another of the tasks is done. Throws Interrupted.
+    void taskDone();
     void print(const std::string &line);
     // The camera for pictures of the model, with their size.
     RenderSettings camera() const;
@@ -95,7 +95,7 @@ private:
 
     ProgressBar &bar;
     const char *name = "reference";
-    int done = 0, works; // the works of the whole study
+    int done = 0, tasks; // the tasks of the whole study
 };
 
 // Processor and wall-clock seconds since its construction.

@@ -57,7 +57,7 @@ Mesh columns(const ReadSettings &settings, std::vector<std::string> &notes) {
 
 struct Chapter {
     const char *name;
-    int works, quickWorks; // solutions and gathers
+    int tasks, quickTasks; // solutions and gathers
     void (*write)(Study &study);
 };
 constexpr Chapter kChapters[] = {{"methods", 1, 1, studyMethods},
@@ -109,9 +109,9 @@ int runStudy(common::CommandLine &line) {
     Page page(folder, "A study of radiosity: " + name);
     std::span<const Chapter> chapters = kChapters;
     if (job.table41) chapters = kTable41;
-    int works = 0;
-    for (const Chapter &c : chapters) works += job.settings.quick ? c.quickWorks : c.works;
-    Study study(job.settings, mesh, gl, workers, &stopStudy, page, bar, works);
+    int tasks = 0;
+    for (const Chapter &c : chapters) tasks += job.settings.quick ? c.quickTasks : c.tasks;
+    Study study(job.settings, mesh, gl, workers, &stopStudy, page, bar, tasks);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
     bool whole = writeChapters(study, chapters);
     writeSummary(study);

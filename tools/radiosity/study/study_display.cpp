@@ -75,9 +75,9 @@ void mappings(Study &study, const Solution &solution) {
 }
 
 // Solutions shown flat and interpolated.
-class Shown {
+class Comparison {
 public:
-    explicit Shown(Study &study) : study(study), camera(study.camera()) { camera.logarithmic = true; }
+    explicit Comparison(Study &study) : study(study), camera(study.camera()) { camera.logarithmic = true; }
 
     // With hemicubes of `px` pixels in the middles of patches, and at their corners.
     Solution solve(int px) {
@@ -129,9 +129,9 @@ private:
 
 void studyDisplay(Study &study) {
     study.page.heading("Flat and interpolated; middle and corners");
-    Shown shown(study);
-    Solution solution = shown.solve(50);
-    shown.finish();
+    Comparison comparison(study);
+    Solution solution = comparison.solve(50);
+    comparison.finish();
     mappings(study, solution);
 }
 

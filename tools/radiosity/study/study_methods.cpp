@@ -14,7 +14,7 @@ constexpr int kMostPasses = 60;
 constexpr double kDone = 1e-4; // percent: a curve ends below this error
 
 // One step: a pass over all patches, or several shots.
-struct Step {
+struct CurveStep {
     int number;     // passes or hemicubes so far
     double seconds; // processor time since the start
     double error;   // rms difference from the converged light as a share of that, percent
@@ -23,7 +23,7 @@ struct Step {
 
 struct Curve {
     std::string name;
-    std::vector<Step> steps;
+    std::vector<CurveStep> steps;
 };
 
 // The system of a solution by patches, and its converged light.
@@ -139,7 +139,8 @@ private:
         record();
     }
 
-    Step stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity, double &before) const {
+    CurveStep stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity,
+                     double &before) const {
         double error = 0, now = 0;
         for (int i = 0; i < model.patchCount; ++i) {
             double light = (double)luminance(radiosity(i)),
@@ -153,8 +154,8 @@ private:
 };
 
 // The first step of a curve at which its error is at most this; null: none.
-const Step *firstWithin(const Curve &curve, double percent) {
-    for (const Step &s : curve.steps)
+const CurveStep *firstWithin(const Curve &curve, double percent) {
+    for (const CurveStep &s : curve.steps)
         if (s.error <= percent) return &s;
     return nullptr;
 }
@@ -186,7 +187,7 @@ void writePasses(Study &study, const Curve &next, const Curve &once) {
     for (size_t k = 0; k < std::min(std::max(next.steps.size(), once.steps.size()), (size_t)30); ++k) {
         std::vector<std::string> row = {std::to_string(k + 1)};
         for (int c = 0; c < 2; ++c) {
-            const std::vector<Step> &steps = (c ? once : next).steps;
+            const std::vector<CurveStep> &steps = (c ? once : next).steps;
             if (k >= steps.size()) {
                 row.insert(row.end(), 3, "");
                 continue;
@@ -210,7 +211,7 @@ void writeOrders(Study &study, const Curve &next, const Curve &once) {
                        {"error_percent", "passes_next", "passes_once"},
                        {"error (rms) at most, %", "passes, in the next pass", "passes, at once"}};
     for (double percent : {10., 1., 0.1, 0.01}) {
-        const Step *a = firstWithin(next, percent), *b = firstWithin(once, percent);
+        const CurveStep *a = firstWithin(next, percent), *b = firstWithin(once, percent);
         table.rows.push_back(
             {shown(percent), a ? std::to_string(a->number) : "", b ? std::to_string(b->number) : ""});
     }
@@ -235,11 +236,11 @@ void writeMethods(Study &study, const std::vector<Curve> &curves) {
         plot.series.push_back(curves[c].name);
         std::vector<std::string> row = {curves[c].name};
         for (double percent : {10., 1., 0.1}) {
-            const Step *s = firstWithin(curves[c], percent);
+            const CurveStep *s = firstWithin(curves[c], percent);
             row.push_back(s ? shown(s->seconds) : "");
         }
         double least = INFINITY;
-        for (const Step &s : curves[c].steps) {
+        for (const CurveStep &s : curves[c].steps) {
             least = std::min(least, s.error);
             table.rows.push_back(
                 {curves[c].name, std::to_string(s.number), shown(s.seconds, 4), shown(s.error)});

@@ -16,36 +16,36 @@ std::span<const int> rasters(const Study &study) {
 }
 
 // The ways to gather that are compared.
-constexpr const char *kWays[] = {"one in the middle", "four turned differently", "four near the corners"};
+constexpr const char *kLayouts[] = {"one in the middle", "four turned differently", "four near the corners"};
 
-struct Tried {
-    int px, way;
+struct TriedLayout {
+    int px, layout;
     Gathering::Result result;
     double fromFinest = NAN; // percent (rms), NAN: not compared
 
     double ms() const { return 1000 * result.seconds; }
 };
 
-std::vector<Tried> tryAll(Study &study, Gathering &gathering) {
-    std::vector<Tried> tried;
+std::vector<TriedLayout> tryAll(Study &study, Gathering &gathering) {
+    std::vector<TriedLayout> tried;
     for (int px : rasters(study))
-        for (int way = 0; way < 3; ++way) {
+        for (int layout = 0; layout < 3; ++layout) {
             // Four hemicubes of half the pixels have the same total
-            int of = way ? px / 2 : px;
-            tried.push_back({of, way, gathering.measure({of, way == 1 ? 4 : 1, way == 2})});
+            int each = layout ? px / 2 : px;
+            tried.push_back({each, layout, gathering.measure({each, layout == 1 ? 4 : 1, layout == 2})});
         }
     // The effect of pixels alone: hemicubes in the middle, against the finest raster
-    const Tried *finest = nullptr;
-    for (const Tried &t : tried)
-        if (t.way == 0 && (!finest || t.px > finest->px)) finest = &t;
-    for (Tried &t : tried)
-        if (finest && &t != finest && t.way < 2)
+    const TriedLayout *finest = nullptr;
+    for (const TriedLayout &t : tried)
+        if (t.layout == 0 && (!finest || t.px > finest->px)) finest = &t;
+    for (TriedLayout &t : tried)
+        if (finest && &t != finest && t.layout < 2)
             t.fromFinest = errorsOf(t.result.light, finest->result.light).rms;
     return tried;
 }
 
 void gatherAt(Study &study, Gathering &gathering) {
-    std::vector<Tried> tried = tryAll(study, gathering);
+    std::vector<TriedLayout> tried = tryAll(study, gathering);
     PageTable table = {
         "gathering",
         {"hemicubes", "px", "processor_ms_per_patch", "rms_percent", "median_percent", "from_finest_percent"},
@@ -53,12 +53,13 @@ void gatherAt(Study &study, Gathering &gathering) {
          "off the finest (rms), %"}};
     pictures::Plot plot =
         errorPlot("one gather: what the raster alone does, against time", "processor time of a patch, ms",
-                  "off one hemicube with most pixels (rms), %", {kWays[0], kWays[1]});
-    for (const Tried &t : tried) {
+                  "off one hemicube with most pixels (rms), %", {kLayouts[0], kLayouts[1]});
+    for (const TriedLayout &t : tried) {
         const MeshErrors &e = t.result.errors;
-        table.rows.push_back({kWays[t.way], std::to_string(t.px), shown(t.ms()), shown(e.rms),
+        table.rows.push_back({kLayouts[t.layout], std::to_string(t.px), shown(t.ms()), shown(e.rms),
                               shown(e.median), shown(t.fromFinest)});
-        if (t.way < 2) plot.points.push_back({t.ms(), t.fromFinest, std::to_string(t.px), false, t.way});
+        if (t.layout < 2)
+            plot.points.push_back({t.ms(), t.fromFinest, std::to_string(t.px), false, t.layout});
     }
     study.page.table(table);
     study.page.plot("gathering", plot);

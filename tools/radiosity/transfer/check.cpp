@@ -169,7 +169,7 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         std::vector<Rgb> lit = freshLight(mesh, settings, rays, sky, workers, stop);
         if (stopped()) return false;
         printErrors(sky.name, rows, clusters, lit, nullptr);
-        notes.push_back(lossOf(sky.name, projected, room.bands));
+        notes.push_back(bandLossText(sky.name, projected, room.bands));
         for (const std::string &note : notes) std::printf("        (%s)\n", note.c_str());
     }
 
@@ -199,7 +199,7 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         if (stopped()) return false;
         size_t floats = many.floats(rank);
         std::printf("%7.2f %6d %12.3f %13.3f", (double)floats * 4e-6, rank,
-                    100 * lossOf(many, matrix, scale, rank), 100 * worst(many));
+                    100 * compressionError(many, matrix, scale, rank), 100 * worst(many));
         Clusters one = oneSubspace(room, matrix, scale, floats, stopping);
         if (stopped()) {
             std::printf("\n"); // ends the row
@@ -208,8 +208,8 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         if (one.rank == 0)
             std::printf("     more than %d\n", kMostRank);
         else
-            std::printf(" %8d %12.3f %13.3f\n", one.rank, 100 * lossOf(one, matrix, scale, one.rank),
-                        100 * worst(one));
+            std::printf(" %8d %12.3f %13.3f\n", one.rank,
+                        100 * compressionError(one, matrix, scale, one.rank), 100 * worst(one));
     }
     std::printf(
         "of the rows: of the whole matrix (Frobenius); of the light: the worst of the skies above, rms\n");

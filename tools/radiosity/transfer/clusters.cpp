@@ -151,7 +151,8 @@ std::vector<int> blocksOf(const Solution &model, int count) {
     return block;
 }
 
-double lossOf(const Clusters &c, const std::vector<float> &rows, const std::vector<float> &scale, int rank) {
+double compressionError(const Clusters &c, const std::vector<float> &rows, const std::vector<float> &scale,
+                        int rank) {
     double lost = 0, all = 0;
     auto width = (size_t)c.columns;
     for (size_t t = 0; t < c.of.size(); ++t) {

@@ -43,7 +43,7 @@ std::vector<int> blocksOf(const Solution &model, int count);
 
 // The rms error of the rows with the first `rank` axes, as a share of the rows' rms; columns are weighted by
 // `scale`.
-double lossOf(const Clusters &clusters, const std::vector<float> &rows, const std::vector<float> &scale,
-              int rank);
+double compressionError(const Clusters &clusters, const std::vector<float> &rows,
+                        const std::vector<float> &scale, int rank);
 
 } // namespace odraz::radiosity

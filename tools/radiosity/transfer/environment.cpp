@@ -68,7 +68,7 @@ Projected readEnvironment(const std::string &sky, bool upIsZ, std::vector<std::s
     return project(picture, upIsZ);
 }
 
-std::string lossOf(const std::string &name, const Projected &p, int bands) {
+std::string bandLossText(const std::string &name, const Projected &p, int bands) {
     double held = p.held[bands - 1];
     return name + common::format(": %d bands hold %.1f %% of its energy and lose %.1f %%", bands, 100 * held,
                                  100 * (1 - held));

@@ -23,6 +23,6 @@ Projected project(const Rgb &even);
 Projected readEnvironment(const std::string &sky, bool upIsZ, std::vector<std::string> *notes = nullptr);
 
 // One line: the share of the energy that this number of bands holds, and the share that they lose.
-std::string lossOf(const std::string &name, const Projected &projected, int bands);
+std::string bandLossText(const std::string &name, const Projected &projected, int bands);
 
 } // namespace odraz::radiosity

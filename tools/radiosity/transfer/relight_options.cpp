@@ -87,7 +87,8 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
     else if (room.lamps.empty())
         light.sky = project(Rgb{1, 1, 1});
     if (!sky.empty() && light.sky.held[0] < 1)
-        std::printf("%s\n", lossOf(sky.substr(sky.rfind('/') + 1), light.sky, light.lighting.bands).c_str());
+        std::printf("%s\n",
+                    bandLossText(sky.substr(sky.rfind('/') + 1), light.sky, light.lighting.bands).c_str());
     printNotes(notes);
     light.lighting.sky = turnedSky(light.sky.light, room, around, up);
     return light;

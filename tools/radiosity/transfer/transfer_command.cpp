@@ -14,7 +14,7 @@ namespace {
 
 int stopChecking = 0; // becomes 1 with Ctrl-C
 
-struct Job {
+struct TransferJob {
     std::string model, out;
     bool check = false;
     std::vector<std::string> skies; // more skies for --check
@@ -30,7 +30,7 @@ void readGloss(const std::string &text, TransferSettings &s) {
             "--gloss takes a reflectance, 0 to 1, and an exponent, 1 to 1000, like 0.06,16, not " + text);
 }
 
-void readJob(common::CommandLine &line, Job &job) {
+void readTransferJob(common::CommandLine &line, TransferJob &job) {
     TransferSettings &s = job.settings;
     line.about("Solves a model for any light from outside, and for each of its lamps: a material that emits, "
                "a ball or\n"
@@ -64,7 +64,7 @@ void readJob(common::CommandLine &line, Job &job) {
     claimOutput(job.out);
 }
 
-void printReport(const Mesh &mesh, const TransferRoom &room, const TransferReport &r) {
+void printTransferReport(const Mesh &mesh, const TransferRoom &room, const TransferReport &r) {
     std::printf("%zu triangles, %zu polygons in one plane each; %zu texels, %zu sites with %zu rays\n",
                 mesh.triangles.size(), room.model.charts.size(), room.texels(), r.sites, r.raysFromSite);
     std::printf("%d bands, %d functions", room.bands, room.functions());
@@ -81,8 +81,8 @@ void printReport(const Mesh &mesh, const TransferRoom &room, const TransferRepor
 } // namespace
 
 int runTransfer(common::CommandLine &line) {
-    Job job;
-    readJob(line, job);
+    TransferJob job;
+    readTransferJob(line, job);
     std::vector<std::string> notes;
     Mesh mesh = readModel(job.model, job.options.read, notes);
     job.options.addLights(mesh, job.settings.solve.surroundings, notes);
@@ -96,7 +96,7 @@ int runTransfer(common::CommandLine &line) {
     bar.clear();
     printNotes(report.notes);
     room.save(job.out);
-    printReport(mesh, room, report);
+    printTransferReport(mesh, room, report);
     std::fflush(stdout);
     if (!job.check) return 0;
     stopAt(stopChecking, {SIGINT, SIGTERM});

@@ -11,7 +11,7 @@ BackgroundSolve::BackgroundSolve(Mesh mesh, SolveSettings settings, const Render
                                  void (*wake)())
     : mesh(std::move(mesh)), settings(std::move(settings)), camera(camera), wake(wake) {
     this->settings.lightIsDue = [this] { return lightIsDue(); };
-    this->settings.watcher = [this](const Solution &soFar, bool) { look(soFar); };
+    this->settings.watcher = [this](const Solution &soFar, bool) { receive(soFar); };
     std::unique_lock held(lock);
     thread = std::thread([this] { run(); });
     opened.wait(held, [this] { return open; });
@@ -53,14 +53,14 @@ void BackgroundSolve::run() {
     wake();
 }
 
-// The time to compute light counts as looking.
+// The time to compute light counts as computing.
 bool BackgroundSolve::lightIsDue() {
     if (common::wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
-    if (!looking) began = common::wallSeconds();
-    return looking = true;
+    if (!computing) began = common::wallSeconds();
+    return computing = true;
 }
 
-void BackgroundSolve::look(const Solution &soFar) {
+void BackgroundSolve::receive(const Solution &soFar) {
     bool first = !solution;
     if (first)
         solution = std::make_unique<Solution>(soFar);
@@ -70,7 +70,7 @@ void BackgroundSolve::look(const Solution &soFar) {
     // Spend at most a fifth of the time on computing light; small models show every sweep
     double end = common::wallSeconds();
     next = end + 4 * (end - began);
-    looking = false;
+    computing = false;
     wake();
 }
 

@@ -42,7 +42,7 @@ public:
 private:
     void run();
     bool lightIsDue();
-    void look(const Solution &soFar);
+    void receive(const Solution &soFar);
     void publish(bool geometry, bool done);
 
     Mesh mesh;
@@ -54,7 +54,7 @@ private:
     std::unique_ptr<Solution> solution;
     std::shared_ptr<const ViewMesh> shown;
     double next = 0, began = 0;
-    bool looking = false; // since `began`
+    bool computing = false; // since `began`
     // Used by both threads, under the lock
     std::mutex lock;
     std::condition_variable opened;

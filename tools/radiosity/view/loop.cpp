@@ -17,15 +17,15 @@ namespace odraz::radiosity {
 // Samples along a pixel's side while nothing moves; enough for edges close to the tracer's.
 static constexpr int kStillSamples = 4;
 
-void ViewWindow::drawWhatChanged(bool moving) {
+void ViewWindow::drawChanges(bool moving) {
     if (redraw) {
         picture->draw(s.camera, s.layers, moving ? 1 : kStillSamples);
-        if (picture->measure(moving ? 200 : kMaxWidth, targetTone) && !lit) {
+        if (picture->measure(moving ? 200 : kMaxWidth, targetTone) && !measured) {
             tone.exposure = exposure(), tone.low = targetTone.low, tone.high = targetTone.high;
-            lit = true;
+            measured = true;
         }
         rough = moving;
-        toned = true;
+        retone = true;
     }
     if (s.layers.hemicube) pickPatch();
     redraw = false;
@@ -42,13 +42,13 @@ void ViewWindow::pickPatch() {
     if (!redraw && found == patch) return;
     patch = found;
     if (patch) picture->drawHemicube(patch, s.camera.upIsZ);
-    toned = true;
+    retone = true;
 }
 
 float ViewWindow::exposure() const { return targetTone.exposure * std::exp2(s.camera.stops); }
 
 // Adapts the exposure gradually, or at once for a screenshot. Returns whether it must continue.
-bool ViewWindow::glide(float seconds) {
+bool ViewWindow::adaptExposure(float seconds) {
     float stops = std::log(exposure() / tone.exposure), low = targetTone.low - tone.low,
           high = targetTone.high - tone.high,
           off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});
@@ -58,7 +58,7 @@ bool ViewWindow::glide(float seconds) {
     tone.exposure = there ? exposure() : tone.exposure * std::exp(stops * share);
     tone.low = there ? targetTone.low : tone.low + low * share;
     tone.high = there ? targetTone.high : tone.high + high * share;
-    toned = true;
+    retone = true;
     return !there;
 }
 
@@ -67,7 +67,7 @@ void ViewWindow::present() {
     glfwGetFramebufferSize(window, &width, &height);
     picture->show(tone, s.layers, patch, height, help ? viewKeys(room) : std::vector<ViewKey>());
     glfwSwapBuffers(window);
-    toned = false;
+    retone = false;
     if (s.screenshot.empty() || !solved || size == 0) return;
     pictures::writePng(s.screenshot, picture->read());
     std::printf("%s: light was shown %d times\n", s.screenshot.c_str(), pictures);
@@ -83,16 +83,16 @@ void ViewWindow::title(const std::string &step) {
     if (s.camera.stops != 0) common::append(text, "  %+g stops", (double)s.camera.stops);
     text += room ? "   [H help, W A S D Q E, mouse, wheel, 1 .. 9 [ ] - = P , . B T R C, Esc]"
                  : "   [H help, W A S D Q E, mouse, wheel, 1 2 3 4 B T R C, Esc]";
-    if (text != titled) glfwSetWindowTitle(window, text.c_str());
-    titled = text;
+    if (text != shownTitle) glfwSetWindowTitle(window, text.c_str());
+    shownTitle = text;
 }
 
 void ViewWindow::run(BackgroundSolve *solver) {
     solved = !solver;
     double last = glfwGetTime(), moved = -1;
-    bool gliding = false;
+    bool adapting = false;
     while (!glfwWindowShouldClose(window)) {
-        bool hurry = gliding || toned || redraw || rough || last - moved < 0.3;
+        bool hurry = adapting || retone || redraw || rough || last - moved < 0.3;
         hurry ? glfwPollEvents() : glfwWaitEventsTimeout(solver && !solved ? 0.2 : 1);
         double now = glfwGetTime();
         auto passed = (float)(now - last);
@@ -108,9 +108,9 @@ void ViewWindow::run(BackgroundSolve *solver) {
         moving |= relight(passed);
         if (moving) moved = now;
         if (rough && now - moved > 0.2) redraw = true;
-        drawWhatChanged(moving);
-        gliding = glide(passed);
-        if (toned) present();
+        drawChanges(moving);
+        adapting = adaptExposure(passed);
+        if (retone) present();
         if (s.spin > 0 && spun >= s.spin) {
             std::printf("%.1f pictures a second of %d x %d\n", spunPictures / spun, s.camera.width,
                         s.camera.height);

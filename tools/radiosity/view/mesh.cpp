@@ -15,13 +15,13 @@ ViewPoint pointOf(const Vec3 &p, const Vec3 &n, uint32_t patch) {
 }
 
 // A piece of an element: its first point, and its part in placing the hemicube of its patch.
-struct Middle {
+struct PieceCentroid {
     Vec3 p, n;
     float area;
 };
 
-Middle middleOf(const ViewPoint *points, size_t count, const Vec3 &n) {
-    Middle m = {{}, n, 0};
+PieceCentroid centroidOf(const ViewPoint *points, size_t count, const Vec3 &n) {
+    PieceCentroid m = {{}, n, 0};
     for (size_t i = 2; i < count; ++i) {
         const Vec3 &a = points[0].p, &b = points[i - 1].p, &c = points[i].p;
         float area = length(cross(b - a, c - a)) / 2;
@@ -56,7 +56,7 @@ ViewMesh::ViewMesh(const Solution &solution) {
             Vec3 from = piece[i].p - c.corner;
             point.p = piece[i].p;
             points.push_back(point);
-            places.push_back({cell, dot(from, c.u), dot(from, c.v)});
+            cellPoints.push_back({cell, dot(from, c.u), dot(from, c.v)});
             outlines.insert(outlines.end(), {first + i, first + (i + 1) % count});
             if (i >= 2) triangles.insert(triangles.end(), {first, first + i - 1, first + i});
         }
@@ -88,19 +88,19 @@ void ViewMesh::placeHemicubes(const Solution &solution, const std::vector<uint32
     auto all = [&](auto visit) {
         for (size_t i = 0; i < firsts.size(); ++i) {
             size_t first = firsts[i], end = i + 1 < firsts.size() ? firsts[i + 1] : points.size();
-            const Cell &cell = solution.cells[(size_t)places[first].cell];
+            const Cell &cell = solution.cells[(size_t)cellPoints[first].cell];
             visit(sums[points[first].patch - 1], patches[points[first].patch - 1], visible(solution, cell),
-                  middleOf(&points[first], end - first, solution.charts[(size_t)cell.chart].n));
+                  centroidOf(&points[first], end - first, solution.charts[(size_t)cell.chart].n));
         }
     };
-    all([](Sum &s, ViewPatch &, bool seen, const Middle &m) {
+    all([](Sum &s, ViewPatch &, bool seen, const PieceCentroid &m) {
         if (seen && !s.seen) s = {}, s.seen = true; // hidden pieces count only if the patch has no other
         if (seen != s.seen) return;
         const float p[3] = {m.p.x, m.p.y, m.p.z};
         for (int k = 0; k < 3; ++k) s.p[k] += (double)(p[k] * m.area);
         s.area += (double)m.area;
     });
-    all([](Sum &s, ViewPatch &to, bool seen, const Middle &m) {
+    all([](Sum &s, ViewPatch &to, bool seen, const PieceCentroid &m) {
         double area = std::max(s.area, 1e-300);
         Vec3 mean = {(float)(s.p[0] / area), (float)(s.p[1] / area), (float)(s.p[2] / area)};
         float far = length(mean - m.p);
@@ -113,9 +113,9 @@ void ViewMesh::placeHemicubes(const Solution &solution, const std::vector<uint32
 }
 
 std::vector<Rgb> ViewMesh::light(const Solution &solution) const {
-    std::vector<Rgb> light(places.size());
+    std::vector<Rgb> light(cellPoints.size());
     for (size_t i = 0; i < light.size(); ++i) {
-        const Place &at = places[i];
+        const CellPoint &at = cellPoints[i];
         light[i] = solution.radiosityIn(at.cell, at.u, at.v);
     }
     return light;

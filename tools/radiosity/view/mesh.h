@@ -31,11 +31,11 @@ struct ViewMesh {
     float size; // the diagonal of its bounding box
 
 private:
-    struct Place { // of a point, in the cell that has its light
+    struct CellPoint { // of a point, in the cell that has its light
         int cell;
         float u, v;
     };
-    std::vector<Place> places;
+    std::vector<CellPoint> cellPoints;
     void placeHemicubes(const Solution &solution, const std::vector<uint32_t> &firsts);
 };
 

@@ -97,7 +97,7 @@ void ViewPicture::relight(const std::vector<Rgb> &light) {
     gl.glBufferData(GL_ARRAY_BUFFER, bytesOf(light), light.data(), GL_DYNAMIC_DRAW);
 }
 
-void ViewPicture::shape(Target &t, int width, int height, GLint colours, bool depth) {
+void ViewPicture::resize(Target &t, int width, int height, GLint colours, bool depth) {
     if (t.width == width && t.height == height) {
         gl.glBindFramebuffer(GL_FRAMEBUFFER, t.framebuffer);
         return;
@@ -159,7 +159,7 @@ void ViewPicture::drawMesh(const Vec3 &eye, const Vec3 &right, const Vec3 &up, c
 void ViewPicture::draw(const RenderSettings &c, const ViewLayers &layers, int wanted) {
     for (samples = wanted; samples > 1; --samples)
         if ((size_t)(c.width * c.height) * (size_t)(samples * samples) <= kMostSamples) break;
-    shape(scene, c.width * samples, c.height * samples, GL_RGBA32F, true);
+    resize(scene, c.width * samples, c.height * samples, GL_RGBA32F, true);
     gl.glViewport(0, 0, scene.width, scene.height);
     clear(kViewNothing);
     if (!mesh) return;
@@ -183,7 +183,7 @@ void ViewPicture::draw(const RenderSettings &c, const ViewLayers &layers, int wa
 
 void ViewPicture::drawHemicube(int patch, bool upIsZ) {
     int half = std::max(std::min(scene.width, scene.height) / samples / 8, 8), px = 2 * half;
-    shape(hemicube, 2 * px, 2 * px, GL_RGBA32F, true);
+    resize(hemicube, 2 * px, 2 * px, GL_RGBA32F, true);
     clear(kViewFrame);
     const ViewPatch &at = mesh->patches[(size_t)patch - 1];
     // Up is the model's up; on floors and ceilings it is -z

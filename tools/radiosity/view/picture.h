@@ -58,11 +58,11 @@ private:
         GLuint framebuffer = 0, colour = 0, depth = 0;
         int width = 0, height = 0;
     };
-    void shape(Target &target, int width, int height, GLint colours, bool depth);
+    void resize(Target &target, int width, int height, GLint colours, bool depth);
     void drawMesh(const Vec3 &eye, const Vec3 &right, const Vec3 &up, const Vec3 &ahead, int lines,
                   bool backs) const;
     void clear(float number) const;
-    void layHelp(std::span<const ViewKey> keys, int width, int height);
+    void drawHelp(std::span<const ViewKey> keys, int width, int height);
     GLuint program(const char *vertex, const char *fragment, bool reversed);
     void attribute(GLuint place, int count, GLenum type, size_t stride, size_t offset) const;
 

@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 bool ViewPicture::measure(int most, ViewTone &tone) {
     int across = scene.width / samples, down = scene.height / samples, width = std::min(across, most),
         height = std::min(down, most);
-    shape(small, width, height, GL_RGBA32F, false);
+    resize(small, width, height, GL_RGBA32F, false);
     gl.glViewport(0, 0, width, height);
     gl.glUseProgram(meanProgram);
     gl.glUniform1i(gl.glGetUniformLocation(meanProgram, "samples"), samples);
@@ -46,7 +46,7 @@ int ViewPicture::patchAt(int x, int y) const {
 void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight,
                        std::span<const ViewKey> keys) {
     int width = scene.width / samples, height = scene.height / samples;
-    shape(final, width, height, GL_RGBA8, false);
+    resize(final, width, height, GL_RGBA8, false);
     auto at = [&](const char *name) { return gl.glGetUniformLocation(showProgram, name); };
     gl.glUseProgram(showProgram);
     gl.glBindVertexArray(arrays[0]);
@@ -66,7 +66,7 @@ void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch
     pass(scene, 0, 0, samples, layers.hemicube ? patch : 0);
     if (layers.hemicube && patch)
         pass(hemicube, width - hemicube.width - 8, std::min(8, height - hemicube.height), 1, 0);
-    if (!keys.empty()) layHelp(keys, width, height);
+    if (!keys.empty()) drawHelp(keys, width, height);
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, final.framebuffer);
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     gl.glBlitFramebuffer(0, 0, width, height, 0, windowHeight - height, width, windowHeight,
@@ -74,12 +74,12 @@ void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch
 }
 
 // Puts the help into the upper left corner of the picture.
-void ViewPicture::layHelp(std::span<const ViewKey> all, int width, int height) {
-    static constexpr int kAside = 8;
-    if (width <= 2 * kAside || height <= 2 * kAside) return;
+void ViewPicture::drawHelp(std::span<const ViewKey> all, int width, int height) {
+    static constexpr int kBorder = 8;
+    if (width <= 2 * kBorder || height <= 2 * kBorder) return;
     if (helpFor[0] != width || helpFor[1] != height) {
-        pictures::Image keys = viewHelp(all, width - 2 * kAside, height - 2 * kAside);
-        shape(help, keys.width, keys.height, GL_RGBA8, false);
+        pictures::Image keys = viewHelp(all, width - 2 * kBorder, height - 2 * kBorder);
+        resize(help, keys.width, keys.height, GL_RGBA8, false);
         gl.glBindTexture(GL_TEXTURE_2D, help.colour);
         gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, keys.width, keys.height, GL_RGB, GL_UNSIGNED_BYTE,
@@ -88,8 +88,8 @@ void ViewPicture::layHelp(std::span<const ViewKey> all, int width, int height) {
     }
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, help.framebuffer);
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, final.framebuffer);
-    int top = height - kAside;
-    gl.glBlitFramebuffer(0, help.height, help.width, 0, kAside, top - help.height, kAside + help.width, top,
+    int top = height - kBorder;
+    gl.glBlitFramebuffer(0, help.height, help.width, 0, kBorder, top - help.height, kBorder + help.width, top,
                          GL_COLOR_BUFFER_BIT, GL_NEAREST); // the first row is the lowest in OpenGL
 }
 

@@ -13,7 +13,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-struct Job {
+struct ViewJob {
     std::string in, sky;
     bool room = false;
     ViewSettings view;
@@ -31,7 +31,7 @@ void addLayer(ViewLayers &to, const std::string &name) {
     throw common::Refused("--layer is patches, elements, wireframe, hemicube or backs, not " + name);
 }
 
-void readJob(common::CommandLine &line, Job &job) {
+void readViewJob(common::CommandLine &line, ViewJob &job) {
     line.about("Opens a window to fly through a solution, or through a model while it is solved. Prints\n"
                "its keys when it starts. A room from transfer is relit while it is shown: the right mouse\n"
                "button turns the sky, and the keys 1 to 9 and 0 switch lamps, with Shift from the\n"
@@ -74,8 +74,8 @@ void readJob(common::CommandLine &line, Job &job) {
 } // namespace
 
 int runView(common::CommandLine &line) {
-    Job job;
-    readJob(line, job);
+    ViewJob job;
+    readViewJob(line, job);
     auto keys = [&] {
         if (job.view.screenshot.empty())
             std::fputs(viewKeysText(viewKeys(job.room)).c_str(), stdout), std::fflush(stdout);

@@ -53,7 +53,7 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow *w, double x, double y) { of(w).pointer(x, y); });
     glfwSetInputMode(window, GLFW_STICKY_KEYS, 1);
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow *w) { of(w).toned = true; });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow *w) { of(w).retone = true; });
     glfwGetCursorPos(window, &mouseX, &mouseY);
     tone.logarithmic = s.camera.logarithmic;
     picture = std::make_unique<ViewPicture>(gl);
@@ -66,7 +66,7 @@ void ViewWindow::wake() { glfwPostEmptyEvent(); }
 
 // Every key renews the tone-mapped picture, and some of them the scene too.
 void ViewWindow::key(int key, bool shift) {
-    toned = true;
+    retone = true;
     if (room && room->key(key, shift)) return;
     int first = room ? GLFW_KEY_F2 : GLFW_KEY_1; // in a room, digits switch lamps
     if (key >= first && key < first + 4)
@@ -129,7 +129,7 @@ bool ViewWindow::relight(float seconds) {
     if (!room) return false;
     float x = std::exchange(turnX, 0.f), y = std::exchange(turnY, 0.f);
     if (x != 0 || y != 0) room->turn((double)x / 3, (double)-y / 3);
-    if (s.spin > 0 && lit) {
+    if (s.spin > 0 && measured) {
         room->turn(360 * (double)seconds / s.spin, 0);
         spun += (double)seconds, ++spunPictures;
     }
@@ -144,7 +144,7 @@ void ViewWindow::takeNews(BackgroundSolve &solver) {
         show(news.mesh, *news.light, news.camera);
     else if (news.light)
         picture->relight(*news.light), redraw = true, ++pictures;
-    toned |= news.done && !solved; // for a screenshot
+    retone |= news.done && !solved; // for a screenshot
     solved = news.done;
 }
 

@@ -44,10 +44,10 @@ private:
     bool fly(float seconds);
     bool relight(float seconds);
     void toggle(bool ViewLayers::*layer);
-    void drawWhatChanged(bool moving);
+    void drawChanges(bool moving);
     void pickPatch();
     float exposure() const; // that of targetTone, with stops
-    bool glide(float seconds);
+    bool adaptExposure(float seconds);
     void present();
     void title(const std::string &step);
 
@@ -59,7 +59,7 @@ private:
     RelitRoom *room = nullptr;
     ViewTone tone, targetTone;
     // The scene must be drawn; it must be tone-mapped; it was drawn at low quality; light was measured
-    bool redraw = true, toned = true, rough = false, lit = false;
+    bool redraw = true, retone = true, rough = false, measured = false;
     bool solved = true; // the light shown is final
     int patch = 0, pictures = 0;
     double mouseX = 0, mouseY = 0;
@@ -69,7 +69,7 @@ private:
     double spun = 0; // seconds
     int spunPictures = 0;
     int pointerX = 0, pointerY = 0;
-    std::string titled;
+    std::string shownTitle;
 };
 
 // GLFW is loaded when a window is opened, so that all other commands run without it. Makes the functions of

@@ -142,7 +142,7 @@ TEST(Atlas, HasFewerTexelsOnDemand) {
 TEST(Atlas, PadsAndScales) {
     AtlasSettings s;
     Atlas atlas = packAtlas(room(), s);
-    std::vector<float> page = paintPage(room(), atlas, 0, Held::Light);
+    std::vector<float> page = paintPage(room(), atlas, 0, PageContent::Light);
     Exported out = exported(room(), s);
     int width = atlas.pages[0].width;
     auto texel = [&](int x, int y, int k) { return page[(size_t)(y * width + x) * 3 + (size_t)k]; };
@@ -188,7 +188,7 @@ TEST(Atlas, HoldsManySmallTriangles) {
     EXPECT_EQ(atlas.used, (int64_t)kMany * 36);
     int64_t size = (int64_t)atlas.pages[0].width * atlas.pages[0].height;
     EXPECT_LT((double)size, 1.05 * (double)atlas.used);
-    std::vector<float> page = paintPage(b, atlas, 0, Held::Light);
+    std::vector<float> page = paintPage(b, atlas, 0, PageContent::Light);
     std::vector<bool> taken((size_t)size);
     for (int i = 0; i < kMany; ++i) {
         const AtlasPlace &p = atlas.places[(size_t)i];

@@ -99,7 +99,7 @@ TEST(Pictured, ElementsHaveTheirPartOfThePicture) {
             SolveSettings settings;
             settings.surroundings.sky = evenSky({1, 1, 1});
             settings.element = 0.0005, settings.patch = 0.02;
-            settings.way = patches ? Way::kPatches : Way::kRays;
+            settings.method = patches ? SolveMethod::kPatches : SolveMethod::kRays;
             static Workers workers = allProcessors();
             Solved solved = solveModel(mesh, settings, headlessGl(), workers, &kNever, {});
             EXPECT_TRUE(solved.report.notes.empty());

@@ -87,10 +87,10 @@ TEST(Clusters, HoldTheRows) {
     TransferRoom room = transferOf(openRoom(), settings);
     std::vector<float> rows = room.rows(), scale = columnScale(room, rows);
     const Clusters &many = room.clusters;
-    EXPECT_LT(lossOf(many, rows, scale, 28), 2e-3); // of 28 lights, most of them grey
+    EXPECT_LT(compressionError(many, rows, scale, 28), 2e-3); // of 28 lights, most of them grey
     double last = 1;
     for (int rank = 0; rank <= many.rank; ++rank) {
-        double loss = lossOf(many, rows, scale, rank);
+        double loss = compressionError(many, rows, scale, rank);
         EXPECT_LE(loss, last * 1.0001) << rank;
         last = loss;
     }

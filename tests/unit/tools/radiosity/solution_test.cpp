@@ -5,7 +5,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
-#include "tools/radiosity/solution/kept.h"
+#include "tools/radiosity/solution/saved_state.h"
 
 #include <cmath>
 #include <cstring>
@@ -101,9 +101,15 @@ TEST_F(SolutionFile, OfOthersIsRefused) {
         [](Solution &b) { b.reflects.pop_back(); },
         [](Solution &b) { b.emits.clear(); },
         [](Solution &b) { b.cellReflects.resize(3); },
-        [](Solution &b) { b.material = {0, 2}, b.names = {'a', 0}; },
-        [](Solution &b) { b.material = {0, 0}, b.names = {'a'}; },
-        [](Solution &b) { b.material = {0}, b.names = {'a', 0}; },
+        [](Solution &b) {
+            b.material = {0, 2}, b.names = {'a', 0};
+        },
+        [](Solution &b) {
+            b.material = {0, 0}, b.names = {'a'};
+        },
+        [](Solution &b) {
+            b.material = {0}, b.names = {'a', 0};
+        },
         [](Solution &b) {
             b.cellReflects.resize(b.cells.size(), Rgb{NAN, 0, 0});
         },
@@ -115,14 +121,14 @@ TEST_F(SolutionFile, OfOthersIsRefused) {
     }
 }
 
-TEST(Kept, IsReadAsItWasWritten) {
+TEST(SavedState, IsReadAsItWasWritten) {
     common::TemporaryFolder folder;
-    Kept a;
+    SavedState a;
     a.words = {"m.obj", "-o", "", "a\nb"};
     a.model = 321;
     a.rows = "rows";
     a.save(folder / "a.state");
-    Kept b(folder / "a.state");
+    SavedState b(folder / "a.state");
     EXPECT_EQ(b.words, a.words);
     EXPECT_EQ(b.model, a.model);
     EXPECT_EQ(b.rows, a.rows);
@@ -131,7 +137,7 @@ TEST(Kept, IsReadAsItWasWritten) {
     std::string all = common::readWhole(folder / "a.state");
     auto expectRefused = [&](const std::string &wrong) {
         common::writeWhole(folder / "b.state", wrong);
-        EXPECT_THROW(Kept(folder / "b.state"), common::Refused);
+        EXPECT_THROW(SavedState(folder / "b.state"), common::Refused);
     };
     for (size_t i = 0; i < all.size(); ++i) {
         std::string wrong = all;

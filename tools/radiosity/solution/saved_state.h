@@ -13,12 +13,12 @@
 
 namespace odraz::radiosity {
 
-struct Kept {
-    Kept() = default;
+struct SavedState {
+    SavedState() = default;
     // Reads a file. Throws Refused, with the file's name first, if it is of another kind, damaged or from
     // another version.
-    explicit Kept(const std::string &path);
-    Kept(const Kept &) = delete;
+    explicit SavedState(const std::string &path);
+    SavedState(const SavedState &) = delete;
     // Writes beside `path` and renames. Throws std::runtime_error.
     void save(const std::string &path) const;
 

@@ -1,4 +1,4 @@
-#include "tools/radiosity/solution/kept.h"
+#include "tools/radiosity/solution/saved_state.h"
 
 #include "tools/radiosity/solution/arrays.h"
 
@@ -8,7 +8,7 @@ namespace odraz::radiosity {
 
 static constexpr char kStateMagic[] = "odraz radiosity state 5\n";
 
-void Kept::save(const std::string &path) const {
+void SavedState::save(const std::string &path) const {
     std::string body;
     body.reserve(rows.size() + 65536);
     put(body, std::vector<uint64_t>{model, words.size()});
@@ -18,7 +18,7 @@ void Kept::save(const std::string &path) const {
     common::writeWhole(path, withChecksum(kStateMagic, body));
 }
 
-Kept::Kept(const std::string &path) : file(common::readWholeFile(path)) {
+SavedState::SavedState(const std::string &path) : file(common::readWholeFile(path)) {
     std::string_view all = file.view(), padding;
     size_t at = bodyOf(all, kStateMagic);
     if (!at) throw common::Refused(path + ": is not a state of 'radiosity solve' of this version");
