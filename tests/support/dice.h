@@ -1,4 +1,4 @@
-// Random numbers, places and directions for tests of the tracer, the same in every run.
+// Random numbers, points and directions for tests of the tracer, the same in every run.
 #pragma once
 
 #include "base/vec3.h"
@@ -7,7 +7,7 @@
 
 namespace odraz {
 
-// Sets one of eight vectors.
+// Sets vector k of eight.
 inline void setLane(Vec3x8 &v, int k, Vec3 to) { v.x[k] = to.x, v.y[k] = to.y, v.z[k] = to.z; }
 
 struct Dice {
@@ -15,7 +15,7 @@ struct Dice {
 
     explicit Dice(unsigned seed) : engine(seed) {}
     float operator()(float lo, float hi) { return std::uniform_real_distribution<float>(lo, hi)(engine); }
-    // In a cube about the origin, whose sides are twice `size`.
+    // A point in a cube with sides of 2 `size`, centred at the origin.
     Vec3 point(float size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
     Vec3 direction() {
         for (;;) {
@@ -24,10 +24,10 @@ struct Dice {
             if (n > 0.01f && n < 1) return normalize(v);
         }
     }
-    // A direction at right angles to another.
-    Vec3 across(Vec3 d) { return normalize(cross(d, direction())); }
+    // A direction perpendicular to d.
+    Vec3 perpendicular(Vec3 d) { return normalize(cross(d, direction())); }
     Mat3 rotation() {
-        Vec3 u = direction(), v = across(u);
+        Vec3 u = direction(), v = perpendicular(u);
         return {u, v, cross(u, v)};
     }
 };

@@ -66,8 +66,8 @@ Exported::Exported(const std::string &folder, const std::string &name) {
             for (size_t k = 0; k < 3; ++k) {
                 const tinyobj::index_t &at = shape.mesh.indices[3 * i + k];
                 const float *p = &all.vertices[(size_t)at.vertex_index * 3],
-                            *place = &all.texcoords[(size_t)at.texcoord_index * 2];
-                t.p[k] = {p[0], p[1], p[2]}, t.u[k] = place[0], t.v[k] = place[1];
+                            *uv = &all.texcoords[(size_t)at.texcoord_index * 2];
+                t.p[k] = {p[0], p[1], p[2]}, t.u[k] = uv[0], t.v[k] = uv[1];
             }
             t.chart = (int)shape.mesh.smoothing_group_ids[i] - 1;
             t.material = shape.mesh.material_ids[i];
@@ -79,7 +79,7 @@ Exported::Exported(const std::string &folder, const std::string &name) {
         }
 }
 
-bool Exported::shows(int chart, Vec3 p, Rgb &radiance) const {
+bool Exported::radianceAt(int chart, Vec3 p, Rgb &radiance) const {
     for (int i : ofChart.at((size_t)chart)) {
         const ExportedTriangle &t = triangles[(size_t)i];
         Vec3 n = cross(t.p[1] - t.p[0], t.p[2] - t.p[0]);
@@ -96,10 +96,10 @@ bool Exported::shows(int chart, Vec3 p, Rgb &radiance) const {
     return false;
 }
 
-void Exported::mustLieApart(int apart) const {
+void Exported::mustHaveGap(int gap) const {
     for (size_t page = 0; page < pages.size(); ++page) {
         int width = pages[page].width, height = pages[page].height, covered = 0, wrong = 0;
-        std::vector<int> owner((size_t)width * (size_t)height, -1);
+        std::vector<int> chartAt((size_t)width * (size_t)height, -1);
         for (const ExportedTriangle &t : triangles) {
             if (t.page != (int)page) continue;
             double x[3], y[3];
@@ -118,21 +118,21 @@ void Exported::mustLieApart(int apart) const {
                         double side = (x[n] - x[k]) * (j - y[k]) - (y[n] - y[k]) * (i - x[k]);
                         in &= side * (twice > 0 ? 1 : -1) >= -1e-3;
                     }
-                    int &to = owner[(size_t)(j * width + i)];
-                    if (in && to >= 0 && to != t.chart) ++wrong;
-                    if (in) to = t.chart, ++covered;
+                    int &chart = chartAt[(size_t)(j * width + i)];
+                    if (in && chart >= 0 && chart != t.chart) ++wrong;
+                    if (in) chart = t.chart, ++covered;
                 }
         }
         EXPECT_GT(covered, 0);
         EXPECT_EQ(wrong, 0) << "texels in two charts";
         for (int j = 0; j < height; ++j)
             for (int i = 0; i < width; ++i) {
-                int own = owner[(size_t)(j * width + i)];
-                if (own < 0) continue;
-                for (int y = std::max(j - apart, 0); y <= std::min(j + apart, height - 1); ++y)
-                    for (int x = std::max(i - apart, 0); x <= std::min(i + apart, width - 1); ++x) {
-                        int other = owner[(size_t)(y * width + x)];
-                        wrong += other >= 0 && other != own;
+                int chart = chartAt[(size_t)(j * width + i)];
+                if (chart < 0) continue;
+                for (int y = std::max(j - gap, 0); y <= std::min(j + gap, height - 1); ++y)
+                    for (int x = std::max(i - gap, 0); x <= std::min(i + gap, width - 1); ++x) {
+                        int other = chartAt[(size_t)(y * width + x)];
+                        wrong += other >= 0 && other != chart;
                     }
             }
         EXPECT_EQ(wrong, 0) << "charts too near";

@@ -1,4 +1,4 @@
-// Reads lightmaps as other programs do: the OBJ by tinyobjloader, its pages by stb_image.
+// Reads exported lightmaps with independent libraries: the OBJ with tinyobjloader, its pages with stb_image.
 #pragma once
 
 #include "trace/scene/lightmap.h"
@@ -8,10 +8,10 @@
 
 struct ExportedPage {
     int width = 0, height = 0;
-    std::vector<float> hdr;   // three a texel, rows from above
-    std::vector<uint8_t> png; // the same
+    std::vector<float> hdr;   // three values a texel, the top row first
+    std::vector<uint8_t> png; // in the same order
 
-    // Samples bilinearly, as graphics processors do; texture coordinates count from the bottom.
+    // Samples the page bilinearly, as graphics processors do. v is 0 at the bottom.
     odraz::Rgb at(float u, float v) const;
 };
 
@@ -31,15 +31,16 @@ struct Exported {
     std::vector<ExportedMaterial> materials;
     std::vector<ExportedPage> pages;
 
-    // `name` of the pages: light or radiosity. Fails the calling test if something cannot be read.
+    // Reads model.obj and all pages of a folder. `name`: light or radiosity, as in light-0.hdr. Fails the
+    // calling test if a file cannot be read.
     Exported(const std::string &folder, const std::string &name);
 
-    // The radiance that a viewer shows at a place of a chart; false if no triangle of the chart lies there.
-    bool shows(int chart, odraz::Vec3 p, odraz::Rgb &radiance) const;
+    // Computes the radiance that a viewer shows at point p of a chart. Returns false if no triangle of the
+    // chart contains p.
+    bool radianceAt(int chart, odraz::Vec3 p, odraz::Rgb &radiance) const;
 
-    // Fails the test if a texel lies in triangles of two charts, or if two such texels are at most `apart`
-    // texels apart.
-    void mustLieApart(int apart) const;
+    // Fails the test if two charts share a texel, or if texels of two charts are at most `gap` texels apart.
+    void mustHaveGap(int gap) const;
 
 private:
     std::vector<std::vector<int>> ofChart;

@@ -1,4 +1,4 @@
-// OpenGL for tests, without a display, even where there is one: one context for the whole program.
+// OpenGL for tests. It uses no display, even if there is one. The whole program shares one context.
 #pragma once
 
 #include "host/headless.h"

@@ -1,9 +1,9 @@
-// A model with its own hemicube, for tests of what hemicubes see.
+// A model and a hemicube that draws it, for tests of hemicubes.
 #pragma once
 
 #include "radiosity/solve.h"
-#include "tests/support/lens.h"
 #include "tests/support/model_bench.h"
+#include "tests/support/single_hemicube.h"
 
 #include <set>
 #include <vector>
@@ -11,16 +11,18 @@
 namespace odraz {
 
 struct HemicubeBench : ModelBench {
-    std::unique_ptr<Lens> lens;
+    std::unique_ptr<SingleHemicube> hemicube;
 
     void open(int px, int block) {
         pose();
         divide(block);
-        lens = std::make_unique<Lens>(px);
+        hemicube = std::make_unique<SingleHemicube>(px);
     }
-    Hemicubes &hemicubes() { return lens->h; }
-    std::vector<float> row(const Eye &eye, double *dark = nullptr) { return lens->row(*model, eye, dark); }
-    std::set<uint32_t> seen(const Eye &eye) {
+    Hemicubes &hemicubes() { return hemicube->h; }
+    std::vector<float> row(const Eye &eye, double *dark = nullptr) {
+        return hemicube->row(*model, eye, dark);
+    }
+    std::set<uint32_t> visibleIds(const Eye &eye) {
         Hemicubes &h = hemicubes();
         drawHemicubes(h, *model, &eye, 1);
         std::set<uint32_t> ids;

@@ -15,7 +15,7 @@ struct LoadedFilm {
     HeapArena memory;
     Intro *intro = nullptr;
 
-    // `pairs`: with two slots, for in-betweens. With OpenGL, the hall is solved.
+    // `pairs`: loads two slots, for in-betweens. With `gl`, solves the hall.
     LoadedFilm(int threadCount, int width, int height, bool pairs, const Gl *gl = nullptr)
         : threads(threadCount), settings{.width = width, .height = height, .pairs = pairs},
           memory(memoryNeeded(settings, threadCount, gl != nullptr)) {

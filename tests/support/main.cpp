@@ -1,5 +1,5 @@
-// The main() of the tests of a room: `show_tests score_test` runs those of score_test.cpp alone, `show_tests`
-// all.
+// The main() of a room's tests. `show_tests` runs all of them, `show_tests score_test` only the tests of
+// score_test.cpp.
 #include <cstdio>
 #include <filesystem>
 #include <gtest/gtest.h>

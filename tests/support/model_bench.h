@@ -1,4 +1,4 @@
-// A model with what dividing and solving it need.
+// A model with the memory, scene and workers that are needed to divide and solve it.
 #pragma once
 
 #include "radiosity/visible.h"
@@ -20,7 +20,7 @@ struct ModelBench {
         model->pose(*scene);
         scene->finish();
     }
-    // Divides it into patches of `block` by `block` cells.
+    // Divides the model into patches of `block` by `block` cells.
     void divide(int block) {
         EXPECT_TRUE(model->divide(memory.arena, block));
         findVisible(*model, *scene, workers);

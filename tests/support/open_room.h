@@ -15,7 +15,7 @@ struct Quad {
     int material;
 };
 
-// A model of rectangles, lit on the side of u x v.
+// Returns a mesh of rectangles, whose fronts are on the side of u x v.
 inline Mesh meshOf(const std::vector<Quad> &quads, const std::vector<MeshMaterial> &materials) {
     Mesh mesh;
     mesh.materials = materials;
@@ -92,7 +92,7 @@ inline double legendre(int l, double x) {
     return b;
 }
 
-// The lobe of the bands' windows around a direction, at the cosine of an angle from it.
+// Returns the windowed lobe of all bands at an angle from its axis, given by its cosine.
 inline double lobeAt(double cosine, float exponent) {
     double sum = 0;
     for (int l = 0; l < kBands; ++l)

@@ -33,7 +33,7 @@ struct File {
     uint64_t directory(int i, int field) const {
         return at(optional() + 112 + 8 * (uint64_t)i + 4 * (uint64_t)field, 4);
     }
-    // The position in the file of an address of the image; 0 if it is not in the file
+    // Returns the offset in the file of an address of the image; 0 if the file does not have it
     uint64_t inFile(uint64_t address) const {
         for (int i = 0; i < sectionCount(); ++i) {
             Section s = section(i);
@@ -53,18 +53,18 @@ std::string brokenPeRule(const std::vector<uint8_t> &bytes) {
     uint64_t o = f.optional(), page = f.at(o + 32, 4), fileAlign = f.at(o + 36, 4), headers = f.at(o + 60, 4),
              base = f.at(o + 24, 8), image = f.at(o + 56, 4), entry = f.at(o + 16, 4);
     if (f.at(0, 2) != 0x5a4d) return "no MZ";
-    if (f.header() % 4 || f.header() < 0x40) return "the header overlaps the one of DOS";
+    if (f.header() % 4 || f.header() < 0x40) return "the header overlaps the DOS header";
     if (f.at(f.header(), 4) != 0x4550 || f.at(f.header() + 4, 2) != 0x8664 || f.at(o, 2) != 0x20b)
         return "not PE32+ for x86-64";
     if (!(f.at(f.header() + 22, 2) & 2)) return "not marked as executable";
     if (f.at(f.header() + 20, 2) < 112 + 8 * f.at(o + 108, 4) || f.at(o + 108, 4) > 16)
-        return "the directories are not in the optional header";
+        return "the directories do not fit into the optional header";
     if (page != 4096 || fileAlign < 512 || fileAlign & (fileAlign - 1)) return "odd alignment";
     if (headers % fileAlign || headers < f.sections() + 40 * (uint64_t)f.sectionCount() ||
         headers > bytes.size())
-        return "the size of the headers";
+        return "wrong size of the headers";
     if (base % 0x10000) return "the base is not a multiple of 64 KB";
-    if (!(f.at(f.header() + 22, 2) & 1) || f.at(o + 70, 2) & 0x40) return "it could be moved";
+    if (!(f.at(f.header() + 22, 2) & 1) || f.at(o + 70, 2) & 0x40) return "it can be relocated";
     if (f.at(o + 40, 2) < 5 || f.at(o + 48, 2) < 6) return "for a Windows before Vista";
     if (f.at(o + 52, 4)) return "Win32VersionValue";
     if (!(f.at(o + 70, 2) & 0x100)) return "data may be executed";
@@ -81,28 +81,29 @@ std::string brokenPeRule(const std::vector<uint8_t> &bytes) {
         if (s.address != next) return "a gap before a section";
         if (!s.memorySize) return "an empty section";
         next = (s.address + s.memorySize + page - 1) / page * page;
-        if (s.fileSize % fileAlign || s.fileAt % fileAlign) return "a section's place in the file";
+        if (s.fileSize % fileAlign || s.fileAt % fileAlign)
+            return "a section's offset or size in the file is not aligned";
         if (s.fileSize && (s.fileAt < headers || s.fileAt + s.fileSize > bytes.size()))
             return "a section beyond the file's end";
-        if (s.fileSize > (s.memorySize + page - 1) / page * page) return "more bytes than memory";
+        if (s.fileSize > (s.memorySize + page - 1) / page * page)
+            return "a section with more bytes than memory";
         if ((s.flags & kWrite) && (s.flags & kExecute)) return "writable and executable";
         if (!(s.flags & kRead)) return "a section that cannot be read";
         entered |= entry >= s.address && entry < s.address + s.fileSize && (s.flags & kExecute) != 0;
     }
-    if (image != next) return "the size of the image";
+    if (image != next) return "wrong size of the image";
     if (!entered) return "the entry is not in code";
 
-    // ntdll makes memory writable for a while: the directory of slots if the file has one, or else the whole
-    // section that holds the imports. It finds that section by the table of names if this lies behind the
-    // headers, else by the slots
+    // ntdll makes the import slots writable while it fills them: the directory of slots if the file has one,
+    // else the whole section of the imports. It finds that section by the table of names, if this lies after
+    // the headers, else by the slots
     uint64_t imports = f.inFile(f.directory(1, 0));
     if (!imports) return "no imports in a section's bytes";
     for (uint64_t i = imports; f.at(i + 12, 4) && f.at(i + 16, 4); i += 20) {
         uint64_t names = f.at(i, 4), slots = f.at(i + 16, 4);
         if (names && names < headers) return "names in the headers";
         if (!f.inFile(f.at(i + 12, 4))) return "a library without a name";
-        if (!f.inFile(slots) || !f.at(f.inFile(slots), 8))
-            return "slots that are empty at first are passed over";
+        if (!f.inFile(slots) || !f.at(f.inFile(slots), 8)) return "ntdll skips slots that are empty at first";
         uint64_t from = f.directory(12, 0), to = from + f.directory(12, 1);
         for (uint64_t n = f.inFile(names ? names : slots), slot = slots; f.at(n, 8); n += 8, slot += 8) {
             if (!f.inFile(f.at(n, 4) + 2)) return "a function without a name";

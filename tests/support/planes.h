@@ -1,4 +1,4 @@
-// The radiance of a traced picture as a list, row by row.
+// Returns the radiance of a traced picture as a list, row by row.
 #pragma once
 
 #include "trace/picture/frame.h"

@@ -1,4 +1,4 @@
-// A model that is read from a text.
+// Reads a model from strings, for tests of the readers.
 #pragma once
 
 #include "tools/common/folders.h"
@@ -9,14 +9,14 @@ namespace odraz::radiosity {
 
 using Lines = std::vector<std::string>;
 
-// The mesh with its notes, or the error; both without the name of the folder.
+// The mesh and its notes, or the error. The temporary folder's name is removed from both.
 struct ReadModel {
     Mesh mesh;
     pictures::Picture picture; // the first material's
     Lines notes;
     std::string error;
 
-    // `other`: a file beside it, if it has any content.
+    // Reads `text` as a file called `name`. If `content` is not empty, it is a second file, called `other`.
     ReadModel(const std::string &text, const std::string &name, const ReadSettings &settings,
               const std::string &other, const std::string &content) {
         common::TemporaryFolder folder;

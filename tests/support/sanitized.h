@@ -1,5 +1,5 @@
-// Under sanitizers, which take five times as long, tests look for misused memory, not for figures: sweeps
-// test fewer cases there.
+// Sanitizers take five times as long, and find misused memory, not wrong figures: under them, sweeps test
+// fewer cases.
 #pragma once
 
 namespace odraz {

@@ -29,8 +29,8 @@ inline Shape rect(Vec3 centre, Vec3 u, Vec3 v, float halfU, float halfV, int mat
             .frame = {u, cross(u, v), v}};
 }
 
-// A shape with a given centre, in the world's frame. Kinds with fewer than three sizes use the first ones. A
-// new kind needs a case in the switch.
+// Returns a shape of a kind, parallel to the world's axes. Kinds with fewer than three sizes use the first
+// ones. A new kind needs a case in the switch.
 inline Shape shapeOf(ShapeKind kind, const Vec3 &centre, const Vec3 &half) {
     switch (kind) {
     case ShapeKind::Sphere:
@@ -49,7 +49,7 @@ inline Shape shapeOf(ShapeKind kind, const Vec3 &centre, const Vec3 &half) {
     __builtin_unreachable();
 }
 
-// The distance of a point from a shape; 0 or less inside it. A new kind needs a case in the switch.
+// Returns the distance of a point from a shape, 0 or less inside it. A new kind needs a case in the switch.
 inline float distanceFrom(const Shape &s, Vec3 p) {
     Vec3 q = s.frame * (p - s.centre);
     auto over = [](float x, float half) { return std::fmax(std::fabs(x) - half, 0.f); };
@@ -59,7 +59,7 @@ inline float distanceFrom(const Shape &s, Vec3 p) {
     case ShapeKind::Plane:
         return q.y;
     case ShapeKind::Box:
-    case ShapeKind::Rect: // whose half.y is 0
+    case ShapeKind::Rect: // its half.y is 0
         return length(Vec3{over(q.x, s.half.x), over(q.y, s.half.y), over(q.z, s.half.z)});
     case ShapeKind::Cylinder:
         return std::hypot(over(std::hypot(q.x, q.z), s.half.x), over(q.y, s.half.y));

@@ -1,4 +1,4 @@
-// The film in small pictures, with the hall where it has one: loaded once for all tests.
+// The film at 160x90, with its hall if it has one. All tests of a program share it.
 #pragma once
 
 #include "tests/support/headless_gl.h"

@@ -1,4 +1,4 @@
-// Two unit squares at the distance 1, or with a common edge, whose form factors have closed forms: Howell, "A
+// Two unit squares, at distance 1 or with a common edge. Their form factors have closed forms: Howell, "A
 // Catalog of Radiation Heat Transfer Configuration Factors", C-11 and C-14.
 #pragma once
 
@@ -8,10 +8,10 @@ namespace odraz {
 
 struct Squares {
     const char *name;
-    Vec3 corner, u, v; // of the second one
+    Vec3 corner, u, v; // the second square
     double exact;
 
-    // Adds both, divided into 16 x 16 patches each. The first faces up.
+    // Adds both squares, each divided into 16 x 16 patches. The first one faces up.
     void addTo(Model &m) const {
         m.addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1 / 16.f);
         m.addRect(corner, u, v, 0, 1 / 16.f);

@@ -1,4 +1,4 @@
-// Workers on threads of the standard library. They replace the host's pool in tests of the engine alone.
+// Workers on threads of the standard library. Tests of the engine alone use them in place of the host's pool.
 #pragma once
 
 #include "base/maths.h"

@@ -1,10 +1,10 @@
-// The text of an error.
+// Texts of errors.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
-// The text of the Error that `code` throws; empty if it throws none.
+// Returns the text of the Error that `code` throws; an empty string if it throws none.
 template <class Error = std::runtime_error, class Code> std::string thrown(Code code) {
     try {
         code();

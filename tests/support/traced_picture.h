@@ -1,4 +1,4 @@
-// Pictures of the film's scenes and of others, traced and developed: for tests of the adaptive picture.
+// Traces and develops pictures of the film's scenes and of test scenes, for tests of adaptive sampling.
 #pragma once
 
 #include "show/show.h"
@@ -18,7 +18,7 @@ namespace odraz {
 constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
 inline const Quality &named(QualityName name) { return kQualities[(int)name]; }
 
-// A scene with nothing but one emitting shape.
+// Returns a scene that contains one shape, which emits light.
 inline std::unique_ptr<Scene> shining(const Rgb &radiance, const Shape &shape) {
     auto s = emptyScene();
     Material bright = {};
@@ -60,7 +60,7 @@ inline TracedPicture traced(Scene &posed, const CameraKey &camera, const Quality
     return p;
 }
 
-// The film's own camera; scenes choose their detail for it.
+// Returns the film's camera of a scene at a row. Scenes choose their detail by it.
 inline CameraKey scripted(int scene, float row) {
     const Shot *shot = kFilm.shots;
     while (shot->scene != scene) ++shot;

@@ -1,4 +1,4 @@
-// Traces whole rays through small scenes, one at a time, for tests of shading.
+// Traces single rays with all their bounces through small scenes, for tests of shading.
 #pragma once
 
 #include "tests/support/shapes.h"
@@ -9,12 +9,12 @@
 
 namespace odraz {
 
-// Leaves nothing out: twelve bounces, however faint.
+// Twelve bounces, and no cutoff for faint rays.
 inline constexpr Quality kExact = {.grid = 1, .depth = 12, .cutoff = 1e-6f};
 // No beam: all shapes are candidates.
 inline constexpr Candidates kAll = {-1, {}, {}, {}};
 
-// Samples of places in a picture, each as wide as a pixel.
+// Traces samples at points (x, y) of a picture, each as wide as a pixel.
 inline std::vector<Sample> samplesAt(const Scene &scene, const View &view, QualityName quality,
                                      const std::vector<float> &x, const std::vector<float> &y) {
     auto scratch = std::make_unique<TraceScratch>();
@@ -32,7 +32,7 @@ struct RayTracer {
 
     // Traces the ray from eye to target. The picture has one pixel of some 40 degrees; the sample is `size`
     // pixels wide.
-    Sample look(Vec3 eye, Vec3 target, const Quality &quality = kExact, float size = 1e-4f) {
+    Sample trace(Vec3 eye, Vec3 target, const Quality &quality = kExact, float size = 1e-4f) {
         scene->finish();
         View view = lookAt(eye, target, 0, 40, 1, 1);
         float half[8] = {0.5f};

@@ -1,4 +1,4 @@
-// Notes, rendered voice by voice.
+// Renders single voices, for tests of notes.
 #pragma once
 
 #include "sound/note.h"
@@ -14,7 +14,7 @@ inline std::unique_ptr<Voice> begun(const Note &note, uint32_t seed = 7) {
     return voice;
 }
 
-// The eight lanes of a voice, from its start: left in the first four, right in the others.
+// Renders a voice from its start. Each sample has eight lanes, four for the left and four for the right.
 inline std::vector<Float8> rendered(Voice &voice, double seconds) {
     std::vector<Float8> out;
     for (int time = 0; time < (int)(seconds * kSampleRate); time += kBlock) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kDamagedCopies = 150; // of each seed
 
-void give(const std::string &input) {
+void run(const std::string &input) {
     std::ofstream("input", std::ios::binary) << input;
     LLVMFuzzerTestOneInput((const uint8_t *)input.data(), input.size());
 }
@@ -61,9 +61,9 @@ int main(int argc, char **argv) {
     std::mt19937 chance(1);
     long inputs = 0;
     for (const std::string &seed : seeds) {
-        give(seed), ++inputs;
+        run(seed), ++inputs;
         for (int k = 0; k < kDamagedCopies; ++k, ++inputs)
-            give(damaged(seed, seeds[chance() % seeds.size()], chance));
+            run(damaged(seed, seeds[chance() % seeds.size()], chance));
     }
     std::printf("%ld inputs\n", inputs);
     return inputs ? 0 : 1;

@@ -24,7 +24,7 @@ double between(HemicubeBench &b, int turn) {
                                   (uint32_t)(first + i + 1000 * turn));
         drawHemicubes(b.hemicubes(), m, eyes, count);
         for (int i = 0; i < count; ++i) {
-            std::vector<float> row = b.lens->row(m, i);
+            std::vector<float> row = b.hemicube->row(m, i);
             for (int k = 0; k < to.patchesAcross * to.patchesDown; ++k)
                 sum += (double)row[(size_t)(to.firstPatch + k)];
         }
@@ -99,7 +99,7 @@ TEST(FormFactor, CoaxialDiscs) {
     disc(1, false);
     b.scene->finish(); // nothing is hidden
     b.divide(1);
-    b.lens = std::make_unique<Lens>(64);
+    b.hemicube = std::make_unique<SingleHemicube>(64);
     // The rim cuts patches: each counts by the part of it that exists
     const Model &m = *b.model;
     double area = 0, sum = 0;
@@ -171,7 +171,7 @@ TEST(FormFactor, OneSided) {
         EXPECT_EQ(row[(size_t)(above.firstPatch + i)], 0);
     EXPECT_GT(dark, 0.2); // the back hides what is behind it
     // From its own place, the upper square sees the ceiling, but neither itself nor the lower square
-    auto ids = b.seen(hemicubeEye({0.5f, 1, 0.5f}, {0, 1, 0}, 2));
+    auto ids = b.visibleIds(hemicubeEye({0.5f, 1, 0.5f}, {0, 1, 0}, 2));
     for (uint32_t id : ids)
         if (id != kNothing) {
             EXPECT_GT((int)id, b.model->charts[2].firstPatch);

@@ -40,7 +40,7 @@ TEST(ClosedRoom, NothingIsSeenFromOutsideAtAnyOffset) {
         const Chart &floor = b.model->charts[0], &outside = b.model->charts[6];
         for (float d = 1e-6f; d <= 1; d *= 1.7f)
             for (Vec3 p : {Vec3{-1 + d, -1, 0.3f}, Vec3{-1 + d, -1, 1 - d}, Vec3{0.2f, -1, -1 + d}}) {
-                for (uint32_t id : b.seen(hemicubeEye(p * scale, {0, 1, 0}, (uint32_t)bits(d)))) {
+                for (uint32_t id : b.visibleIds(hemicubeEye(p * scale, {0, 1, 0}, (uint32_t)bits(d)))) {
                     ASSERT_NE(id, kNothing) << d << " scale " << scale;
                     int patch = (int)id - 1;
                     ASSERT_LT(patch, outside.firstPatch) << d << " scale " << scale;
@@ -85,7 +85,7 @@ TEST(Hemicubes, LeaveNothingBehind) {
                is("glIsRenderbuffer", h.images[0]) + is("glIsRenderbuffer", h.images[1]);
     };
     EXPECT_EQ(there(), 6);
-    b.lens.reset();
+    b.hemicube.reset();
     EXPECT_EQ(there(), 0);
     for (GLuint shader = 1; shader < 100; ++shader) EXPECT_FALSE(is("glIsShader", shader)) << shader;
 }

@@ -1,8 +1,8 @@
 // The film's hall: its form factors against rays, its light over the day, and its bounces.
 #include "show/hall.h"
 #include "show/materials.h"
-#include "tests/support/lens.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/single_hemicube.h"
 #include "tests/support/traced_ray.h"
 #include "tools/measure/oracle/model_rays.h"
 
@@ -56,14 +56,14 @@ TEST(Hall, FitsAndWastesNothing) {
 TEST(Hall, IsClosed) {
     Solved &s = solved();
     const Model &m = s.hall->model;
-    Lens lens(64);
+    SingleHemicube hemicube(64);
     double worst = 0;
     for (int i = 0; i < m.patchCount; i += kSanitized ? 7 : 1) {
         const Patch &p = m.patches[i];
         if (p.share == 0 || m.charts[p.chart].open) continue;
         Eye eye = hemicubeEye(p.p, m.charts[p.chart].n, (uint32_t)i);
         double dark;
-        std::vector<float> row = lens.row(m, eye, &dark);
+        std::vector<float> row = hemicube.row(m, eye, &dark);
         double sum = 0;
         for (float f : row) sum += (double)f;
         EXPECT_NEAR(sum + dark, 1, 1e-6);
@@ -78,14 +78,14 @@ TEST(Hall, IsClosed) {
 TEST(Hall, HemicubesAgreeWithRays) {
     const Model &m = solved().hall->model;
     ModelRays bench(m);
-    Lens lens(64);
+    SingleHemicube hemicube(64);
     double square = 0, noise = 0;
     int compared = 0;
     for (int i = 7; i < m.patchCount; i += m.patchCount / (kSanitized ? 12 : 60)) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
         if (p.share == 0 || c.open) continue;
-        std::vector<float> row = lens.row(m, hemicubeEye(p.p, c.n, (uint32_t)i));
+        std::vector<float> row = hemicube.row(m, hemicubeEye(p.p, c.n, (uint32_t)i));
         // Compare by chart, and all windows together: rays that hit nothing leave through one
         std::vector<double> hemicube((size_t)m.chartCount + 1), rays((size_t)m.chartCount + 1);
         for (int k = 0; k < m.patchCount; ++k) {

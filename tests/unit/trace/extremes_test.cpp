@@ -37,7 +37,7 @@ TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
                 Vec3 towards = dice.direction(), o = towards * (-ratio * radius * 1.0001f);
                 float graze =
                     i % 3 == 0 ? dice(0, 2) : 1 + std::pow(10.f, dice(-6, -1)) * (i & 1 ? 1.f : -1.f);
-                Vec3 to = dice.across(towards) * (radius * graze);
+                Vec3 to = dice.perpendicular(towards) * (radius * graze);
                 Vec3 d = normalize(to - o);
                 Shape s = sphere({0, 0, 0}, radius, 0);
                 float alone = distance(s, {broadcast(o), broadcast(d)})[0];
@@ -77,7 +77,7 @@ TEST(Extremes, BeamsHitWhatRaysHit) {
                 Vec3x8 d;
                 for (int k = 0; k < 8; ++k) {
                     float graze = 1 + std::pow(10.f, dice(-6, 0)) * (k & 1 ? 1.f : -1.f);
-                    setLane(d, k, normalize(dice.across(towards) * (radius * graze) - o));
+                    setLane(d, k, normalize(dice.perpendicular(towards) * (radius * graze) - o));
                 }
                 BeamBuilder builder(o, towards);
                 builder.add(d * broadcast(3 * ratio * radius));
@@ -110,7 +110,7 @@ TEST(Extremes, RaysLeaveTheSurfacesThatTheyStartOn) {
                 Surface8 at = surfaceAt(s, r, t);
                 Vec3 n = lane(at.n), d = dice.direction();
                 float grazing = std::pow(10.f, dice(-4, 0));
-                Vec3 out = normalize(dice.across(n) + n * grazing),
+                Vec3 out = normalize(dice.perpendicular(n) + n * grazing),
                      in = normalize(d - n * (dot(d, n) + grazing));
                 ASSERT_EQ(distance(s, {offsetOrigin(s, at, broadcast(1.f)), broadcast(out)})[0], kInfinity)
                     << radius << " " << away << " " << grazing;
@@ -167,14 +167,14 @@ TEST(Extremes, TotalReflectionHoldsEveryRay) {
     // Along a diagonal all three faces are met at 54.7 degrees; the critical angle is 33.7
     for (float scale : {0.1f, 0.5f, 0.9f}) {
         Vec3 eye = Vec3{0.01f, 0.02f, 0.03f} * scale, target = Vec3{1, 1.01f, 0.99f} * scale;
-        EXPECT_EQ(g.look(eye, target, q).radiance().x, 0) << scale;
+        EXPECT_EQ(g.trace(eye, target, q).radiance().x, 0) << scale;
     }
     // A little below the critical angle some light passes, by Fresnel's equations
     double angle = std::asin(1 / 1.8) * 0.9, sine = std::sin(angle) * 1.8, cosT = std::sqrt(1 - sine * sine),
            cosI = std::cos(angle), across = (1.8 * cosI - cosT) / (1.8 * cosI + cosT),
            along = (cosI - 1.8 * cosT) / (cosI + 1.8 * cosT);
     q.depth = 1;
-    Sample s = g.look({0, 0, 0}, {1, (float)std::tan(angle), 0}, q);
+    Sample s = g.trace({0, 0, 0}, {1, (float)std::tan(angle), 0}, q);
     EXPECT_NEAR(s.radiance().x, 1 - (across * across + along * along) / 2, 1e-4);
 }
 

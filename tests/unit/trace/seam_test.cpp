@@ -36,7 +36,7 @@ template <class Which> int count(RayTracer &g, const Pose &p, Which &&which) {
     for (int i = 0; i < 3000; ++i) {
         Vec3 at = {(x + near()) * p.size, near() * p.size, (near.random.next() - 0.5f) * p.size};
         Vec3 eye = {(x + 3) * p.size, 2 * p.size, (near.random.next() - 0.5f) * p.size};
-        count += which(g.look(eye, at));
+        count += which(g.trace(eye, at));
     }
     return count;
 }

@@ -36,7 +36,7 @@ TEST(Phong, LightsAPlaneByDistanceAndAngle) {
     g.scene->add(plane({0, 0, 0}, g.scene->add(matte({0.5f, 0.5f, 0.5f}))));
     g.scene->add(Light{{3, 4, 0}, {50, 100, 150}});
     Rgb expected = Rgb{50, 100, 150} * (0.5f / 25 * 0.8f); // I * albedo / r^2 * cos
-    expectNear(g.look({0, 2, 2}, {0, 0, 0}).radiance(), expected, 1e-4f);
+    expectNear(g.trace({0, 2, 2}, {0, 0, 0}).radiance(), expected, 1e-4f);
 }
 
 TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
@@ -46,12 +46,12 @@ TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
     Vec3 mirrored = normalize(Vec3{0, 4, -3});
     Vec3 eye = {0.4f, 3, 2.5f}, reflected = normalize(eye * Vec3{-1, 1, -1});
     double expected = 0.7 * std::pow((double)dot(mirrored, reflected), 30);
-    Sample s = g.look(eye, {0, 0, 0});
+    Sample s = g.trace(eye, {0, 0, 0});
     EXPECT_NEAR(s.radiance().x, expected, 1e-4);
     EXPECT_EQ(s.lights, 2u);
     Quality coarse = kExact;
     coarse.cutoff = 10; // a light this faint has no shadow
-    EXPECT_NEAR(g.look(eye, {0, 0, 0}, coarse).radiance().x, expected, 1e-4);
+    EXPECT_NEAR(g.trace(eye, {0, 0, 0}, coarse).radiance().x, expected, 1e-4);
 }
 
 // A highlight smaller than the area that a sample covers on the ball is drawn wider and paler, so that it
@@ -67,7 +67,7 @@ TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
                 float x = (float)i * 0.02f, y = (float)j * 0.02f, up = 1 - x * x - y * y;
                 if (up <= 0) continue;
                 // Equal steps across the view
-                double v = (double)g.look({x, y, 500}, {x, y, std::sqrt(up)}, kExact, size).radiance().x;
+                double v = (double)g.trace({x, y, 500}, {x, y, std::sqrt(up)}, kExact, size).radiance().x;
                 sum += v, most = std::max(most, v);
             }
         return std::pair{sum, most};
@@ -82,7 +82,7 @@ TEST(Phong, DarkSideStaysDarkWithoutNaN) {
     RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(shiny({1, 1, 1}, 1, 7.5f))));
     g.scene->add(Light{{0, 0, -10}, {100, 100, 100}});
-    Sample s = g.look({0, 0, 5}, {0, 0, 0});
+    Sample s = g.trace({0, 0, 5}, {0, 0, 0});
     EXPECT_EQ(s.radiance().x, 0);
     EXPECT_EQ(s.lights, 0u);
 }
@@ -91,16 +91,16 @@ TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
     RayTracer g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
     g.scene->add(Light{{0, 10, 0}, {100, 100, 100}});
-    float open = g.look({0, 1, 3}, {0, 0, 0}).light.x;
+    float open = g.trace({0, 1, 3}, {0, 0, 0}).light.x;
     EXPECT_NEAR(open, 1, 1e-4);
     Material glass = clearGlass(1.5f);
     glass.tint = {0.5f, 0.25f, 1};
     g.scene->add(sphere({0, 5, 0}, 1, g.scene->add(glass)));
-    Sample through = g.look({0, 1, 3}, {0, 0, 0});
+    Sample through = g.trace({0, 1, 3}, {0, 0, 0});
     expectNear(through.light, {0.5f, 0.25f, 1}, 1e-4f);
     EXPECT_EQ(through.lights, 3u);
     g.scene->add(box({0, 3, 0}, {1, 0.1f, 1}, 0));
-    EXPECT_EQ(g.look({0, 1, 3}, {0, 0, 0}).light.x, 0);
+    EXPECT_EQ(g.trace({0, 1, 3}, {0, 0, 0}).light.x, 0);
 }
 
 // A light too faint for the quality casts no shadow. Its shadow fades in with the light, and lights that
@@ -116,7 +116,7 @@ TEST(Shadow, FadesInWithTheLightThatItTakes) {
         g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
         g.scene->add(box({0, 3, 0}, {1, 0.1f, 1}, 0));
         g.scene->add(Light{{0, 10, 0}, Rgb{100, 100, 100} * strength});
-        float light = g.look({0, 1, 3}, {0, 0, 0}, coarse).light.x;
+        float light = g.trace({0, 1, 3}, {0, 0, 0}, coarse).light.x;
         EXPECT_LE(std::abs(light - before), 2e-4f) << strength;
         if (strength < 0.2f * coarse.cutoff) {
             EXPECT_NEAR(light, strength, 1e-5f);
@@ -135,7 +135,7 @@ TEST(Mirror, ShowsWhatIsBehindTheViewer) {
     m.tint = {1, 0.5f, 0.25f};
     g.scene->add(plane({0, 0, 0}, g.scene->add(m)));
     g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
-    expectNear(g.look({0, 3, 3}, {0, 0, 0}).radiance(), {0.8f, 0.4f, 0.2f}, 1e-5f);
+    expectNear(g.trace({0, 3, 3}, {0, 0, 0}).radiance(), {0.8f, 0.4f, 0.2f}, 1e-5f);
 }
 
 // A lamp mirrored in a small ball, smaller there than what a sample covers, would blink as samples hit and
@@ -149,17 +149,17 @@ TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     // At its place: half-way between eye and lamp, as seen from the ball's face
     for (int i = 0; i < 20; ++i)
         place = normalize(normalize(eye - place) + normalize(Vec3{0, 0, 20} - place));
-    EXPECT_NEAR(g.look(eye, place, kExact, 1e-6f).radiance().x, 60, 0.1);
-    EXPECT_NEAR(g.look(eye, place, kExact, 1e-4f).radiance().x, 60, 0.5);
-    float pale = g.look(eye, place, kExact, 0.02f).radiance().x,
-          paler = g.look(eye, place, kExact, 0.04f).radiance().x;
+    EXPECT_NEAR(g.trace(eye, place, kExact, 1e-6f).radiance().x, 60, 0.1);
+    EXPECT_NEAR(g.trace(eye, place, kExact, 1e-4f).radiance().x, 60, 0.5);
+    float pale = g.trace(eye, place, kExact, 0.02f).radiance().x,
+          paler = g.trace(eye, place, kExact, 0.04f).radiance().x;
     EXPECT_LT(pale, 20);
     EXPECT_LT(paler, pale * 0.5f);
     EXPECT_GT(paler, 0.005f);
     // Beside it
     Vec3 beside = normalize(place + Vec3{0.06f, 0, 0});
-    EXPECT_EQ(g.look(eye, beside).radiance().x, 0);
-    EXPECT_GT(g.look(eye, beside, kExact, 0.02f).radiance().x, 0.01f);
+    EXPECT_EQ(g.trace(eye, beside).radiance().x, 0);
+    EXPECT_GT(g.trace(eye, beside, kExact, 0.02f).radiance().x, 0.01f);
 }
 
 // Two facing mirrors that emit: the path ends at the depth limit, so the sum is a finite geometric series,
@@ -172,7 +172,7 @@ TEST(Mirror, RecursionEndsByDepthAndByContribution) {
         g.scene->add(plane({0, 4, 0}, id));
         Quality q = kExact;
         q.depth = depth, q.cutoff = cutoff;
-        return g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x;
+        return g.trace({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x;
     };
     EXPECT_NEAR(seen(0.5f, 3, 1e-6f), 1 + 0.5 + 0.25 + 0.125, 1e-5);
     EXPECT_NEAR(seen(0.5f, 12, 0.2f), 1 + 0.5 + 0.25, 1e-5); // 0.25 goes on, 0.125 does not
@@ -188,12 +188,12 @@ TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
     g.scene->ambientLow = {0.2f, 0.2f, 0.2f};
     g.scene->ambientHigh = {0.8f, 0.6f, 0.4f};
     Quality q = kExact;
-    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0}, q).radiance().y, 0.5, 1e-5);
+    EXPECT_NEAR(g.trace({0, 2, 0}, {0, 0, 0}, q).radiance().y, 0.5, 1e-5);
     q.depth = 0;
-    expectNear(g.look({0, 2, 0}, {0, 0, 0}, q).radiance(), {0.4f, 0.3f, 0.2f}, 1e-5f);
+    expectNear(g.trace({0, 2, 0}, {0, 0, 0}, q).radiance(), {0.4f, 0.3f, 0.2f}, 1e-5f);
     q.depth = 12;
     q.cutoff = 0.6f;
-    EXPECT_NEAR(g.look({0, 2, 2}, {0, 0, 0}, q).radiance().x, 0.5 * (0.5 + 0.3 * std::sqrt(0.5)), 1e-4);
+    EXPECT_NEAR(g.trace({0, 2, 2}, {0, 0, 0}, q).radiance().x, 0.5 * (0.5 + 0.3 * std::sqrt(0.5)), 1e-4);
 }
 
 // A glass ball hit on its axis: Fresnel's R at both surfaces, with all orders of inner reflection. What is
@@ -202,7 +202,7 @@ TEST(Glass, KeepsEnergyOnTheAxis) {
     RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(clearGlass(1.5f))));
     g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
-    EXPECT_NEAR(g.look({0, 0, 5}, {0, 0, 0}).radiance().x, 1, 1e-4);
+    EXPECT_NEAR(g.trace({0, 0, 5}, {0, 0, 0}).radiance().x, 1, 1e-4);
 }
 
 TEST(Glass, FollowsSnell) {
@@ -212,8 +212,8 @@ TEST(Glass, FollowsSnell) {
     double sine = std::sin(0.7) / 1.5, depth = 4, x = depth * sine / std::sqrt(1 - sine * sine);
     g.scene->add(sphere({(float)x, (float)-depth, 0}, 0.01f, g.scene->add(glowing({1, 0, 0}))));
     Vec3 eye = {(float)-std::sin(0.7), (float)std::cos(0.7), 0};
-    EXPECT_GT(g.look(eye, {0, 0, 0}).radiance().x, 0.9f);
-    EXPECT_LT(g.look(eye, {0.02f, 0, 0}).radiance().x, 0.1f);
+    EXPECT_GT(g.trace(eye, {0, 0, 0}).radiance().x, 0.9f);
+    EXPECT_LT(g.trace(eye, {0.02f, 0, 0}).radiance().x, 0.1f);
 }
 
 TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
@@ -222,8 +222,8 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
     g.scene->sky = plainSky({0, 0, 0}, {1, 1, 1});
     g.scene->add(sphere({4, -1, 0}, 0.3f, g.scene->add(glowing({0, 1, 0}))));
     // From inside, 60 degrees off the normal (critical: 41.8): a perfect mirror
-    EXPECT_EQ(g.look({-1.732f, -1, 0}, {0, 0, 0}).radiance().x, 0); // no sky comes in
-    EXPECT_NEAR(g.look({-4, -1, 0}, {0, 0, 0}).radiance().y, 1, 1e-4);
+    EXPECT_EQ(g.trace({-1.732f, -1, 0}, {0, 0, 0}).radiance().x, 0); // no sky comes in
+    EXPECT_NEAR(g.trace({-4, -1, 0}, {0, 0, 0}).radiance().y, 1, 1e-4);
 }
 
 // Behind a ball of glass a sample widens as its rays do, most at the rim. A lamp narrower than that fades to
@@ -233,7 +233,7 @@ TEST(Glass, FadesLampsNarrowerThanASampleBehindIt) {
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(clearGlass(1.5f))));
     g.scene->add(box({0, 0, -5}, {0.1f, 50, 0.1f}, g.scene->add(glowing({1, 1, 1}))));
     g.scene->ambientLow = g.scene->ambientHigh = {0.2f, 0.2f, 0.2f};
-    auto seen = [&](float y, float size) { return g.look({0, y, 5}, {0, y, 0}, kExact, size).radiance().x; };
+    auto seen = [&](float y, float size) { return g.trace({0, y, 5}, {0, y, 0}, kExact, size).radiance().x; };
     EXPECT_GT(seen(0, 0.008f), 0.9f); // 0.08 wide there
     EXPECT_LT(seen(0, 0.024f), 0.3f);
     EXPECT_GT(seen(0.9f, 0.001f), 0.7f); // 0.04
@@ -247,7 +247,7 @@ TEST(Glass, AbsorbsByPathLength) {
     g.scene->add(sphere({0, 0, 0}, 0.5f, g.scene->add(m)));
     g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
     // 2^-1 through one unit
-    expectNear(g.look({0, 0, 5}, {0, 0, 0}).radiance(), {0.5f, 0.25f, 1}, 1e-3f);
+    expectNear(g.trace({0, 0, 5}, {0, 0, 0}).radiance(), {0.5f, 0.25f, 1}, 1e-3f);
 }
 
 TEST(Ambient, ABallDarkensTheFloorUnderIt) {
@@ -256,11 +256,11 @@ TEST(Ambient, ABallDarkensTheFloorUnderIt) {
     g.scene->add(plane({0, 0, 0}, id));
     g.scene->ambientLow = g.scene->ambientHigh = {1, 1, 1};
     g.scene->ballsOcclude = true;
-    EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, 1, 1e-6);
+    EXPECT_NEAR(g.trace({3, 1, 0}, {2, 0, 0}).light.x, 1, 1e-6);
     g.scene->add(sphere({0, 1, 0}, 0.5f, id));
     // Form factor of a sphere above the horizon: (r/d)^2 cos
     double d2 = 4 + 1, expected = 1 - (0.25 / d2 / std::sqrt(d2) - 1 / 150.);
-    EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, expected, 1e-4);
+    EXPECT_NEAR(g.trace({3, 1, 0}, {2, 0, 0}).light.x, expected, 1e-4);
 }
 
 TEST(View, HasAPictureForEveryDegenerateLook) {

@@ -77,7 +77,7 @@ Difference compare(const Solution &b, const Exported &out) {
     for (const Element &e : elements) mean += most(e.radiosity) / (float)elements.size();
     for (const Element &e : elements) {
         Rgb shown;
-        if (!out.shows(e.chart, e.middle, shown)) {
+        if (!out.radianceAt(e.chart, e.middle, shown)) {
             ++d.lost; // it falls between two parts of its polygon
             continue;
         }
@@ -108,7 +108,7 @@ TEST(Atlas, ShowsTheSolution) {
         AtlasSettings s;
         s.radiosity = radiosity;
         Exported out = exported(room(), s);
-        out.mustLieApart(2 * s.padding);
+        out.mustHaveGap(2 * s.padding);
         Difference d = compare(room(), out);
         EXPECT_GT(d.count, 2000);
         EXPECT_LT(d.lost, d.count / 100);
@@ -123,7 +123,7 @@ TEST(Atlas, TakesSeveralPagesAndWiderPadding) {
     Exported out = exported(room(), s);
     EXPECT_GT(out.pages.size(), 1u);
     for (const ExportedPage &p : out.pages) EXPECT_TRUE(p.width <= 128 && p.height <= 128);
-    out.mustLieApart(18);
+    out.mustHaveGap(18);
     EXPECT_LT(compare(room(), out).worst, 1 / 150.f);
 }
 
@@ -131,7 +131,7 @@ TEST(Atlas, HasFewerTexelsOnDemand) {
     AtlasSettings s;
     s.texels = 2;
     Exported out = exported(room(), s);
-    out.mustLieApart(4);
+    out.mustHaveGap(4);
     Difference d = compare(room(), out);
     EXPECT_EQ(d.lost, 0);
     EXPECT_LT(d.squareOfTable, 0.1); // coarse, but nothing is black or far off

@@ -110,7 +110,7 @@ TEST(Pictured, ElementsHaveTheirPartOfThePicture) {
             std::string name = folder / std::to_string(turned * 2 + patches);
             exportAtlas(b, {.radiosity = true}, name, notes);
             Exported out(name, "radiosity");
-            out.mustLieApart(4);
+            out.mustHaveGap(4);
             int elements = 0;
             b.forPieces([&](int, int cell, const std::vector<SolutionPoint> &piece) {
                 ++elements;
@@ -132,7 +132,7 @@ TEST(Pictured, ElementsHaveTheirPartOfThePicture) {
                 const Chart &c = b.charts[0];
                 Rgb shown, seen = b.lightIn(cell, dot(middle - c.corner, c.u), dot(middle - c.corner, c.v)) *
                                   b.reflectsOf(cell);
-                EXPECT_TRUE(out.shows(0, middle, shown));
+                EXPECT_TRUE(out.radianceAt(0, middle, shown));
                 EXPECT_NEAR(shown.x, seen.x, 0.008f * maxComponent(seen)); // a step of the format
                 EXPECT_EQ(b.reflectsOf(cell).y, 0);
                 double v = (double)turn(place, 1), blue = (double)b.reflectsOf(cell).z;
