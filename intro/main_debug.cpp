@@ -319,7 +319,7 @@ int main(int argc, char **argv) {
         last = now;
         if (follower.follow(screen, theMusic.block)) {
             edits.renew();
-            panel.learn();
+            panel.renew();
         }
         panel.steer(m.time, m.paused, m.sought);
         edit(m, edits, message);

@@ -8,7 +8,8 @@ namespace odraz::maker {
 
 namespace {
 
-// HOST, HOST:PORT, [ADDRESS], [ADDRESS]:PORT; an address of IPv6 has colons of its own.
+// Reads HOST, HOST:PORT, [ADDRESS] or [ADDRESS]:PORT. The brackets are for IPv6 addresses, which contain
+// colons.
 bool readHost(const std::string &word, std::string &host, int &port) {
     static const std::regex form(R"((?:\[([^\]]+)\]|([^:\[]+)|([^\[]*:[^\[]*:.*))(?::(\d{1,5}))?)");
     std::smatch part;
@@ -24,14 +25,15 @@ std::string takeOptions(int &argc, char **argv, DebugOptions &to) {
     int kept = 1;
     for (int i = 1; i < argc; ++i) {
         std::string word = argv[i];
-        bool file = word == "--shown" || word == "--tracks", more = i + 1 < argc;
-        if (file && !more) return word + " needs a file";
+        bool file = word == "--shown" || word == "--tracks", last = i + 1 == argc;
+        if (file && last) return word + " needs a file";
         if (file) {
             (word == "--shown" ? to.shown : to.tracks) = argv[++i];
         } else if (word == "--rocket") {
-            std::string where = more && argv[i + 1][0] != '-' && argv[i + 1][0] ? argv[++i] : "localhost";
+            std::string where = !last && argv[i + 1][0] != '-' && argv[i + 1][0] ? argv[++i] : "localhost";
             if (!readHost(where, to.host, to.port))
-                return "cannot use '--rocket " + where + "': give HOST or HOST:PORT, a port up to 65535";
+                return "cannot use '--rocket " + where +
+                       "': give HOST or HOST:PORT, with a port from 1 to 65535";
         } else {
             argv[kept++] = argv[i];
         }
@@ -39,7 +41,7 @@ std::string takeOptions(int &argc, char **argv, DebugOptions &to) {
     argc = kept;
     argv[argc] = nullptr;
     int modes = (to.shown != nullptr) + (to.tracks != nullptr) + !to.host.empty();
-    return modes > 1 ? "--shown, --tracks and --rocket go one at a time" : "";
+    return modes > 1 ? "use only one of --shown, --tracks and --rocket" : "";
 }
 
 } // namespace odraz::maker

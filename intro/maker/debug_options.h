@@ -1,4 +1,4 @@
-// The options that odraz-debug has and the film has not.
+// The options that odraz-debug has in addition to the film's.
 #pragma once
 
 #include <string>
@@ -8,11 +8,12 @@ namespace odraz::maker {
 struct DebugOptions {
     const char *shown = nullptr;  // --shown FILE
     const char *tracks = nullptr; // --tracks FILE
-    std::string host;             // --rocket [HOST[:PORT]]; empty: it was not given
+    std::string host;             // --rocket [HOST[:PORT]]; empty: not given
     int port = 0;
 };
 
-// Takes them out of the arguments, which are then those of the film. Returns what is wrong, or nothing.
+// Removes these options from the arguments, so that the film's remain. Returns an error line, or an empty
+// string.
 std::string takeOptions(int &argc, char **argv, DebugOptions &to);
 
 } // namespace odraz::maker

@@ -8,7 +8,7 @@ namespace odraz::maker {
 
 namespace {
 
-constexpr double kGreets = 0.3; // seconds in which an editor sends the keys that it has
+constexpr double kSettling = 0.3; // seconds in which a new editor sends the keys that it has
 
 } // namespace
 
@@ -19,10 +19,10 @@ Edits::Edits(const Stage &shown, std::string show, std::string name, int number)
 
 void Edits::renew() {
     std::vector<std::string> before = tracks.names();
-    tracks.find(stage.live());
+    tracks.readFilm(stage.live());
     if (host.empty() || (client && tracks.names() == before)) return;
-    client =
-        std::make_unique<rocket::Client>(host, port, tracks.names()); // other tracks need a new connection
+    // The tracks of a connection cannot change
+    client = std::make_unique<rocket::Client>(host, port, tracks.names());
     version = 0;
 }
 
@@ -33,12 +33,12 @@ Edits::Requests Edits::update(double now, double row) {
     if (client->connected() != connected) {
         connected = client->connected();
         since = now;
-        if (connected) requests.message = "an editor of GNU Rocket is there";
+        if (connected) requests.message = "connected to an editor of GNU Rocket";
     }
     if (!connected && client->problem() != problem) requests.message = client->problem();
     problem = client->problem();
-    // A new editor sends its keys at once; before they have arrived it seems to have none
-    if (connected && now >= since + kGreets && client->version() != version) {
+    // A new editor seems to have no keys until the first ones have arrived
+    if (connected && now >= since + kSettling && client->version() != version) {
         version = client->version();
         for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, client->track(i));
         tracks.show();
@@ -60,13 +60,13 @@ uint32_t Edits::setView(double row, const CameraKey *camera, std::string &messag
 std::string Edits::undo() {
     bool undone = tracks.undo();
     tracks.show();
-    if (!tracks.unsavedByHand()) renew(); // the files are read again: somebody may have changed them
+    if (!tracks.unsavedByHand()) renew(); // reads the files again, which somebody may have changed
     return undone ? "undone" : "nothing to undo";
 }
 std::string Edits::redo() {
     bool done = tracks.redo();
     tracks.show();
-    return done ? "done again" : "nothing to do again";
+    return done ? "redone" : "nothing to redo";
 }
 std::string Edits::save() {
     std::string message, wrong = tracks.save(message);
@@ -81,8 +81,8 @@ std::string Edits::writeDocument(const std::string &file) {
     std::string message = std::to_string(all.size()) + " tracks in " + file;
     if (off)
         message += "; " + std::to_string(off) +
-                   " keys of the film are between rows, before row 0 or two on a row: they are on the "
-                   "nearest one, or left out";
+                   " keys between rows, before row 0 or two on a row were moved to the nearest row or left "
+                   "out";
     return message;
 }
 

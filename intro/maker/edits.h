@@ -1,4 +1,4 @@
-// Edits the film's tracks: from an editor of GNU Rocket, and by hand.
+// Edits of the film's tracks, from an editor of GNU Rocket and by hand.
 #pragma once
 
 #include "maker/rocket/client.h"
@@ -11,33 +11,33 @@ namespace odraz::maker {
 
 class Edits {
 public:
-    // Without a host there is no editor, and tracks are edited by hand alone.
-    // `show`: the folder of the film's content, which files of keys are read and written.
+    // `show`: the folder of the film's content, whose key files are read and written. `host`: where the
+    // editor is; empty: none.
     Edits(const Stage &stage, std::string show, std::string host = "", int port = rocket::kPort);
 
-    // There is a new film: finds its tracks.
+    // To be called for a new film: reads its tracks.
     void renew();
 
-    struct Requests {              // of the editor
-        std::optional<double> row; // to which it went
+    struct Requests {              // from the editor
+        std::optional<double> row; // to show
         std::optional<bool> pause;
         bool save = false;
-        std::string message; // that it came or went, as a line; else empty
+        std::string message; // a line when the connection changes, else empty
     };
-    // Once a picture, at a row of the film, which the editor gets to know; its keys are taken over. `now`:
-    // seconds of any clock.
+    // To be called once a picture. Sends `row` of the film to the editor and takes over the editor's keys.
+    // `now`: seconds of any clock.
     Requests update(double now, double row);
 
-    // Sets a key for the eye and the target of a view, on the row next to one of the film, which it returns;
-    // or removes it, where `camera` is null. `message`: what was done, or why not.
+    // Sets a key with the eye and target of `camera`, or removes the key if `camera` is null. Returns its
+    // row, which is `row` rounded (see Tracks::rowOfView). `message`: what was done, or why not.
     uint32_t setView(double row, const CameraKey *camera, std::string &message);
-    // One step that was done by hand. These return what was done, or why not.
+    // Undo or redo one edit by hand, or save all edits. These return what was done, or why not.
     std::string undo();
     std::string redo();
-    std::string save();                              // all that was edited
+    std::string save();
     int unsaved() const { return tracks.unsaved(); } // tables
 
-    // Writes all tracks for an editor to open. Throws std::runtime_error; returns what was written.
+    // Writes all tracks as a document of GNU Rocket. Returns what was written. Throws std::runtime_error.
     std::string writeDocument(const std::string &file);
 
 private:
@@ -47,7 +47,7 @@ private:
     Tracks tracks;
     std::unique_ptr<rocket::Client> client;
     bool connected = false;
-    double since = 0; // when it connected
+    double since = 0; // when `connected` last changed
     std::string problem;
     uint64_t version = 0;
 };

@@ -12,11 +12,11 @@ Follower::Follower(const std::string &build, Stage &shown, Report to)
 }
 
 bool Follower::follow(Screen &screen, int block) {
-    Rebuilder::Event what = rebuilder.poll(glfwGetTime());
-    bool built = what == Rebuilder::Event::Built;
-    if (what == Rebuilder::Event::Building) report("building", "");
-    failed = what == Rebuilder::Event::Failed || (failed && !built);
-    if (what == Rebuilder::Event::Failed) report("does not compile", rebuilder.error());
+    Rebuilder::Event event = rebuilder.poll(glfwGetTime());
+    bool built = event == Rebuilder::Event::Built;
+    if (event == Rebuilder::Event::Building) report("building", "");
+    failed = event == Rebuilder::Event::Failed || (failed && !built);
+    if (event == Rebuilder::Event::Failed) report("does not compile", rebuilder.error());
     if (built) {
         stage.change(screen.gl, rebuilder.solverHash(), block, [&](bool on) { screen.hiddenCurrent(on); });
         if (!stage.state().empty()) report("loading", stage.state());
@@ -33,7 +33,7 @@ bool Follower::follow(Screen &screen, int block) {
 
 void Follower::drawState(const Picture &p, const char *limit, const std::string &recent) const {
     std::string line = failed ? rebuilder.error() : stage.state();
-    if (line.empty() && limit) line = std::string("this scene outgrew a limit; raise in scene.h: ") + limit;
+    if (line.empty() && limit) line = std::string("scene too large: raise ") + limit + " in scene.h";
     if (line.empty()) line = recent;
     if (!line.empty()) drawStatus(p, line, stage.loaded());
 }

@@ -1,4 +1,4 @@
-// Follows the sources: what was saved is built, and what was built is shown.
+// Rebuilds the film when a source is saved, and shows it when it is built.
 #pragma once
 
 #include "maker/rebuilder.h"
@@ -11,17 +11,17 @@ namespace odraz::maker {
 
 class Follower {
 public:
-    // Called with what goes on: a word for the title, and a line for stderr that may be empty.
+    // Receives news: a word for the window's title, and a line for stderr that may be empty.
     using Report = std::function<void(const std::string &word, const std::string &line)>;
-    // `build`: the folder of the build.
+    // `build`: the build folder.
     Follower(const std::string &build, Stage &stage, Report report);
 
-    // Once a picture, before it is made; `block` is where the music is. True: there is a new film.
+    // To be called before each picture. `block`: the music's position. Returns true if the film is a new one.
     bool follow(Screen &screen, int block);
-    // Draws the state over a picture: an error, progress, or else `limit`, a constant that is too small, or
-    // null, or else `recent`.
+    // Draws one line over a picture, the first that exists: an error or progress, `limit` (names a constant
+    // that is too small, or is null), `recent`.
     void drawState(const Picture &p, const char *limit, const std::string &recent) const;
-    // The compiler needs the processors: until it is done, few pictures are made.
+    // During a build, waits for an event or 0.2 s, so that the compiler gets the processors.
     void wait() const;
 
     std::string showFolder() const { return rebuilder.showFolder(); }

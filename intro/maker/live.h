@@ -1,4 +1,4 @@
-// The film as odraz-debug calls it: a shared object that is built and loaded again while the film plays.
+// The film as odraz-debug calls it: a shared object that is rebuilt and reloaded while the film plays.
 #pragma once
 
 #include "maker/panel/inspector.h"
@@ -12,14 +12,16 @@ struct Live {
     ODRAZ_SEAM(FUNCTION, FUNCTION)
 #undef FUNCTION
     const Inspector &(*inspector)();
-    // A hash of what the hall's light is solved from: its shape, what it reflects, its lights and settings.
-    // Takes hallHashMemory bytes of the arena
+    // Hashes the input of the hall's light: geometry, reflectances, lights and settings. Takes hallHashMemory
+    // bytes of the arena
     uint64_t (*hallHash)(Arena &arena);
     size_t hallHashMemory;
-    KeyTable *(*keyTables)(); // the first of all
-    // Replaces a table's keys, of its own kind and at most kMostKeys, from the next picture on
+    KeyTable *(*keyTables)(); // the head of the list of all tables
+    // Replaces a table's keys from the next picture on. `keys`: at most kMostKeys CameraKeys or Keys, as in
+    // the table
     void (*setKeys)(KeyTable &table, const void *keys, int count);
-    size_t sizes[4]; // of what load() and loadSound() make: where they differ, these must be called again
+    // Bytes of Intro, Scene, Hall and Sound. If one changes, load() and loadSound() must run again
+    size_t sizes[4];
 };
 
 using GetLive = const Live *();

@@ -9,7 +9,7 @@ namespace odraz {
 
 namespace {
 
-// Replaced together, for the music's thread
+// Replaced as one, so that the music thread never sees a Sound of another film
 struct InUse {
     const maker::Live *live;
     Sound *sound;
@@ -21,7 +21,7 @@ std::atomic<InUse *> theUse;
 namespace maker {
 
 const Live *openLive(const std::string &file, std::string &wrong) {
-    // The loader takes two files of one name for the same: give it a copy that has a name of its own
+    // dlopen() does not load a file name twice: open a copy with a new name
     static int copies = 0;
     std::string copy = file + "." + std::to_string(getpid()) + "." + std::to_string(++copies);
     std::error_code error;
@@ -30,11 +30,11 @@ const Live *openLive(const std::string &file, std::string &wrong) {
     void *object = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
     auto get = object ? (GetLive *)dlsym(object, kGetLive) : nullptr;
     if (!get) wrong = dlerror();
-    std::filesystem::remove(copy, error); // it stays in memory
+    std::filesystem::remove(copy, error); // the mapping stays
     return get ? get() : nullptr;
 }
 
-// The previous one is kept, since it may be in use.
+// The previous InUse is kept, since another thread may be using it.
 void useLive(const Live *next, Sound *sound) { theUse = new InUse{next, sound}; }
 
 const Inspector &inspector() { return theUse.load()->live->inspector(); }
@@ -43,7 +43,7 @@ const Inspector &inspector() { return theUse.load()->live->inspector(); }
 
 #define FILM(type, name, parameters, arguments)                                                              \
     type name parameters { return theUse.load()->live->name arguments; }
-// The music's thread has the sound that it was started with; what plays is the newest
+// The music thread passes the Sound that it was started with; the newest one plays
 #define SOUND(type, name, parameters, arguments)                                                             \
     type name parameters {                                                                                   \
         InUse *use = theUse;                                                                                 \

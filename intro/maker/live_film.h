@@ -1,5 +1,4 @@
-// The film of the shared object. Programs that link this call the functions of intro.h, and get those
-// of the object that was loaded last.
+// Implements the functions of intro.h by calling the shared object that useLive() named last.
 #pragma once
 
 #include "maker/live.h"
@@ -8,11 +7,11 @@
 
 namespace odraz::maker {
 
-// Loads an object, even if one of that name is loaded. Returns null, and why in `wrong`, if it cannot. What
-// was loaded stays in memory: what it has made points into it.
+// Loads an object, even if one of that name is loaded already. If it cannot, returns null, with the reason in
+// `wrong`. Objects are never unloaded, because data that they made point into them.
 const Live *openLive(const std::string &file, std::string &wrong);
 
-// From now on the functions of intro.h are these, and the music is that of `sound`.
+// From now on the functions of intro.h call `live`, and the music thread plays `sound`.
 void useLive(const Live *live, Sound *sound);
 
 } // namespace odraz::maker

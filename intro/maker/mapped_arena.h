@@ -1,4 +1,4 @@
-// An arena with memory of its own, which is zeroed, and given back with the object.
+// An arena that owns its memory: zeroed at first, unmapped by the destructor.
 #pragma once
 
 #include "base/arena.h"

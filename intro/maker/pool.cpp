@@ -30,7 +30,7 @@ void Pool::work() {
             seen = round;
         }
         job.take(worker);
-        std::lock_guard lock(mutex); // run() must not miss the last one
+        std::lock_guard lock(mutex); // run() must not miss the last notification
         if (job.done()) ends.notify_one();
     }
 }

@@ -1,5 +1,5 @@
-// Workers on threads that end with the object. The host (host/threads.h) has one set for a process; here a
-// film is shown while another is loaded, and each needs its own set.
+// Workers whose threads end with the object. The host (host/threads.h) has one set per process; here a film
+// is shown while another is loaded, and each needs its own.
 #pragma once
 
 #include "base/parallel.h"
@@ -14,12 +14,12 @@ namespace odraz::maker {
 
 class Pool {
 public:
-    explicit Pool(int count); // threads, with the caller's; 1 .. kMaxWorkers
+    explicit Pool(int count); // threads, including the caller's; 1 .. kMaxWorkers
     ~Pool();
     Pool(const Pool &) = delete;
 
     Workers &workers() { return all; }
-    // Work in progress becomes useless, and ends soon.
+    // Makes work in progress end soon, with a useless result.
     void abort() { __atomic_store_n(&leave, 1, __ATOMIC_RELAXED); }
 
 private:

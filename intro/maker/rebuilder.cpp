@@ -20,7 +20,7 @@ namespace odraz::maker {
 
 namespace {
 
-constexpr double kLook = 0.05; // seconds: how often the times of all sources are compared
+constexpr double kInterval = 0.05; // seconds between two comparisons of all sources' times
 constexpr const char *kSolvers[] = {"/radiosity/", "/transfer/"};
 
 bool isSource(const std::string &name) {
@@ -32,15 +32,15 @@ bool isSource(const std::string &name) {
 
 Rebuilder::Rebuilder(const std::string &folder) : build(folder) {
     std::ifstream cache(build + "/CMakeCache.txt");
-    auto take = [](const std::string &line, const std::string &key, std::string &to) {
+    auto readEntry = [](const std::string &line, const std::string &key, std::string &to) {
         if (line.starts_with(key)) to = line.substr(key.size());
     };
     for (std::string line; std::getline(cache, line);) {
-        take(line, "CMAKE_HOME_DIRECTORY:INTERNAL=", source);
-        take(line, "CMAKE_MAKE_PROGRAM:FILEPATH=", maker);
+        readEntry(line, "CMAKE_HOME_DIRECTORY:INTERNAL=", source);
+        readEntry(line, "CMAKE_MAKE_PROGRAM:FILEPATH=", buildTool);
     }
-    if (source.empty() || maker.empty()) {
-        wrong = build + " is no folder of a build: sources are not watched";
+    if (source.empty() || buildTool.empty()) {
+        wrong = build + " is not a build folder: sources are not watched";
         return;
     }
     times = timesNow();
@@ -62,17 +62,18 @@ Rebuilder::Times Rebuilder::timesNow() const {
 void Rebuilder::start() {
     std::filesystem::create_directories(build + "/live");
     std::string log = build + "/live/build.log";
-    // The times of files are up to 15 ms late: what was saved before is older than this
+    // File times lag behind the clock by up to 15 ms: a file saved from now on is not older than this
     began = std::filesystem::file_time_type::clock::now() - std::chrono::milliseconds(15);
     compiling = fork();
-    if (compiling < 0) firstError = "cannot start " + maker + ": " + std::strerror(errno);
-    setpgid(compiling, 0); // in both processes: a group, which is ended as one
+    if (compiling < 0) firstError = "cannot start " + buildTool + ": " + std::strerror(errno);
+    setpgid(compiling, 0); // in both processes; stop() ends the whole group
     if (compiling != 0) return;
     int to = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(to, 1);
     dup2(to, 2);
-    // In English, with quotes that our font has. Not by cmake, which would end before its children
-    execlp("env", "env", "LC_ALL=C", maker.c_str(), "-C", build.c_str(), "live", nullptr);
+    // LC_ALL=C: messages in English, with quotes that the font has. Not `cmake --build`, which would end
+    // before its children
+    execlp("env", "env", "LC_ALL=C", buildTool.c_str(), "-C", build.c_str(), "live", nullptr);
     _exit(127);
 }
 
@@ -81,8 +82,8 @@ void Rebuilder::stop() {
     if (compiling > 0) kill(-compiling, SIGTERM);
 }
 
-// Objects get the time at which their build began, so that a source saved during the build is newer. (Ninja
-// before 1.12 does not see to that.)
+// Sets the objects' times to the start of their build, so that a source saved during the build is newer.
+// (Ninja before 1.12 does not do that.)
 void Rebuilder::backdate() {
     std::error_code ignored;
     for (const std::string &file : objects())
@@ -105,7 +106,7 @@ void Rebuilder::readError() {
 }
 
 Rebuilder::Event Rebuilder::poll(double now) {
-    bool settled = false; // editors write in several steps
+    bool settled = false; // no source has changed since the last look: editors write in several steps
     auto look = [&] {
         lookedAt = now;
         Times before = std::exchange(times, timesNow());
@@ -113,16 +114,16 @@ Rebuilder::Event Rebuilder::poll(double now) {
         if (!settled) changedAt = now;
         dirty |= !settled;
     };
-    if (problem().empty() && now >= lookedAt + kLook) look();
+    if (problem().empty() && now >= lookedAt + kInterval) look();
     if (compiling > 0) {
-        if (dirty && !stopped) stop(); // it builds old sources
+        if (dirty && !stopped) stop(); // it is building old sources
         stopped = dirty;
         int status;
         pid_t ended = waitpid(compiling, &status, WNOHANG);
         if (ended == 0) return Event::None;
         compiling = -1;
         backdate();
-        look(); // at what was saved since the last look
+        look(); // a source may have been saved since the last one
         if (dirty) return Event::None;
         if (ended > 0 && WIFEXITED(status) && !WEXITSTATUS(status)) return Event::Built;
         readError();
@@ -135,7 +136,7 @@ Rebuilder::Event Rebuilder::poll(double now) {
     return compiling > 0 ? Event::Building : Event::Failed;
 }
 
-// The target's object files: they have a folder of their own.
+// The object files below intro/maker, where the target `live` has the engine's.
 std::vector<std::string> Rebuilder::objects() const {
     std::vector<std::string> files;
     std::error_code ignored;

@@ -1,4 +1,4 @@
-// Watches the film's sources, and builds the shared object again when one is saved.
+// Watches the film's sources, and rebuilds the shared object when one is saved.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@ namespace odraz::maker {
 
 class Rebuilder {
 public:
-    // `build`: the folder of the build, whose cache names the sources. If they are not known, problem() has
-    // the reason.
+    // `build`: the build folder, whose CMake cache names the source folder. If it does not, problem() has the
+    // reason.
     explicit Rebuilder(const std::string &build);
     ~Rebuilder();
     Rebuilder(const Rebuilder &) = delete;
@@ -21,10 +21,10 @@ public:
         None,
         Building, // a build has begun
         Failed,   // error() has the reason
-        Built,    // it can be loaded
+        Built,    // object() can be loaded
     };
-    // Does what can be done without waiting, and returns what happened since the last call. `now`: seconds of
-    // any clock.
+    // Does what is possible without waiting. Returns what happened since the last call. `now`: seconds of any
+    // clock.
     Event poll(double now);
 
     bool building() const { return compiling > 0; }
@@ -36,7 +36,8 @@ public:
     std::string object() const { return build + "/live/live.so"; }
     // A hash of the code that solves the hall. When it changes, the hall must be solved again.
     uint64_t solverHash() const;
-    double saved() const { return savedAt; } // when the last change was seen that was built
+    // The time, as in poll(), at which the last change that was built was seen.
+    double saved() const { return savedAt; }
 
 private:
     using Times = std::map<std::filesystem::path, std::filesystem::file_time_type>;
@@ -47,11 +48,12 @@ private:
     void readError();
     std::vector<std::string> objects() const;
 
-    std::string build, source, maker, wrong, firstError;
+    std::string build, source, buildTool, wrong, firstError;
     Times times; // of all sources
     pid_t compiling = -1;
     std::filesystem::file_time_type began = {};
-    bool dirty = false, stopped = false; // saved since the build began; it is being stopped
+    bool dirty = false;   // a source was saved since the build began
+    bool stopped = false; // the build is being stopped
     double lookedAt = 0, changedAt = 0, savedAt = 0;
 };
 

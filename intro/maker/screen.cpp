@@ -19,7 +19,7 @@ const char *open(Screen &s, int width, int height) {
     s.height = height;
     if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, s.gl))
         return "no OpenGL 3.3 on this display";
-    // What show() needs
+    // Make the texture and the framebuffer for show()
     s.gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
     s.gl.glGenTextures(1, &s.texture);
     s.gl.glBindTexture(GL_TEXTURE_2D, s.texture);

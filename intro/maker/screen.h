@@ -10,10 +10,10 @@
 namespace odraz::maker {
 
 struct Screen {
-    GLFWwindow *window, *hidden; // the context of `hidden` is for loading in the background
+    GLFWwindow *window, *hidden; // the context of `hidden` serves the thread that loads
     Gl gl;
     int width, height;
-    // For the thread that loads: makes the hidden window's context current, or none
+    // Makes the hidden window's context current on the calling thread, or none
     void hiddenCurrent(bool on) const { glfwMakeContextCurrent(on ? hidden : nullptr); }
     GLuint texture, framebuffer;
 };

@@ -33,8 +33,8 @@ const char *Stage::load(Loaded &to, const Gl &gl, const Progress &report) {
     return to.live->load(to.intro, settings, to.memory.arena, workers, &gl, report);
 }
 
-// Loads the music, at a block. The previous music may still be rendering a block, so its memory stays until
-// the next change.
+// Loads the music and seeks to a block. The music thread may still be rendering a block of the previous
+// music, whose memory therefore stays until the next change.
 Sound *Stage::newSound(Loaded &to, int block) {
     if (mute) return to.sound = nullptr;
     sounds[0] = std::move(sounds[1]);
@@ -79,7 +79,7 @@ void Stage::giveUp() {
 }
 
 void Stage::change(const Gl &gl, uint64_t solvers, int block, const Current &current) {
-    giveUp(); // it loads an old film
+    giveUp(); // a load in progress is of an older film
     wrong.clear();
     const Live *live = openLive(object, wrong);
     if (!live) return;
@@ -106,7 +106,7 @@ bool Stage::poll(int block) {
 }
 
 std::string Stage::state() const {
-    if (!wrong.empty() || !loads()) return wrong;
+    if (!wrong.empty() || !isLoading()) return wrong;
     std::string line =
         next.hall == now.hall && next.solvers == now.solvers ? "loading the film" : "solving the hall";
     line += " again: " + std::to_string(std::lround(progress * 100)) + " of 100";

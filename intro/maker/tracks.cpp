@@ -32,19 +32,19 @@ std::string plainName(std::string name) {
 }
 
 Interpolation fromRocket(rocket::Interpolation i) {
-    constexpr Interpolation kOurs[] = {kStep, Interpolation::Linear, Interpolation::Smooth, kRamp};
-    return kOurs[(int)i];
+    constexpr Interpolation kInterpolations[] = {kStep, Interpolation::Linear, Interpolation::Smooth, kRamp};
+    return kInterpolations[(int)i];
 }
 rocket::Interpolation toRocket(Interpolation i) {
     using enum rocket::Interpolation;
     return i == kStep ? Step : i == kRamp ? Ramp : i == Interpolation::Smooth ? Smooth : Linear;
 }
 
-// In an editor, each number of a camera may have keys on rows of its own. The film's table has all numbers on
-// every row: a number without a key there gets the value of its own curve.
+// Joins a camera's channels. In an editor each may have keys on different rows; the film's table has all
+// numbers on every row. A channel without a key on a row gets the value of its curve there.
 std::vector<KeyNumbers> merged(const std::vector<std::vector<Key>> &channels) {
     std::set<float> rows;
-    std::vector<CameraKey> paths[kChannels]; // of each only one number is used
+    std::vector<CameraKey> paths[kChannels]; // path c uses number c alone
     for (size_t c = 0; c < kChannels; ++c)
         for (const Key &k : channels[c]) {
             rows.insert(k.row);
@@ -64,7 +64,7 @@ std::vector<KeyNumbers> merged(const std::vector<std::vector<Key>> &channels) {
 
 } // namespace
 
-void Tracks::find(const Live &from) {
+void Tracks::readFilm(const Live &from) {
     live = &from;
     Content film = contentOf(live->inspector());
     shots = film.shots;
@@ -75,7 +75,7 @@ void Tracks::find(const Live &from) {
     files.read(names, rows);
     tables.clear();
     for (KeyTable *t = live->keyTables(); t; t = t->next) {
-        // A path's own shot, or the first shot of the scene that the file is named after
+        // The shot of a path, or the first shot of the scene that the file is named after
         std::string file = fileOf(*t), scene = std::filesystem::path(file).stem();
         auto shot = std::find_if(shots.begin(), shots.end(), [&](const ShotInfo &s) {
             return t->camera ? s.path->keys == t->poses : live->sceneName(s.scene) == scene;
@@ -86,14 +86,14 @@ void Tracks::find(const Live &from) {
         double shift = shot->story * kRowsPerSecond + (double)t->start;
         tables.push_back({t, shot->scene, shift, i, name + plainName(t->name), 0});
     }
-    std::reverse(tables.begin(), tables.end()); // the list begins with the last
-    std::stable_sort(tables.begin(), tables.end(), [](const Table &a, const Table &b) {
+    std::reverse(tables.begin(), tables.end()); // the live list begins with the newest
+    std::stable_sort(tables.begin(), tables.end(), [](const FilmTable &a, const FilmTable &b) {
         return std::pair(a.scene, !a.live->camera) < std::pair(b.scene, !b.live->camera);
     });
     allNames.clear();
     tableOf.clear();
     for (size_t i = 0; i < tables.size(); ++i) {
-        Table &t = tables[i];
+        FilmTable &t = tables[i];
         t.firstTrack = allNames.size();
         if (!t.live->camera) allNames.push_back(t.name);
         for (size_t c = 0; t.live->camera && c < kChannels; ++c)
@@ -103,15 +103,15 @@ void Tracks::find(const Live &from) {
     show();
 }
 
-const std::vector<KeyNumbers> &Tracks::own(const Table &t) const {
+const std::vector<KeyNumbers> &Tracks::ownKeys(const FilmTable &t) const {
     return files.tables()[(size_t)t.file].keys;
 }
 
-std::vector<Key> Tracks::edited(const Table &t, size_t channel) const {
-    std::vector<Key> mine;
-    for (const KeyNumbers &k : own(t))
-        mine.push_back(t.live->camera ? Key{k[0], k[channel + 1], Interpolation::Smooth} : keyOf(k));
-    std::vector<Key> result = mine;
+std::vector<Key> Tracks::editedChannel(const FilmTable &t, size_t channel) const {
+    std::vector<Key> keys;
+    for (const KeyNumbers &k : ownKeys(t))
+        keys.push_back(t.live->camera ? Key{k[0], k[channel + 1], Interpolation::Smooth} : keyOf(k));
+    std::vector<Key> result = keys;
     auto edit = edits.find(allNames[t.firstTrack + channel]);
     if (edit == edits.end()) return result;
     const auto &[editor, byHand] = edit->second;
@@ -121,10 +121,10 @@ std::vector<Key> Tracks::edited(const Table &t, size_t channel) const {
     });
     for (auto &[row, key] : editor) {
         if (byHand.count(row)) continue;
-        // The exact row of the film's own key, if there is one
-        auto there = std::find_if(mine.begin(), mine.end(),
-                                  [&](const Key &k) { return t.filmRow(k.row) == (double)row; });
-        float at = there == mine.end() ? (float)((double)row - t.shift) : there->row;
+        // Keep the exact row of the film's key, if there is one
+        auto here = std::find_if(keys.begin(), keys.end(),
+                                 [&](const Key &k) { return t.filmRow(k.row) == (double)row; });
+        float at = here == keys.end() ? (float)((double)row - t.shift) : here->row;
         result.push_back({at, key.value, fromRocket(key.interpolation)});
     }
     std::stable_sort(result.begin(), result.end(), [](const Key &a, const Key &b) { return a.row < b.row; });
@@ -133,8 +133,8 @@ std::vector<Key> Tracks::edited(const Table &t, size_t channel) const {
 
 rocket::Track Tracks::track(size_t i) const {
     rocket::Track result;
-    const Table &t = tables[tableOf[i]];
-    for (const Key &k : edited(t, i - t.firstTrack))
+    const FilmTable &t = tables[tableOf[i]];
+    for (const Key &k : editedChannel(t, i - t.firstTrack))
         if (double row = t.filmRow(k.row); row >= 0)
             result[(uint32_t)row] = {k.value, toRocket(k.interpolation)};
     return result;
@@ -142,10 +142,10 @@ rocket::Track Tracks::track(size_t i) const {
 
 int Tracks::offRows() const {
     int count = 0;
-    for (const Table &t : tables) {
+    for (const FilmTable &t : tables) {
         int off = 0;
-        double last = -1; // two keys on a row are a jump, which Rocket does not have either
-        for (const KeyNumbers &k : own(t)) {
+        double last = -1; // two keys on a row are a jump, for which Rocket has no row either
+        for (const KeyNumbers &k : ownKeys(t)) {
             double row = (double)k[0] + t.shift;
             off += row < 0 || row != std::round(row) || row == last;
             last = row;
@@ -167,13 +167,13 @@ void Tracks::takeFromEditor(size_t i, const rocket::Track &now) {
     if (now.empty()) edits.erase(allNames[i]);
 }
 
-std::vector<KeyNumbers> Tracks::contents(const Table &t) const {
+std::vector<KeyNumbers> Tracks::editedKeys(const FilmTable &t) const {
     size_t count = t.live->camera ? kChannels : 1;
-    bool untouched = true; // by an editor
-    for (size_t c = 0; c < count; ++c) untouched &= !edits.count(allNames[t.firstTrack + c]);
-    if (untouched) return own(t);
+    bool edited = false;
+    for (size_t c = 0; c < count; ++c) edited |= edits.count(allNames[t.firstTrack + c]) > 0;
+    if (!edited) return ownKeys(t);
     std::vector<std::vector<Key>> channels;
-    for (size_t c = 0; c < count; ++c) channels.push_back(edited(t, c));
+    for (size_t c = 0; c < count; ++c) channels.push_back(editedChannel(t, c));
     std::vector<KeyNumbers> result;
     if (t.live->camera)
         result = merged(channels);
@@ -185,9 +185,9 @@ std::vector<KeyNumbers> Tracks::contents(const Table &t) const {
 
 void Tracks::show() {
     unsavedByEditor = 0;
-    for (const Table &t : tables) {
-        std::vector<KeyNumbers> now = contents(t);
-        unsavedByEditor += now != own(t);
+    for (const FilmTable &t : tables) {
+        std::vector<KeyNumbers> now = editedKeys(t);
+        unsavedByEditor += now != ownKeys(t);
         now.resize(std::min(now.size(), (size_t)kMostKeys));
         std::vector<Key> keys;
         std::vector<CameraKey> poses;
@@ -203,9 +203,9 @@ void Tracks::show() {
 
 std::string Tracks::save(std::string &message) {
     std::string wrong;
-    for (const Table &t : tables) {
-        std::vector<KeyNumbers> now = contents(t);
-        if (now == own(t)) continue; // edited by hand alone, or an editor has what the film has
+    for (const FilmTable &t : tables) {
+        std::vector<KeyNumbers> now = editedKeys(t);
+        if (now == ownKeys(t)) continue; // edited by hand alone, or the editor has the same keys
         bool foreign = !t.live->camera && std::any_of(now.begin(), now.end(), [](const KeyNumbers &k) {
             return keyOf(k).interpolation >= kStep;
         });

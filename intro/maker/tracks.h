@@ -1,12 +1,12 @@
-// Every track of the film, under a name, as GNU Rocket knows tracks; and what was edited of them.
+// The film's tracks under the names that GNU Rocket shows, with all edits of them.
 //
-// A camera's path is eight tracks, "hall.camera.beams:eye.x", after the scene that is shown and the table in
-// film.keys (kBeams); a table of Key is one, "hall:exposure", after its file and its name there. Rows are
-// those of the film.
+// A camera's path is eight tracks, such as "hall.camera.beams:eye.x", for the scene that it shows and the
+// table in film.keys (kBeams). A table of Key is one track, such as "hall:exposure", for its file and its
+// name there. Rows count from the film's start.
 //
-// Rocket has no Hermite curves: a camera's path keeps its own, whatever interpolation its keys are said to
-// have (smooth). It has no rows before 0 nor between two others: keys there stay the film's; in Rocket they
-// are on the nearest row.
+// Rocket has no Hermite curves: a camera's path keeps its own, and Rocket's documents say "smooth". Rocket
+// has no negative and no fractional rows: a key there keeps its row in the film, and Rocket has it on the
+// nearest row.
 #pragma once
 
 #include "maker/keys/key_tables.h"
@@ -25,68 +25,69 @@ inline constexpr size_t kChannels = 8; // the numbers of a camera: eye, target, 
 
 class Tracks {
 public:
-    // `show`: the folder of the film's content, whose files of keys are read and written.
+    // `show`: the folder of the film's content, whose key files are read and written.
     explicit Tracks(std::string show = "") : files(std::move(show)) {}
 
-    // The tracks of a film that was loaded, and reads its files again (see KeyTables::read).
-    void find(const Live &live);
+    // Lists the tracks of a film that was loaded, and reads its files again (see KeyTables::read).
+    void readFilm(const Live &live);
 
     const std::vector<std::string> &names() const { return allNames; }
-    // What is shown, as far as Rocket has a way to store it.
+    // The track that is shown, as far as Rocket can express it.
     rocket::Track track(size_t i) const;
 
-    // How many keys of the film Rocket has no row for: see above.
+    // The number of keys for which Rocket has no row (see above).
     int offRows() const;
 
-    // What an editor has of a track; without keys it is the film's own that is shown.
+    // Takes over an editor's version of a track. If it has no keys, the film's own are shown.
     void takeFromEditor(size_t i, const rocket::Track &keys);
-    // By hand, of the camera's path that is shown at a row of the film: sets eye and target there (the rest
-    // as it is), or removes the key where `camera` is null. It is in force until an editor changes that key.
-    // Returns why not, or nothing. The row must be one that rowOfView() gave.
+    // Edits by hand the camera path that is shown at a row of the film: sets eye and target there and leaves
+    // roll and field of view, or removes the key if `camera` is null. Holds until an editor changes that key.
+    // Returns why it failed, or nothing. The row must be a result of rowOfView().
     std::string setView(uint32_t row, const CameraKey *camera);
-    // That row as a text, in rows of its scene and of the film; with a warning if another key is within a
-    // beat: the path may swing.
+    // Describes such a row, as a row of its scene and of the film. Warns if another key is within a beat,
+    // because the path may swing.
     std::string rowInWords(uint32_t row) const;
-    // The row next to one of the film on which the same path is shown: beside a cut not always the nearest.
+    // Rounds a row of the film to the nearest whole row; next to a cut it is rounded down if the nearest one
+    // shows another path.
     uint32_t rowOfView(double row) const;
-    bool undo() { return files.undo(); } // of what was done by hand
+    bool undo() { return files.undo(); } // one edit by hand
     bool redo() { return files.redo(); }
-    // Writes all that was edited, here and in an editor, to the files. Returns what was not, and why.
+    // Writes all edits, by hand and from an editor, to the files. Returns what was not written, and why.
     // `message`: what was written.
     std::string save(std::string &message);
-    // How many tables were edited and are not saved: by hand, and by an editor.
+    // The number of tables with unsaved edits: by hand only, or in all.
     int unsavedByHand() const { return files.edited(); }
     int unsaved() const { return files.edited() + unsavedByEditor; }
 
-    // From the next picture on, the film is as it was edited.
+    // Applies all edits to the film, from the next picture on.
     void show();
 
 private:
-    struct Table {
+    struct FilmTable {
         KeyTable *live;
         int scene;
         double shift;      // the film's row, minus the table's
         int file;          // its index in `files`
-        std::string name;  // of its track, or of all of them up to the colon
-        size_t firstTrack; // of 1, or of kChannels
+        std::string name;  // its track's name, or its tracks' common part up to the colon
+        size_t firstTrack; // index of its only track, or of the first of kChannels
 
         double filmRow(float row) const { return std::round((double)row + shift); } // the nearest one
     };
     struct Edit {
         rocket::Track editor;
-        std::set<uint32_t> byHand; // rows on which the editor's key is not in force
+        std::set<uint32_t> byHand; // rows where later edits by hand replace the editor's key
     };
-    int tableAt(double row) const;                                // of the camera; -1: none
-    const std::vector<KeyNumbers> &own(const Table &table) const; // without the editor
-    std::vector<Key> edited(const Table &table, size_t channel) const;
-    std::vector<KeyNumbers> contents(const Table &table) const; // what is shown, with all that was edited
+    int tableAt(double row) const; // index of the camera's table at a row; -1: none
+    const std::vector<KeyNumbers> &ownKeys(const FilmTable &table) const; // with edits by hand alone
+    std::vector<Key> editedChannel(const FilmTable &table, size_t channel) const;
+    std::vector<KeyNumbers> editedKeys(const FilmTable &table) const; // with all edits
 
     const Live *live = nullptr;
     std::vector<ShotInfo> shots;
-    std::vector<Table> tables;
-    std::vector<size_t> tableOf; // of each track
+    std::vector<FilmTable> tables;
+    std::vector<size_t> tableOf; // by track
     std::vector<std::string> allNames;
-    std::map<std::string, Edit> edits; // of the editor, by track
+    std::map<std::string, Edit> edits; // from the editor, by track name
     KeyTables files;
     int unsavedByEditor = 0;
 };

@@ -1,4 +1,4 @@
-// Keys of the camera that is shown, set by hand.
+// Edits by hand of the camera path that is shown.
 #include "maker/panel/content.h"
 #include "maker/tracks.h"
 
@@ -21,9 +21,9 @@ uint32_t Tracks::rowOfView(double row) const {
 
 std::string Tracks::setView(uint32_t row, const CameraKey *camera) {
     int at = tableAt(row);
-    if (at < 0) return files.problems().empty() ? "its path is in no file of keys" : files.problems();
-    const Table &t = tables[(size_t)at];
-    std::vector<KeyNumbers> now = own(t);
+    if (at < 0) return files.problems().empty() ? "its path is not in a key file" : files.problems();
+    const FilmTable &t = tables[(size_t)at];
+    std::vector<KeyNumbers> now = ownKeys(t);
     auto here = std::find_if(now.begin(), now.end(), [&](auto &k) { return t.filmRow(k[0]) == (double)row; });
     if (!camera) {
         if (here == now.end()) return "there is no key";
@@ -33,13 +33,14 @@ std::string Tracks::setView(uint32_t row, const CameraKey *camera) {
         if (here == now.end()) {
             std::vector<CameraKey> path;
             for (const KeyNumbers &k : now) path.push_back(cameraKeyOf(k));
-            float own = (float)((double)row - t.shift);
-            here = now.insert(here, numbersOf(pose({path.data(), (int)path.size()}, own)));
+            float tableRow = (float)((double)row - t.shift);
+            here = now.insert(here, numbersOf(pose({path.data(), (int)path.size()}, tableRow)));
         }
         KeyNumbers view = numbersOf(*camera);
         std::copy_n(view.begin() + 1, 6, // eye and target
                     here->begin() + 1);
-        // To the millimetre, and to a thousandth of a degree: more cannot be seen, and fewer digits read well
+        // Round to millimetres and thousandths of a degree: more cannot be seen, and fewer digits are easier
+        // to read
         for (size_t n = 1; n < here->size(); ++n) (*here)[n] = std::round((*here)[n] * 1000) / 1000;
     }
     for (size_t c = 0; c < kChannels; ++c) {
@@ -52,14 +53,15 @@ std::string Tracks::setView(uint32_t row, const CameraKey *camera) {
 }
 
 std::string Tracks::rowInWords(uint32_t row) const {
-    constexpr double kNear = 4; // rows, a beat
+    constexpr double kNear = 4; // rows: one beat
     int at = tableAt(row);
     if (at < 0) return "row " + std::to_string(row);
-    const Table &t = tables[(size_t)at];
-    double own = (double)row - t.shift, nearest = kNear;
-    for (const KeyNumbers &k : contents(t))
-        if (double away = std::fabs((double)k[0] - own); away > 0.5) nearest = std::min(nearest, away);
-    std::string words = "row " + written((float)own) + " of " + live->sceneName(t.scene);
+    const FilmTable &t = tables[(size_t)at];
+    double tableRow = (double)row - t.shift, nearest = kNear;
+    for (const KeyNumbers &k : editedKeys(t))
+        if (double distance = std::fabs((double)k[0] - tableRow); distance > 0.5)
+            nearest = std::min(nearest, distance);
+    std::string words = "row " + written((float)tableRow) + " of " + live->sceneName(t.scene);
     if (t.shift != 0) words += ", " + std::to_string(row) + " of the film";
     if (nearest < kNear)
         words += ". another key is " + written((float)nearest) + " rows away: the camera may swing";

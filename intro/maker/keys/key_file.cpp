@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char *kInterpolations[] = {"Linear", "Smooth"};
 
-// Takes a line apart, from left to right.
+// Scans a line from left to right.
 struct Scanner {
     const char *at;
 
@@ -41,7 +41,7 @@ struct Scanner {
         if (error != std::errc() || !std::isfinite((float)number))
             throw std::runtime_error("expected a number at '" + std::string(at) + "'");
         at = end;
-        return (float)number; // by way of a double, as the compiler reads it
+        return (float)number; // from a double, as the compiler reads it
     }
     void numbers(int count, KeyNumbers &to) {
         for (int i = 0; i < count; ++i) {
@@ -82,8 +82,8 @@ struct Scanner {
     }
 };
 
-// Which of the keys before each key after comes from; -1: it is new. Keys stay on their rows; one that moved
-// stood behind the same key.
+// Returns for each new key the index of the old key that it replaces, -1: none. Keys are matched by row, or
+// else by the key before them.
 std::vector<int> originsOf(const std::vector<KeyNumbers> &before, const std::vector<KeyNumbers> &after) {
     std::vector<int> from(after.size(), -1);
     std::vector<bool> used(before.size() + 1, false);
@@ -156,7 +156,7 @@ KeyFile::KeyFile(const std::string &name, const std::string &text, const Events 
             } else if (!open) {
                 throw std::runtime_error("expected TRACK(name) or PATH(name, bits)");
             } else if (s.take("END")) {
-                if (all.back().keys.empty()) throw std::runtime_error("a table without keys");
+                if (all.back().keys.empty()) throw std::runtime_error("the table has no keys");
                 open = false;
             } else {
                 line.table = all.size() - 1;
@@ -174,7 +174,7 @@ KeyFile::KeyFile(const std::string &name, const std::string &text, const Events 
     if (open) throw std::runtime_error(name + ": END is missing");
 }
 
-// Leaves the line as it is if its numbers are the same.
+// Rewrites a line, unless its numbers are the same.
 void KeyFile::write(Line &line, const KeyNumbers &numbers) const {
     if (line.numbers == numbers) return;
     std::string row = written(numbers[0]);
@@ -189,28 +189,28 @@ void KeyFile::write(Line &line, const KeyNumbers &numbers) const {
 
 void KeyFile::set(size_t table, const std::vector<KeyNumbers> &keys) {
     std::vector<int> from = originsOf(all[table].keys, keys);
-    std::vector<size_t> places; // of the table's keys
+    std::vector<size_t> keyLines; // indices of the table's lines
     for (size_t i = 0; i < lines.size(); ++i)
-        if (lines[i].table == table) places.push_back(i);
+        if (lines[i].table == table) keyLines.push_back(i);
     std::vector<Line> now;
-    size_t taken = 0;
-    auto takeUpTo = [&](size_t place) { // of keys only their comments
-        for (; taken < place; ++taken) {
-            const Line &line = lines[taken];
+    size_t done = 0;
+    auto copyUpTo = [&](size_t end) { // of keys only their comments
+        for (; done < end; ++done) {
+            const Line &line = lines[done];
             if (line.table != table)
                 now.push_back(line);
             else if (!line.comment.empty())
                 now.push_back({"    " + line.comment});
         }
     };
-    takeUpTo(places[0]);
+    copyUpTo(keyLines[0]);
     for (size_t j = 0; j < keys.size(); ++j) {
-        if (from[j] >= 0) takeUpTo(places[(size_t)from[j]]);
-        Line line = from[j] >= 0 ? lines[taken++] : Line{{}, table};
+        if (from[j] >= 0) copyUpTo(keyLines[(size_t)from[j]]);
+        Line line = from[j] >= 0 ? lines[done++] : Line{{}, table};
         write(line, keys[j]);
         now.push_back(line);
     }
-    takeUpTo(lines.size());
+    copyUpTo(lines.size());
     lines = std::move(now);
     all[table].keys = keys;
 }

@@ -1,5 +1,4 @@
-// A file of keys (timeline/keys.h), read line by line and changed line by line: comments stay, and so does
-// what did not change.
+// A key file (timeline/keys.h), read and changed line by line: comments and unchanged lines stay as they are.
 #pragma once
 
 #include "timeline/camera.h"
@@ -25,27 +24,28 @@ public:
     struct Table {
         std::string name; // "kSink"
         bool camera;
-        int bits = 24; // of a path's numbers
+        int bits = 24; // per number of a path
         std::vector<KeyNumbers> keys = {};
 
-        KeyNumbers rounded(const KeyNumbers &key) const; // as the program has it
+        KeyNumbers rounded(const KeyNumbers &key) const; // as the program stores it
     };
 
     // Parses a text. Throws std::runtime_error: "NAME:LINE: what is wrong".
     KeyFile(const std::string &name, const std::string &text, const Events &events);
 
     const std::vector<Table> &tables() const { return all; }
-    // Replaces a table's keys; they are in ascending order of rows, and at least one. A key that moves keeps
-    // its comment, and counts from the event that it counted from. The comment of a key that goes stays.
+    // Replaces a table's keys by at least one, in ascending order of rows. A key that moves keeps its comment
+    // and the event that its row counts from. The comment of a removed key stays.
     void set(size_t table, const std::vector<KeyNumbers> &keys);
     std::string text() const;
 
 private:
     struct Line {
         std::string text;
-        size_t table = SIZE_MAX; // that it is a key of
+        size_t table = SIZE_MAX; // the table whose key the line is; SIZE_MAX: not a key
         KeyNumbers numbers = {};
-        std::string event = {}, comment = {}; // that its row counts from; with its slashes
+        std::string event = {};   // the event that its row counts from, if any
+        std::string comment = {}; // with its slashes
     };
     void write(Line &line, const KeyNumbers &numbers) const;
 
@@ -54,7 +54,7 @@ private:
     std::vector<Table> all;
 };
 
-// A number as files have it: the shortest that is read as the same float.
+// A number as files have it: the shortest text that reads as the same float.
 std::string written(float number);
 
 // A key as a line of a file.

@@ -14,7 +14,7 @@ void KeyTables::read(const std::set<std::string> &names, const Events &events) {
             std::string text = common::readWhole(folder + "/" + name);
             KeyFile lines(name, text, events);
             for (EditedTable &table : all)
-                if (table.file == name) table.conflict = table.edited(); // it may be gone
+                if (table.file == name) table.conflict = table.edited(); // if the file no longer has it
             for (const KeyFile::Table &now : lines.tables()) {
                 int i = find(name, now.name);
                 if (i < 0) {
@@ -63,19 +63,19 @@ void KeyTables::change(int i, std::vector<KeyNumbers> keys) {
 
 bool KeyTables::undo() {
     if (!done) return false;
-    const Step &step = steps[--done];
+    const UndoStep &step = steps[--done];
     all[(size_t)step.table].keys = step.before;
     return true;
 }
 bool KeyTables::redo() {
     if (done == steps.size()) return false;
-    const Step &step = steps[done++];
+    const UndoStep &step = steps[done++];
     all[(size_t)step.table].keys = step.after;
     return true;
 }
 
 void KeyTables::forget(int table) {
-    auto ofTable = [&](const Step &s) { return s.table == table; };
+    auto ofTable = [&](const UndoStep &s) { return s.table == table; };
     done -= (size_t)std::count_if(steps.begin(), steps.begin() + (long)done, ofTable);
     std::erase_if(steps, ofTable);
 }
@@ -84,15 +84,16 @@ int KeyTables::edited() const {
     return (int)std::count_if(all.begin(), all.end(), [](const EditedTable &t) { return t.edited(); });
 }
 
-// Throws std::runtime_error with a line that says why it was not written.
+// Throws std::runtime_error with a line if it cannot write the file.
 void KeyTables::saveFile(const std::string &name) {
     File &file = files[name];
     if (common::readWhole(folder + "/" + name) != file.text)
-        throw std::runtime_error(name + " was changed meanwhile: nothing was written to it");
+        throw std::runtime_error(
+            name + " was changed by another program: not saved. Save again when it has been reloaded");
     for (const EditedTable &table : all)
         if (table.file == name && table.edited() && table.conflict)
-            throw std::runtime_error(name + " was changed meanwhile, with other keys in " + table.saved.name +
-                                     ": undo yours, or write them there");
+            throw std::runtime_error(name + " was changed by another program, which also edited " +
+                                     table.saved.name + ": undo your edits, or write them into the file");
     KeyFile lines(name, file.text, file.events);
     for (size_t i = 0; i < lines.tables().size(); ++i) {
         const EditedTable &table = all[(size_t)find(name, lines.tables()[i].name)];

@@ -1,4 +1,4 @@
-// The tables of all files of keys, as they are edited: step by step, until they are saved to the files.
+// The tables of all key files while they are edited, with undo, until they are saved.
 #pragma once
 
 #include "maker/keys/key_file.h"
@@ -9,44 +9,44 @@ namespace odraz::maker {
 
 struct EditedTable {
     std::string file;     // "scenes/hall.keys", below the show's folder
-    KeyFile::Table saved; // as the file has it
+    KeyFile::Table saved; // as in the file
     std::vector<KeyNumbers> keys;
-    bool conflict = false; // the file was changed by somebody else since the table was edited
+    bool conflict = false; // the table was edited, and somebody else changed it in the file since
     bool edited() const { return keys != saved.keys; }
 };
 
 class KeyTables {
 public:
-    // `folder`: of the show; files are named from it on.
+    // `folder`: the show's; file names are relative to it.
     explicit KeyTables(std::string folder = "") : folder(std::move(folder)) {}
 
-    // Reads the files, for the first time or again. A table that is edited stays as it is; if the file has
-    // other keys for it than before, it cannot be saved. Of every other table what the file has is in force,
-    // and steps that led to something else are forgotten. A file that cannot be read leaves its tables as
-    // they are.
+    // Reads the files, for the first time or again. An edited table stays as it is; if its keys in the file
+    // have changed, it cannot be saved. Every other table takes the file's keys; if they differ, its undo
+    // steps are dropped. A file that cannot be read leaves its tables as they are.
     void read(const std::set<std::string> &files, const Events &events);
     const std::vector<EditedTable> &tables() const { return all; }
     // The index of a table; -1 if there is none.
     int find(const std::string &file, const std::string &name) const;
-    std::string problems() const; // which files cannot be read, and why, as a line; empty: none
+    std::string problems() const; // one line: which files cannot be read, and why; empty: none
 
-    // One step. Keys are put in ascending order of rows and rounded as the table does. There must be some.
+    // Replaces a table's keys, as one step of undo. Sorts the keys by row and rounds them as the table does.
+    // There must be at least one.
     void change(int table, std::vector<KeyNumbers> keys);
     bool undo(); // false: there is nothing to undo
     bool redo();
-    int edited() const; // tables that are not as the files have them
+    int edited() const; // the number of edited tables
 
-    // Writes what was edited. Returns an empty string, or what was not written, and why, as a line.
-    // `files`: those that were written. Steps can be undone after it as before, and saved again.
+    // Writes the edited tables. Returns an empty string, or one line: what was not written, and why. `files`:
+    // the written ones. Steps can still be undone afterwards, and saved again.
     std::string save(std::set<std::string> &files);
 
 private:
-    struct Step {
+    struct UndoStep {
         int table;
         std::vector<KeyNumbers> before, after;
     };
     struct File {
-        std::string text; // as it was read
+        std::string text; // when it was read
         Events events;
         std::string problem;
     };
@@ -56,8 +56,8 @@ private:
     std::string folder;
     std::map<std::string, File> files;
     std::vector<EditedTable> all;
-    std::vector<Step> steps;
-    size_t done = 0; // steps that are not undone
+    std::vector<UndoStep> steps;
+    size_t done = 0; // the number of steps that are not undone
 };
 
 } // namespace odraz::maker

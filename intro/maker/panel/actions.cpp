@@ -1,4 +1,4 @@
-// Input to the panel: actions and the mouse.
+// The panel's input: actions and the mouse.
 #include "maker/panel/panel.h"
 
 #include <algorithm>
@@ -95,7 +95,7 @@ void Panel::steer(double &time, bool &paused, bool &sought) {
         sought = true;
     }
     stop = false;
-    // While it scrubs, the time stays where the mouse is
+    // While scrubbing, the time stays at the mouse
     if (grabbed != Grab::Scrub) wanted = -1;
     now = time;
 }

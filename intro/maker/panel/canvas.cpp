@@ -11,13 +11,13 @@ namespace {
 
 constexpr float kWeight = 0.125f, kTracking = 0.6f;
 
-// A line of text as the coverage of each pixel. The baseline is `above` rows from the top.
+// A line of text as the coverage of each pixel. The baseline is `above` rows below the top.
 struct Lettering {
     int width = 0, height = 0, above = 0;
     std::vector<float> cover;
 };
 
-// A letter is at most 12 units wide, with 3.5 behind it; a twelfth of `size` is one
+// A letter is at most 12 units wide, plus 3.5 units of space; 12 units are `size` pixels
 Lettering letter(const std::string &text, float size) {
     Lettering l;
     int stride = ((int)((float)text.size() * (15.5f + kTracking) / 12 * size) + 4 + 15) & ~7;
@@ -39,11 +39,11 @@ Lettering letter(const std::string &text, float size) {
     return l;
 }
 
-// A cache: most texts are the same in the next picture
+// Caches texts, since most are the same in the next picture
 const Lettering &lettering(const std::string &text, float size) {
-    static std::map<std::pair<std::string, float>, Lettering> known;
-    if (known.size() > 400) known.clear();
-    auto [at, fresh] = known.try_emplace({text, size});
+    static std::map<std::pair<std::string, float>, Lettering> cache;
+    if (cache.size() > 400) cache.clear();
+    auto [at, fresh] = cache.try_emplace({text, size});
     if (fresh) at->second = letter(text, size);
     return at->second;
 }
@@ -81,7 +81,7 @@ void Canvas::line(float x0, float y0, float x1, float y1, float wide, Colour col
     int top = within(std::min(y0, y1) - margin, height()),
         bottom = within(std::max(y0, y1) + margin + 1, height());
     for (int y = top; y < bottom; ++y) {
-        // Only where the line is near this row
+        // Visit only pixels near the line
         float from = std::min(x0, x1), to = std::max(x0, x1), py = (float)y + 0.5f;
         if (std::abs(dy) > 1) {
             float a = x0 + (py - margin - y0) / dy * dx, b = x0 + (py + margin - y0) / dy * dx;
@@ -91,8 +91,8 @@ void Canvas::line(float x0, float y0, float x1, float y1, float wide, Colour col
         for (int x = left; x < right; ++x) {
             float px = (float)x + 0.5f,
                   along = square > 0 ? std::clamp(((px - x0) * dx + (py - y0) * dy) / square, 0.f, 1.f) : 0;
-            float away = std::hypot(px - x0 - along * dx, py - y0 - along * dy);
-            float cover = std::clamp(wide * 0.5f + 0.5f - away, 0.f, 1.f) * opacity;
+            float distance = std::hypot(px - x0 - along * dx, py - y0 - along * dy);
+            float cover = std::clamp(wide * 0.5f + 0.5f - distance, 0.f, 1.f) * opacity;
             if (cover > 0) mix(x, y, colour, cover);
         }
     }

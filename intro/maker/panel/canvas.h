@@ -1,4 +1,4 @@
-// Draws on a developed picture: rectangles, lines, dots, and text in the film's own font.
+// Draws on a developed picture: rectangles, lines, dots, and text in the film's font.
 #pragma once
 
 #include "maker/panel/inspector.h"
@@ -24,19 +24,19 @@ struct Rect {
     int bottom() const { return y + height; }
 };
 
-// Clips at the picture's edges.
+// A picture to draw on. Shapes are clipped at its edges.
 class Canvas {
 public:
     explicit Canvas(const Picture &picture) : picture(picture) {}
     int width() const { return picture.width; }
     int height() const { return picture.height; }
 
-    // Opacity, 0 .. 1: 0 leaves the picture as it is.
+    // Opacity: 0 .. 1, where 0 leaves the picture as it is.
     void fill(Rect where, Colour colour, float opacity = 1);
     void line(float x0, float y0, float x1, float y1, float width, Colour colour, float opacity = 1);
     void dot(float x, float y, float radius, Colour colour, float opacity = 1);
-    // One line of text with its baseline at y; `size` is the height of a figure. The film's font has letters,
-    // figures and . , : - + / alone.
+    // One line of text with its baseline at y; `size` is the height of a digit, in pixels. The film's font
+    // has only letters, digits and . , : - + /
     void text(const std::string &text, float x, float y, float size, Colour colour,
               Align align = Align::Left);
 
@@ -54,8 +54,8 @@ float textSize(int height);
 // The width of a line of text, in pixels.
 float widthOf(const std::string &text, float size);
 
-// Draws text on a dark ground at the lower edge of a picture, broken into lines, and below it a bar that is
-// filled up to `done`, 0 .. 1 of the width.
+// Draws text, broken into lines, on a dark ground at the lower edge of a picture, and a progress bar below
+// it. `done`: 0 .. 1.
 void drawStatus(const Picture &picture, const std::string &text, float done);
 
 } // namespace odraz::maker

@@ -13,11 +13,11 @@ struct Content {
     std::vector<ShotInfo> shots;
     std::vector<EventInfo> events;
 
-    const ShotInfo &shotAt(double time) const; // there is at least one
+    const ShotInfo &shotAt(double time) const; // needs at least one shot
     std::vector<double> eventTimes() const;
 };
 Content contentOf(const Inspector &inspector);
 
-std::string inWords(const EventInfo &event); // "light is born", of kLightIsBorn
+std::string inWords(const EventInfo &event); // "light is born" for kLightIsBorn
 
 } // namespace odraz::maker

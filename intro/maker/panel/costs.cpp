@@ -9,16 +9,16 @@ namespace odraz::maker {
 static constexpr struct {
     const char *name;
     Colour colour;
-} kParts[(int)Cost::Count] = {{"posing", {150, 146, 140}},
-                              {"tracing", {222, 130, 70}},
-                              {"glare", {236, 210, 120}},
-                              {"development", {110, 160, 220}},
-                              {"enlarging", {120, 190, 140}}};
+} kParts[(int)PicturePart::Count] = {{"posing", {150, 146, 140}},
+                                     {"tracing", {222, 130, 70}},
+                                     {"glare", {236, 210, 120}},
+                                     {"development", {110, 160, 220}},
+                                     {"enlarging", {120, 190, 140}}};
 
-Rect drawCosts(Canvas &canvas, int x, int y, const Costs &costs) {
+Rect drawCosts(Canvas &canvas, int x, int y, const PictureCosts &costs) {
     float size = textSize(canvas.height());
     int step = (int)(size * 1.75f), wide = (int)(size * 20),
-        lines = (int)Cost::Count + (costs.milliseconds[(int)Cost::Enlarging] > 0 ? 2 : 1);
+        lines = (int)PicturePart::Count + (costs.milliseconds[(int)PicturePart::Enlarging] > 0 ? 2 : 1);
     Rect r = {x, y, wide, step * lines + (int)(size * 2)};
     canvas.fill(r, kGround, 0.78f);
     float left = (float)x + size * 0.8f, right = (float)r.right() - size * 0.8f,
@@ -31,15 +31,15 @@ Rect drawCosts(Canvas &canvas, int x, int y, const Costs &costs) {
         base += (float)step;
     };
     line("picture, ms", "%.1f", costs.whole, kInk);
-    for (int i = 0; i < (int)Cost::Count; ++i)
-        if (i != (int)Cost::Enlarging || costs.milliseconds[i] > 0)
+    for (int i = 0; i < (int)PicturePart::Count; ++i)
+        if (i != (int)PicturePart::Enlarging || costs.milliseconds[i] > 0)
             line(kParts[i].name, "%.2f", costs.milliseconds[i], kParts[i].colour);
     line("samples a pixel", "%.3f", costs.samplesAPixel(), kInk);
-    // The bar
+    // Draw the bar
     float total = (float)std::max(costs.whole, 1e-3), at = left, per = (right - left) / total;
     int top = (int)(base - size * 0.9f), tall = std::max((int)(size * 0.7f), 2);
     canvas.fill({(int)left, top, (int)(right - left), tall}, kInk, 0.15f);
-    for (int i = 0; i < (int)Cost::Count; ++i) {
+    for (int i = 0; i < (int)PicturePart::Count; ++i) {
         float to = std::min(at + (float)costs.milliseconds[i] * per, right);
         canvas.fill({(int)std::lround(at), top, (int)(std::lround(to) - std::lround(at)), tall},
                     kParts[i].colour);
@@ -57,8 +57,8 @@ Colour heatOf(float samples) {
 
 namespace {
 
-// The colour of a pixel is that of the smallest square of 1, 2, 4 or 8 pixels a side with two samples or
-// more: where only the corners of larger squares were traced, it shows how far apart these are.
+// A pixel's colour shows the mean of the smallest square around it, of 1, 2, 4 or 8 pixels a side, that has
+// two samples or more. Where only corners of larger squares were traced, it shows their spacing.
 struct HeatMap {
     const std::vector<uint32_t> &samples;
     int width, height;
@@ -69,7 +69,8 @@ struct HeatMap {
             for (int x = x0; x < x1; ++x) n += samples[(size_t)y * (size_t)width + (size_t)x];
         return n;
     }
-    // Colours the square of `size` pixels at (x, y), or its quarters. `f` is called with parts of one colour.
+    // Colours the square of `size` pixels at (x, y), or its quarters. `n`: its samples. Calls `f` for each
+    // part of one colour.
     template <class F> void divide(int x, int y, int size, uint32_t n, const F &f) const {
         int x1 = std::min(x + size, width), y1 = std::min(y + size, height);
         int half = size / 2;
@@ -79,7 +80,7 @@ struct HeatMap {
             for (int qx = x; qx < x1; qx += half) {
                 int rx = std::min(qx + half, x1), ry = std::min(qy + half, y1);
                 uint32_t own = sum(qx, qy, rx, ry);
-                if (own < 2 && !(half == 1 && own)) // one sample is all that a pixel may have
+                if (own < 2 && !(half == 1 && own)) // a single pixel is shown even with one sample
                     f(qx, qy, rx, ry, mean);
                 else
                     divide(qx, qy, half, own, f);

@@ -7,12 +7,12 @@ namespace odraz::maker {
 
 namespace {
 
-// GLFW's callbacks reach them
+// For GLFW's callbacks
 Panel *thePanel;
 GLFWkeyfun theKeys;
-double theX, theY; // of the last motion event: when a button's event is handled the mouse may be elsewhere
+double theX, theY; // from the last motion event: the mouse may have moved on when a button's event is handled
 
-void place(GLFWwindow *window, double &x, double &y) {
+void toPicture(GLFWwindow *window, double &x, double &y) {
     int w, h;
     glfwGetWindowSize(window, &w, &h);
     x *= (double)thePanel->pictureWidth() / (w > 0 ? w : 1);
@@ -28,7 +28,7 @@ int keyOf(int key) {
     case GLFW_KEY_PAGE_DOWN:
         return code(KeyName::PageDown);
     }
-    return key; // printable keys have the codes of their signs
+    return key; // printable keys have the codes of their characters
 }
 
 bool repeats(Action action) { return action >= Action::PictureBack && action <= Action::EventOn; }
@@ -49,7 +49,7 @@ void onButton(GLFWwindow *, int button, int action, int mods) {
 }
 
 void onMove(GLFWwindow *window, double x, double y) {
-    place(window, x, y);
+    toPicture(window, x, y);
     theX = x, theY = y;
     thePanel->move(x, y);
 }
@@ -61,7 +61,7 @@ void onWheel(GLFWwindow *, double, double turns) { thePanel->wheel(theX, theY, t
 void listen(Panel &panel, GLFWwindow *window) {
     thePanel = &panel;
     glfwGetCursorPos(window, &theX, &theY);
-    place(window, theX, theY);
+    toPicture(window, theX, theY);
     theKeys = glfwSetKeyCallback(window, onKey);
     glfwSetMouseButtonCallback(window, onButton);
     glfwSetCursorPosCallback(window, onMove);

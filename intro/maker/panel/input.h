@@ -1,4 +1,4 @@
-// Passes keys and the mouse of a GLFW window to the panel.
+// Passes keys and mouse events of a GLFW window to the panel.
 #pragma once
 
 #include "maker/panel/panel.h"
@@ -7,8 +7,8 @@ struct GLFWwindow;
 
 namespace odraz::maker {
 
-// Sets the window's callbacks. The previous callback for keys gets all keys that are not the panel's. The
-// panel must outlive the window.
+// Sets the window's callbacks. Keys that are not the panel's go to the previous callback for keys. The panel
+// must outlive the window.
 void listen(Panel &panel, GLFWwindow *window);
 
 } // namespace odraz::maker

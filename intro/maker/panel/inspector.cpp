@@ -19,7 +19,7 @@ int shots(ShotInfo *to, int most) {
     return count;
 }
 
-// Ends with the enumerator's name: "... Id = odraz::kLightIsBorn]"
+// The text ends with the enumerator's name: "... Id = odraz::kLightIsBorn]"
 template <EventId Id> const char *enumerator() { return __PRETTY_FUNCTION__; }
 
 template <int... Ids> void nameOf(int id, EventInfo &to, std::integer_sequence<int, Ids...>) {

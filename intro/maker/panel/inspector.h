@@ -1,5 +1,5 @@
-// What odraz-debug needs of the film beyond intro.h: its shots, cameras' keys and events, and the costs of a
-// picture. All of it goes through one table of functions, because the film is a shared object.
+// What odraz-debug needs of the film in addition to intro.h: shots, camera keys, events, and the costs of a
+// picture. One table has all functions, because the film is a shared object.
 #pragma once
 
 #include "intro.h"
@@ -9,42 +9,42 @@
 
 namespace odraz::maker {
 
-// Seconds of the film, [from, to); `story`: the second from which its camera's rows count.
+// A shot, [from, to) in seconds of the film. `story`: the second from which its camera's rows count.
 struct ShotInfo {
     double from, to, story;
     int scene;
-    const CameraPath *path; // in the film, which may replace its keys
+    const CameraPath *path; // lives in the film, which may replace its keys
 };
 struct EventInfo {
     double at; // seconds of the film
-    float row; // of its scene
+    float row; // in its scene
     bool heard;
-    char name[40]; // "kLightIsBorn", with the zero at its end
+    char name[40]; // "kLightIsBorn", zero-terminated
 };
 
 // The parts of making a picture.
-enum class Cost { Posing, Tracing, Glare, Development, Enlarging, Count };
+enum class PicturePart { Posing, Tracing, Glare, Development, Enlarging, Count };
 
 // Measurements of a picture. The host provides the clock and the memory.
 struct Probe {
-    int64_t (*clock)() = nullptr;         // nanoseconds
-    int64_t spent[(int)Cost::Count] = {}; // nanoseconds, since the host set them to 0
-    // null, or width * height counters, to which every sample adds one at its pixel. A sample on the border
-    // of two pixels counts for the right or the lower one, one outside for the pixel at the edge
+    int64_t (*clock)() = nullptr;                // nanoseconds
+    int64_t spent[(int)PicturePart::Count] = {}; // nanoseconds; the host sets them to 0
+    // null, or [height][width] counters: each sample adds one at its pixel. A sample on the border of two
+    // pixels counts for the right or lower one; a sample outside counts for the nearest pixel at the edge
     uint32_t *samples = nullptr;
     int width = 0, height = 0;
 };
 
-// From now on pictures are measured by this probe; null: by none. Must not be called while a picture is made.
-// In probe.cpp.
+// Sets the probe that measures pictures from now on; null: none. Must not be called while a picture is made.
+// Defined in probe.cpp.
 void watchPictures(Probe *probe);
 
 struct Inspector {
-    // All shots in the order of time, and all events, at most `most`; their number.
+    // Write at most `most` shots in the order of time, or events in any order. Return their number.
     int (*shots)(ShotInfo *to, int most);
     int (*events)(EventInfo *to, int most);
     void (*watch)(Probe *probe); // watchPictures()
-    // The film's font. That of a shared object has the letters of compilers' messages, too.
+    // Draws in the film's font, which in a shared object has the letters of compilers' messages, too.
     decltype(&odraz::drawText) drawText;
 };
 

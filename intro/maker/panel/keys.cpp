@@ -20,7 +20,7 @@ void drawHelp(Canvas &canvas) {
         if (*row.shown) keys = std::max(keys, widthOf(row.shown, size));
         what = std::max(what, widthOf(row.what, size) - (*row.shown ? 0 : keys));
     }
-    // In one column, or in two if the picture is too low; the second begins at a headline
+    // Use one column, or two if the picture is too low. The second begins at a headline
     int count = (int)rows.size(), first = count;
     float room = (float)canvas.height() - size * 3;
     if ((float)count * size * 1.9f > room)

@@ -1,4 +1,4 @@
-// The panel's actions and their keys: H shows this table.
+// The panel's actions and their keys. H shows this table.
 #pragma once
 
 #include "maker/panel/canvas.h"
@@ -13,19 +13,19 @@ enum class Action {
 };
 // clang-format on
 
-// A key: the code of its letter in the American layout, as GLFW has it, or a KeyName.
+// A key: the code of its character in the American layout, as in GLFW, or a KeyName.
 enum class KeyName { Tab = 1, PageUp, PageDown };
 struct KeyRow {
-    Action action; // Count: a key of the host, which is only listed
-    int key;       // a letter, a figure, a sign, or a KeyName; 0: none
+    Action action; // Count: a key of the host, only listed here
+    int key;       // a character or a KeyName; 0: none
     bool shift;
-    const char *shown, *what; // as H lists them; without `shown` a headline; without `what` not listed
+    const char *shown, *what; // as H lists them; empty `shown`: a headline; empty `what`: not listed
 };
 
 inline constexpr int code(KeyName name) { return (int)name; }
 inline constexpr KeyRow kKeys[] = {
     {Action::Count, 0, false, "", "through the film"},
-    {Action::Count, 0, false, "space", "pause and go on"},
+    {Action::Count, 0, false, "space", "pause, go on"},
     {Action::Count, 0, false, "left, right", "a beat, with shift a bar"},
     {Action::PictureBack, ',', false, "comma, dot", "a picture back, on"},
     {Action::PictureOn, '.', false, "", ""},
@@ -36,11 +36,11 @@ inline constexpr KeyRow kKeys[] = {
     {Action::LoopShot, 'L', false, "L", "loop this shot, or no loop"},
     {Action::Count, 0, false, "mouse", "on the time line: go there"},
     {Action::Count, 0, false, "right mouse", "on the time line: a loop"},
-    {Action::Count, 0, false, "wheel", "stretches the time line"},
+    {Action::Count, 0, false, "wheel", "zoom the time line"},
     {Action::Count, 0, false, "", "the camera"},
     {Action::Count, 0, false, "W A S D Q E", "fly, left mouse held: look"},
     {Action::Count, 0, false, "R", "back to the scripted camera"},
-    {Action::Count, 0, false, "K", "set a key of the camera, shift: none"},
+    {Action::Count, 0, false, "K", "set a camera key, shift: remove it"},
     {Action::Count, 0, false, "ctrl Z", "undo, with shift: redo"},
     {Action::Count, 0, false, "ctrl S", "save the keys to their files"},
     {Action::Count, 0, false, "C", "print the camera as a key"},
@@ -54,7 +54,7 @@ inline constexpr KeyRow kKeys[] = {
     {Action::Count, 0, false, "esc", "leave"},
 };
 
-// The action of a key, with or without shift; Count: none.
+// Returns the action of a key, with or without shift; Count: none.
 Action actionOf(int key, bool shift);
 
 void drawHelp(Canvas &canvas);

@@ -7,11 +7,11 @@ namespace odraz::maker {
 Panel::Panel(int width, int height, double rate, int64_t (*clock)())
     : width(width), height(height), rate(rate), clock(clock) {
     strip = stripOf(width, height, 0);
-    learn();
+    renew();
     probe.clock = clock;
 }
 
-void Panel::learn() {
+void Panel::renew() {
     film = &inspector();
     content = contentOf(*film);
     if (content.end != strip.end) strip = stripOf(width, height, content.end);
@@ -29,7 +29,7 @@ Picture Panel::picture(Intro &intro, const PictureRequest &m) {
     return p;
 }
 
-// The film's picture, with its costs measured
+// Makes the film's picture and measures its costs
 Picture Panel::makePicture(Intro &intro, const PictureRequest &m) {
     std::fill(std::begin(probe.spent), std::end(probe.spent), 0);
     probe.samples = nullptr;
@@ -43,7 +43,7 @@ Picture Panel::makePicture(Intro &intro, const PictureRequest &m) {
     Picture p = odraz::picture(intro, 0, m.time, m.quality, m.camera);
     costs.whole = (double)(clock() - begin) * 1e-6;
     film->watch(nullptr);
-    for (int i = 0; i < (int)Cost::Count; ++i) costs.milliseconds[i] = (double)probe.spent[i] * 1e-6;
+    for (int i = 0; i < (int)PicturePart::Count; ++i) costs.milliseconds[i] = (double)probe.spent[i] * 1e-6;
     costs.samples = samplesTaken(intro);
     costs.pixels = width * height;
     return p;

@@ -1,8 +1,8 @@
-// The makers' panel over the picture: a time line, the costs of the picture, and a map of its samples. While
-// hidden it costs nothing.
+// The makers' panel over the picture: a time line, the costs of the picture, and a map of its samples. It
+// costs nothing while hidden.
 //
-// The host calls steer() before a picture, and picture() instead of that of intro.h; keys and the mouse come
-// from input.h, or from a test.
+// The host calls steer() before a picture, and picture() instead of the function in intro.h. Keys and mouse
+// events come from input.h, or from a test.
 #pragma once
 
 #include "maker/panel/costs.h"
@@ -11,7 +11,7 @@
 
 namespace odraz::maker {
 
-// The picture of a time. `camera`: null for the film's own.
+// What to show in a picture. `camera`: null for the film's own.
 struct PictureRequest {
     double time; // seconds
     const Quality &quality;
@@ -30,22 +30,22 @@ public:
     void move(double x, double y);
     void release();
     void wheel(double x, double y, double turns);
-    bool grabs() const { return grabbed != Grab::None; } // the mouse, which the host must then not use
+    bool grabs() const { return grabbed != Grab::None; } // true: the host must not use the mouse
 
     // --- To the picture ---
-    // Applies the actions since the last call to the host's time; `sought` is set when it jumps.
+    // Applies the actions since the last call to the host's time. Sets `sought` if the time jumps.
     void steer(double &time, bool &paused, bool &sought);
     Picture picture(Intro &intro, const PictureRequest &request);
 
-    // To be called after the film's code was replaced.
-    void learn();
+    // To be called after the film's code was replaced: reads its content again.
+    void renew();
 
     int pictureWidth() const { return width; }
     int pictureHeight() const { return height; }
     bool visible() const { return shown; }
     const Strip &timeLine() const { return strip; }
     const Loop &loop() const { return stretch; }
-    const Costs &lastCosts() const { return costs; }
+    const PictureCosts &lastCosts() const { return costs; }
     const std::vector<uint32_t> &samples() const { return heat; }
 
 private:
@@ -54,25 +54,25 @@ private:
     void draw(Canvas &canvas, double time);
     void seek(double to);
 
-    const Inspector *film; // of the film's code that is in use
+    const Inspector *film; // from the code in use
     int width, height;
     double rate;
     int64_t (*clock)();
     Content content;
     Strip strip;
-    Costs costs;
+    PictureCosts costs;
     Loop stretch;
     Probe probe;
 
-    // What is shown
+    // Visible parts
     bool shown = false, help = false, heated = false, costly = true;
     std::vector<uint32_t> heat;
 
-    // What the mouse does, and where it was
+    // The state and last position of the mouse
     Grab grabbed = Grab::None;
     double mouseX = -1, mouseY = -1, loopFrom = 0;
 
-    // Since the last steer()
+    // Requests since the last steer()
     double now = 0, wanted = -1;
     bool stop = false;
 };

@@ -1,5 +1,5 @@
-// Measures how a picture is made, without a change to the engine: the linker (--wrap) redirects the calls of
-// some of its functions to this file, which calls the functions themselves. The film is linked without it.
+// Measures the making of a picture without changes to the engine: the linker (--wrap) redirects calls of some
+// engine functions to this file, which calls the originals. The film is linked without it.
 #include "maker/panel/inspector.h"
 #include "show/show.h"
 #include "trace/picture/development.h"
@@ -11,14 +11,14 @@ namespace odraz::maker {
 
 namespace {
 
-Probe *theProbe; // for the wrapped functions
+Probe *theProbe; // used by the wrapped functions
 
-// Adds its lifetime to a part.
+// Adds its lifetime to the time of a part.
 struct Timed {
     Probe *probe = theProbe;
     int64_t begin = probe ? probe->clock() : 0;
-    Cost part;
-    explicit Timed(Cost part) : part(part) {}
+    PicturePart part;
+    explicit Timed(PicturePart part) : part(part) {}
     ~Timed() {
         if (probe) probe->spent[(int)part] += probe->clock() - begin;
     }
@@ -28,8 +28,8 @@ struct Timed {
 
 void watchPictures(Probe *probe) { theProbe = probe; }
 
-// Every wrapped function has two names: calls go to __wrap_ and its mangled name, the function itself is
-// __real_ and its mangled name.
+// For a wrapped function, calls go to __wrap_ plus its mangled name; the original is __real_ plus its mangled
+// name.
 // clang-format off
 #define ODRAZ_WRAPPED(type, name, mangled, ...) \
     type name##Itself(__VA_ARGS__) asm("__real_" mangled); \
@@ -39,7 +39,7 @@ void watchPictures(Probe *probe) { theProbe = probe; }
 
 ODRAZ_WRAPPED(Posed, poseAt, "_ZN5odraz6poseAtERKNS_4FilmEdPKNS_9CameraKeyE", const Film &film,
               double seconds, const CameraKey *camera) {
-    Timed timed(Cost::Posing);
+    Timed timed(PicturePart::Posing);
     return poseAtItself(film, seconds, camera);
 }
 
@@ -48,13 +48,13 @@ ODRAZ_WRAPPED(
     "_ZN5odraz10traceFrameERNS_6TracerERNS_7WorkersERKNS_5SceneERKNS_4ViewERKNS_7QualityERNS_5FrameE",
     Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
     Frame &frame) {
-    Timed timed(Cost::Tracing);
+    Timed timed(PicturePart::Tracing);
     traceFrameItself(tracer, workers, scene, view, quality, frame);
 }
 
 ODRAZ_WRAPPED(void, spreadGlare, "_ZN5odraz11spreadGlareERNS_5GlareERKNS_5FrameERNS_7WorkersE", Glare &glare,
               const Frame &frame, Workers &workers) {
-    Timed timed(Cost::Glare);
+    Timed timed(PicturePart::Glare);
     spreadGlareItself(glare, frame, workers);
 }
 
@@ -62,19 +62,19 @@ ODRAZ_WRAPPED(void, develop,
               "_ZN5odraz7developERKNS_9ToneCurveERNS_5FrameERNS_7WorkersEfjPKNS_5GlareERKNS_10CameraLookE",
               const ToneCurve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
               const Glare *glare, const CameraLook &look) {
-    Timed timed(Cost::Development);
+    Timed timed(PicturePart::Development);
     developItself(curve, frame, workers, exposure, seed, glare, look);
 }
 
 ODRAZ_WRAPPED(void, enlarge, "_ZN5odraz7enlargeEPKhiiPhiiRNS_7WorkersE", const uint8_t *from, int width,
               int height, uint8_t *to, int toWidth, int toHeight, Workers &workers) {
-    Timed timed(Cost::Enlarging);
+    Timed timed(PicturePart::Enlarging);
     enlargeItself(from, width, height, to, toWidth, toHeight, workers);
 }
 
 // Adds samples to the map. Squares at the right and the lower edge may have corners outside: these count for
-// the pixel at the edge. A grid in every pixel has none outside, but its rows are padded to a multiple of
-// eight: the padding does not count.
+// the pixel at the edge. A grid of samples in every pixel has none outside, but its rows are padded to a
+// multiple of eight; the padding is not counted.
 static void count(Probe &p, bool grid, int count, const float *x, const float *y) {
     for (int i = 0; i < count; ++i) {
         if (grid && x[i] > (float)p.width) continue;

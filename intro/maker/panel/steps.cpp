@@ -5,15 +5,15 @@
 
 namespace odraz::maker {
 
-static constexpr double kNear = 1e-6; // of a unit, or seconds
+static constexpr double kNear = 1e-6; // units, or seconds
 
-double stepBy(double time, double unit, int way, double end) {
-    double at = time / unit, to = way > 0 ? std::floor(at + kNear) + 1 : std::ceil(at - kNear) - 1;
+double stepBy(double time, double unit, int direction, double end) {
+    double at = time / unit, to = direction > 0 ? std::floor(at + kNear) + 1 : std::ceil(at - kNear) - 1;
     return std::clamp(to * unit, 0., end);
 }
 
-double stepTo(double time, const std::vector<double> &times, int way) {
-    if (way > 0) {
+double stepTo(double time, const std::vector<double> &times, int direction) {
+    if (direction > 0) {
         auto next = std::upper_bound(times.begin(), times.end(), time + kNear);
         return next == times.end() ? time : *next;
     }

@@ -6,7 +6,7 @@
 
 namespace odraz::maker {
 
-// --- Where things are ---
+// --- Layout ---
 
 double Strip::timeAt(double x) const {
     return std::clamp(from + (x - area.x) / area.width * (to - from), 0., end);
@@ -27,7 +27,7 @@ void Strip::follow(double time) {
     to = from + length;
 }
 
-// From top to bottom, in heights of its text
+// The parts' heights from top to bottom, in units of the text size
 static constexpr float kNames = 2.1f, kEvents = 1.1f, kKeys = 0.9f;
 
 Strip stripOf(int width, int height, double end) {
@@ -40,7 +40,7 @@ const EventInfo *eventNear(const Strip &strip, const Content &content, double x)
     const EventInfo *nearest = nullptr;
     double least = 6; // pixels
     for (const EventInfo &e : content.events)
-        if (double off = std::abs(strip.xOf(e.at) - x); off < least) least = off, nearest = &e;
+        if (double distance = std::abs(strip.xOf(e.at) - x); distance < least) least = distance, nearest = &e;
     return nearest;
 }
 
@@ -96,7 +96,7 @@ struct Drawing {
             CameraPath path = *s.path;
             for (int i = 0; i < path.count; ++i) {
                 double t = timeOf(s, path.keys[i]);
-                if (t < s.from - 1e-6 || t > s.to + 1e-6) continue; // keys beyond the cuts
+                if (t < s.from - 1e-6 || t > s.to + 1e-6) continue; // outside the shot
                 canvas.line(x(t), middle - arm, x(t), middle + arm, 1.6f, kCold);
             }
         }
@@ -107,7 +107,7 @@ struct Drawing {
         for (double t : {loop.from, loop.to})
             canvas.fill({(int)std::lround(strip.xOf(t)) - 1, names, 2, strip.area.height}, kWarm, 0.9f);
     }
-    // The time at the pointer, and the event that is near it
+    // Shows the time at the pointer and the nearest event
     void drawPointer(double px) const {
         if (px < 0) return;
         double t = strip.timeAt(px);

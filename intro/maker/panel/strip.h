@@ -1,5 +1,5 @@
-// The time line: a strip along the lower edge with scenes and cuts, bars, events, keys of cameras, the loop,
-// and the current time. Times are seconds of the film.
+// The time line: a strip along the lower edge with scenes and cuts, bars, events, camera keys, the loop, and
+// the current time. Times are in seconds of the film.
 #pragma once
 
 #include "maker/panel/canvas.h"
@@ -10,33 +10,33 @@
 
 namespace odraz::maker {
 
-// The film's time of a key of a shot's camera.
+// The time of a camera key in a shot.
 inline double timeOf(const ShotInfo &shot, const CameraKey &key) {
     return shot.story + key.row / kRowsPerSecond;
 }
 
-// The strip's place, and the part of the film that it shows.
+// The strip's rectangle, and the part of the film that it shows.
 struct Strip {
     Rect area = {};
-    double end = 1;          // of the film
-    double from = 0, to = 1; // shown, within [0, end]
+    double end = 1;          // the film's end
+    double from = 0, to = 1; // the part shown, within [0, end]
 
-    double timeAt(double x) const; // of a pixel; within [0, end]
-    double xOf(double time) const; // may lie outside of the area
-    // Shows a part `factor` times as long. The time at x stays at x.
+    double timeAt(double x) const; // x in pixels; result within [0, end]
+    double xOf(double time) const; // may be outside the rectangle
+    // Makes the part shown `factor` times as long. The time at x stays at x.
     void zoom(double x, double factor);
-    // Moves on if `time` is not shown.
+    // Scrolls if `time` is not shown.
     void follow(double time);
 };
 
-// The strip for a picture's size and a film that ends at `end`. Its height is 0 if the picture is too small
-// for it.
+// Returns the strip for a picture of this size and a film that ends at `end`. Its height is 0 if the picture
+// is too small for it.
 Strip stripOf(int width, int height, double end);
 
-// The event at a pixel of the strip, or null.
+// Returns the event at a pixel column of the strip, or null.
 const EventInfo *eventNear(const Strip &strip, const Content &content, double x);
 
-// `pointer`: the pixel column that the mouse is over, or below 0.
+// `pointer`: the pixel column of the mouse; below 0: none.
 void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const Loop &loop, double time,
                double pointer);
 

@@ -16,11 +16,11 @@ namespace odraz::maker::rocket {
 namespace {
 
 constexpr char kGreeting[] = "hello, synctracker!", kAnswer[] = "hello, demo!";
-constexpr double kAgain = 1; // seconds between two tries to connect
+constexpr double kRetry = 1; // seconds between two attempts to connect
 constexpr size_t kMostUnsent = 1 << 20;
 
 enum : uint8_t { kSetKey, kDeleteKey, kGetTrack, kSetRow, kPause, kSaveTracks };
-// Bytes of the editor's messages, with that of their kind; 0: it sends none of this kind.
+// Sizes of the editor's messages in bytes, including the kind; 0: the editor does not send this kind.
 constexpr size_t kSizes[] = {14, 9, 0, 5, 2, 1};
 
 void put(std::string &to, uint32_t number) {
@@ -41,14 +41,14 @@ Client::~Client() {
 }
 
 void Client::update(double now) {
-    if (state == State::Apart && now >= tried + kAgain) {
+    if (state == State::Closed && now >= tried + kRetry) {
         tried = now;
         connect();
     }
     if (state == State::Connecting) {
         pollfd p = {socket, POLLOUT, 0};
         if (poll(&p, 1, 0) <= 0) {
-            if (now >= tried + 5 * kAgain) drop("does not answer");
+            if (now >= tried + 5 * kRetry) drop("does not answer");
             return;
         }
         int error = 0;
@@ -58,10 +58,10 @@ void Client::update(double now) {
         out = kGreeting;
         state = State::Greeting;
     }
-    if (state != State::Apart) write();
-    if (state != State::Apart) read();
-    if (state == State::Greeting && now >= tried + 5 * kAgain)
-        drop("does not greet: it is no editor of GNU Rocket");
+    if (state != State::Closed) write();
+    if (state != State::Closed) read();
+    if (state == State::Greeting && now >= tried + 5 * kRetry)
+        drop("does not send the greeting of GNU Rocket");
     if (state == State::Talking) write();
 }
 
@@ -73,12 +73,12 @@ void Client::connect() {
     std::string why = "has no address";
     std::vector<addrinfo *> addresses;
     for (addrinfo *a = all; a; a = a->ai_next) addresses.push_back(a);
-    for (size_t k = 0; k < addresses.size() && state == State::Apart; ++k) {
-        const addrinfo *a = addresses[(unreached + k) % addresses.size()];
+    for (size_t k = 0; k < addresses.size() && state == State::Closed; ++k) {
+        const addrinfo *a = addresses[(failures + k) % addresses.size()];
         socket = ::socket(a->ai_family, a->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, a->ai_protocol);
         if (socket < 0) continue;
         if (::connect(socket, a->ai_addr, a->ai_addrlen) == 0 || errno == EINPROGRESS) {
-            int on = 1; // rows are not held back to fill a packet
+            int on = 1; // send rows at once, not in full packets
             setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
             state = State::Connecting;
         } else {
@@ -88,15 +88,15 @@ void Client::connect() {
         }
     }
     freeaddrinfo(all);
-    if (state == State::Apart) drop(why);
+    if (state == State::Closed) drop(why);
 }
 
 void Client::drop(const std::string &why) {
     wrong = "no editor of GNU Rocket at " + host + ":" + std::to_string(port) + ": " + why;
     if (socket >= 0) close(socket);
     socket = -1;
-    unreached += state == State::Connecting;
-    state = State::Apart;
+    failures += state == State::Connecting;
+    state = State::Closed;
     in.clear();
     out.clear();
     knownRow = {};
@@ -107,7 +107,7 @@ void Client::write() {
         ssize_t sent = send(socket, out.data(), out.size(), MSG_NOSIGNAL);
         if (sent < 0 && errno == EINTR) continue;
         if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
-            if (out.size() > kMostUnsent) drop("takes no more data");
+            if (out.size() > kMostUnsent) drop("does not receive data");
             return;
         }
         if (sent < 0) return drop(std::strerror(errno));
@@ -127,20 +127,19 @@ void Client::read() {
         if (state == State::Greeting && !greet()) return;
         while (state == State::Talking && takeMessage()) {
         }
-        if (state == State::Apart) return;
+        if (state == State::Closed) return;
     }
 }
 
-// False: the connection was dropped.
+// Returns false if the connection was dropped.
 bool Client::greet() {
     size_t size = std::min(in.size(), sizeof kAnswer - 1);
-    if (in.compare(0, size, kAnswer, size))
-        return drop("does not greet as an editor of GNU Rocket does"), false;
+    if (in.compare(0, size, kAnswer, size)) return drop("does not send the greeting of GNU Rocket"), false;
     if (size < sizeof kAnswer - 1) return true;
     in.erase(0, size);
     state = State::Talking;
     wrong.clear();
-    // It will send all keys again
+    // The editor will send all keys again
     for (Track &t : keys) t.clear();
     ++changes;
     for (const std::string &name : names) {
@@ -151,10 +150,10 @@ bool Client::greet() {
     return true;
 }
 
-// False: there is no whole message, or the connection was dropped.
+// Returns false if there is no complete message, or if the connection was dropped.
 bool Client::takeMessage() {
     if (in.empty()) return false;
-    constexpr char kGarbage[] = "sent what is not in the protocol";
+    constexpr char kGarbage[] = "sent a message that is not in the protocol";
     uint8_t kind = (uint8_t)in[0];
     if (kind >= sizeof kSizes / sizeof *kSizes || !kSizes[kind]) return drop(kGarbage), false;
     if (in.size() < kSizes[kind]) return false;

@@ -1,7 +1,7 @@
-// A client of GNU Rocket: it offers tracks to an editor, gets their keys, and both follow one row.
+// A client of GNU Rocket: it offers tracks to an editor and receives their keys. Both show the same row.
 //
-// The protocol runs over TCP; numbers are big-endian. The client greets with 19 bytes, the editor answers
-// with 12. Then come messages, each a byte for its kind, and what belongs to it:
+// The protocol runs over TCP; numbers are big-endian. The client greets with 19 bytes, and the editor answers
+// with 12. Messages follow, each a byte for its kind and these fields (four bytes each, unless noted):
 //
 //     0 SET_KEY      track, row, value (a float), interpolation (a byte)
 //     1 DELETE_KEY   track, row
@@ -10,9 +10,9 @@
 //     4 PAUSE        1 or 0 (a byte)
 //     5 SAVE_TRACKS
 //
-// GET_TRACK is for the editor, which answers with the track's keys; SET_ROW goes either way; all else comes
-// from the editor. Tracks are numbered in the order in which they were asked for. Rocket's editors read no
-// SET_KEY: there is no way to give them a key.
+// The client sends GET_TRACK, and the editor answers with the track's keys. Both send SET_ROW. The editor
+// alone sends the other kinds. Tracks are numbered in the order in which the client requested them. Editors
+// ignore SET_KEY, so they cannot be given a key.
 #pragma once
 
 #include "maker/rocket/track.h"
@@ -29,19 +29,18 @@ inline constexpr uint32_t kMostRow = 1 << 24; // larger values are refused as ga
 
 class Client {
 public:
-    // `tracks`: the names of all that are offered, as in "hall.camera:eye.x"; the part up to the colon is the
+    // `tracks`: the names of all tracks, such as "hall.camera:eye.x", where the part before the colon is the
     // group.
     Client(std::string host, int port, std::vector<std::string> tracks);
     ~Client();
     Client(const Client &) = delete;
 
-    // Does what can be done without waiting (but for looking up the name of a host): connects, again each
-    // second if that fails; takes messages, and sends its own. `now`: seconds of any clock that
-    // does not go back. Call it once a picture.
+    // To be called once a picture. Connects, trying again every second, and receives and sends messages.
+    // Never waits, except to look up a host's name. `now`: seconds of any clock that does not go back.
     void update(double now);
 
     bool connected() const { return state == State::Talking; }
-    // Why there is no connection, as a line for the user; empty while there is one.
+    // One line: why there is no connection; empty while there is one.
     const std::string &problem() const { return wrong; }
     // Changes whenever a key does.
     uint64_t version() const { return changes; }
@@ -52,11 +51,11 @@ public:
     std::optional<bool> takePause() { return std::exchange(sentPause, {}); }
     bool takeSave() { return std::exchange(sentSave, false); }
 
-    // Sends the editor the film's row. A row that it knows is not sent again.
+    // Sends the film's row, unless the editor has it already.
     void sendRow(uint32_t row);
 
 private:
-    enum class State { Apart, Connecting, Greeting, Talking };
+    enum class State { Closed, Connecting, Greeting, Talking };
     void connect();
     void drop(const std::string &why);
     void read();
@@ -69,9 +68,9 @@ private:
     std::vector<std::string> names;
     std::vector<Track> keys;
     int socket = -1;
-    State state = State::Apart;
-    size_t unreached = 0; // connections that failed: each time another of the host's addresses comes first
-    double tried = -1e9;  // when it last tried to connect
+    State state = State::Closed;
+    size_t failures = 0; // failed connections: after each, the next of the host's addresses is tried first
+    double tried = -1e9; // when it last tried to connect
     std::string in, out, wrong;
     uint64_t changes = 0;
     std::optional<uint32_t> sentRow, knownRow;

@@ -1,4 +1,4 @@
-// A track of GNU Rocket: values on rows, and how the value runs from each to the next.
+// A track of GNU Rocket: values on rows, and the interpolation between them.
 #pragma once
 
 #include <cstdint>
@@ -24,9 +24,9 @@ struct Key {
 
 using Track = std::map<uint32_t, Key>; // by row
 
-// Tracks as a document that GNU Rocket's editors open: XML, as the original editor writes it and emoon's
-// reads it. `rows`: how many the document has. Names have no characters that XML knows (names of ours have
-// letters, digits, '.', '-' and ':').
+// Returns tracks as a document for GNU Rocket's editors: XML as the original editor writes it and emoon's
+// reads it. `rows`: the document's length. Names must not contain characters that XML reserves (the film's
+// have letters, digits, '.', '-' and ':').
 std::string document(const std::vector<std::string> &names, const std::vector<Track> &tracks, int rows);
 
 } // namespace odraz::maker::rocket

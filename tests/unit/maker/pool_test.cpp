@@ -8,7 +8,7 @@ using namespace odraz::maker;
 
 namespace {
 
-// The sum of the numbers below `count`, in pieces of `size`.
+// Sums the numbers below `count` in pieces of `size`.
 long sum(Workers &workers, int count, int size) {
     long parts[kMaxWorkers] = {};
     parallelRanges(workers, count, size, [&](int first, int end, int worker) {
@@ -32,7 +32,7 @@ TEST(Pool, DoesAllWorkOnce) {
     EXPECT_EQ(Pool(1000).workers().count, kMaxWorkers);
 }
 
-// The host's workers ended in a segfault here.
+// The host's workers crash here, which is why Pool exists.
 TEST(Pool, SeveralAtOnce) {
     std::thread others[2];
     std::atomic<int> wrong = 0;

@@ -43,16 +43,16 @@ struct Rebuilding : testing::Test {
     Rebuilder r{p.build()};
     double now = 0;
 
-    // The next event other than the begin of a build; waits for a quarter of an hour at most.
+    // Returns the next event other than the start of a build. Waits at most a quarter of an hour.
     Rebuilder::Event next() {
         for (int i = 0; i < 90000; ++i) {
-            Rebuilder::Event what = r.poll(now += 0.01);
-            if (what == Rebuilder::Event::Built || what == Rebuilder::Event::Failed) return what;
+            Rebuilder::Event event = r.poll(now += 0.01);
+            if (event == Rebuilder::Event::Built || event == Rebuilder::Event::Failed) return event;
             usleep(10000);
         }
         return Rebuilder::Event::None;
     }
-    // Polls for a while; true if nothing happens.
+    // Polls for a while. Returns true if nothing happens.
     bool quiet() {
         for (int i = 0; i < 20; ++i, usleep(5000))
             if (r.poll(now += 0.01) != Rebuilder::Event::None) return false;
@@ -71,9 +71,9 @@ TEST_F(Rebuilding, BuildsWhatIsSaved) {
     EXPECT_FALSE(r.building());
     EXPECT_EQ(p.read("build/live/live.so"), "two");
     EXPECT_GT(r.saved(), 0);
-    // Editors that write beside the file and rename, as most do
+    // Most editors write another file and rename it
     p.write("intro/show/.a.cpp.swp", "three");
-    EXPECT_TRUE(quiet()); // no source
+    EXPECT_TRUE(quiet()); // not a source
     std::filesystem::rename(p.folder / "intro/show/.a.cpp.swp", p.folder / "intro/show/a.cpp");
     ASSERT_EQ(next(), Rebuilder::Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "three");
@@ -95,9 +95,9 @@ TEST_F(Rebuilding, BuildsAgainWhatWasSavedMeanwhile) {
         "cp $1/intro/show/a.cpp $2/live/live.so; touch $2/copied; until [ -e $2/go ]; do sleep 0.01; done\n");
     p.write("intro/show/a.cpp", "two");
     auto copied = [&] { return std::filesystem::exists(p.folder / "build/copied"); };
-    auto what = Rebuilder::Event::None;
-    for (int i = 0; i < 90000 && !copied() && what != Rebuilder::Event::Failed; ++i, usleep(10000))
-        what = r.poll(now += 0.01);
+    auto event = Rebuilder::Event::None;
+    for (int i = 0; i < 90000 && !copied() && event != Rebuilder::Event::Failed; ++i, usleep(10000))
+        event = r.poll(now += 0.01);
     ASSERT_TRUE(copied() && r.building());
     p.write("intro/show/a.cpp", "three");
     p.write("build/go", "");
@@ -116,7 +116,7 @@ TEST_F(Rebuilding, WatchesNewFolders) {
 TEST(Rebuilder, ReportsWhatItCannotWatch) {
     common::TemporaryFolder empty;
     Rebuilder r(empty / "");
-    EXPECT_NE(r.problem().find("no folder of a build"), std::string::npos);
+    EXPECT_NE(r.problem().find("not a build folder"), std::string::npos);
     EXPECT_EQ(r.poll(1), Rebuilder::Event::None);
 }
 

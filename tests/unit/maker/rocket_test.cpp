@@ -19,7 +19,7 @@ std::string setKey(uint32_t track, uint32_t row, float value, uint8_t interpolat
 std::string deleteKey(uint32_t track, uint32_t row) { return "\x01" + number(track) + number(row); }
 std::string setRow(uint32_t row) { return "\x03" + number(row); }
 
-// An editor that sends what a test gives it.
+// An editor that sends what a test tells it to.
 class Editor {
 public:
     Editor() {
@@ -44,7 +44,7 @@ public:
     void send(const std::string &bytes) {
         EXPECT_EQ(::send(talking, bytes.data(), bytes.size(), MSG_NOSIGNAL), (ssize_t)bytes.size());
     }
-    // Waits for exactly `size` bytes
+    // Waits for exactly `size` bytes.
     std::string receive(size_t size) {
         std::string all(size, 0);
         EXPECT_EQ(recv(talking, all.data(), size, MSG_WAITALL), (ssize_t)size);
@@ -64,7 +64,7 @@ private:
     sockaddr_in address = {};
 };
 
-// Updates the client until `done`, for a quarter of an hour at most; its clock stands at `now`.
+// Updates the client at the time `now` until `done`, at most for a quarter of an hour.
 template <class Done> bool until(Client &client, double now, Done done) {
     for (int i = 0; i < 900000; ++i) {
         if (done()) return true;
@@ -76,7 +76,7 @@ template <class Done> bool until(Client &client, double now, Done done) {
 
 const std::vector<std::string> kNames = {"hall.camera:eye.x", "light"};
 
-// Greets, and receives the requests for both tracks.
+// Exchanges greetings and receives the requests for both tracks.
 void meet(Editor &editor, Client &client, double now = 0) {
     ASSERT_TRUE(until(client, now, [&] { return editor.called(); }));
     editor.answer();
@@ -101,7 +101,7 @@ TEST(RocketClient, ParsesEveryMessage) {
     std::string all = setKey(1, 8, 0.5f, 2) + setKey(0, 0, -1e9f, 0) + setKey(1, 16, 2, 3) +
                       setKey(1, 8, 0.75f, 1) + deleteKey(1, 16) + deleteKey(0, 77) + setRow(24) + "\x04\x01" +
                       "\x05";
-    // Cut at every byte
+    // Send it byte by byte
     for (char c : all) {
         editor.send(std::string(1, c));
         client.update(0);
@@ -113,7 +113,7 @@ TEST(RocketClient, ParsesEveryMessage) {
     EXPECT_EQ(client.takePause(), true);
     EXPECT_FALSE(client.takeRow() || client.takePause() || client.takeSave());
     EXPECT_EQ(client.version(), before + 6);
-    // All at once; the last row counts
+    // Send it all at once: the last row counts
     editor.send(setRow(1) + std::string("\x04\0", 2) + setRow(2));
     ASSERT_TRUE(until(client, 0, [&, row = 0u]() mutable {
         if (auto sent = client.takeRow()) row = *sent;
@@ -144,7 +144,7 @@ TEST(RocketClient, DisconnectsOnGarbage) {
     const std::string garbage[] = {
         "\x06",
         "\xff",
-        "\x02" + number(1) + "a", // no message for a client
+        "\x02" + number(1) + "a", // not a message for a client
         setKey(2, 0, 0, 0),       // there are two tracks
         setKey(0xffffffff, 0, 0, 0),
         setKey(0, 0, std::bit_cast<float>(0x7fc00000), 0),
@@ -162,7 +162,7 @@ TEST(RocketClient, DisconnectsOnGarbage) {
         editor.send(setKey(1, 4, 1, 1) + bytes);
         ASSERT_TRUE(until(client, 0, [&] { return !client.connected(); }));
         EXPECT_NE(client.problem().find("not in the protocol"), std::string::npos);
-        EXPECT_EQ(client.track(1).size(), 1u); // what came before is kept
+        EXPECT_EQ(client.track(1).size(), 1u); // keys sent before it are kept
     }
 }
 
@@ -175,7 +175,7 @@ TEST(RocketClient, ComesBack) {
     editor.hangUp();
     ASSERT_TRUE(until(client, 0.1, [&] { return !client.connected(); }));
     EXPECT_NE(client.problem().find("closed the connection"), std::string::npos);
-    EXPECT_EQ(client.track(1).size(), 1u); // the film goes on with what it has
+    EXPECT_EQ(client.track(1).size(), 1u); // the film keeps the keys it has
     for (int i = 0; i < 100; ++i) client.update(0.9);
     EXPECT_FALSE(editor.called()); // not before a second has passed
     meet(editor, client, 1.1);
@@ -200,7 +200,7 @@ TEST(RocketClient, ReportsAMissingEditor) {
 }
 
 TEST(RocketClient, ReportsAServerThatIsNoEditor) {
-    // One with another greeting, in pieces; and a silent one
+    // A server with another greeting, in pieces; and a silent one
     for (bool silent : {false, true}) {
         Editor editor;
         Client client("127.0.0.1", editor.port(), kNames);

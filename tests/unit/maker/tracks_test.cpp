@@ -12,8 +12,8 @@ using namespace odraz::maker;
 
 namespace {
 
-// A film of two scenes: a camera's path and a track in the first, in the second a track whose rows count from
-// the fourth one.
+// A film of two scenes: the first has a camera's path and a track, the second a track whose rows count from
+// row 4.
 constexpr char kFilmKeys[] = R"(PATH(kPath, 24)
     {-8, {1, 2, 3}, {4, 5, 6}, 7, 40},
     {16, {2, 3, 4}, {5, 6, 7}, 8, 50},
@@ -55,7 +55,7 @@ void setKeys(KeyTable &table, const void *keys, int count) {
 }
 Inspector theInspector = {};
 
-// What the film is shown with.
+// The keys that the film is shown with.
 std::vector<KeyNumbers> keysOf(const KeyTable &t) {
     std::vector<KeyNumbers> all;
     for (int i = 0; i < t.count; ++i) all.push_back(t.camera ? numbersOf(t.poses[i]) : numbersOf(t.keys[i]));
@@ -83,7 +83,7 @@ struct Fixture : testing::Test {
         live.keyTables = [] { return KeyTable::newest; };
         find();
     }
-    void find() { tracks.find(live); }
+    void find() { tracks.readFilm(live); }
     void write(const std::string &name, const std::string &text) const {
         common::writeWhole(folder / name, text);
     }
@@ -108,23 +108,23 @@ TEST_F(Fixture, NamesThemAfterTheSource) {
     EXPECT_EQ(names[kTheGrow], "end:grow");
 }
 
-TEST_F(Fixture, HasThemAsRocketDoes) {
-    EXPECT_EQ(tracks.track(kLens), (rocket::Track{{16, {50, kSmooth}}})); // row -8 is none
+TEST_F(Fixture, GivesTracksAsRocketDoes) {
+    EXPECT_EQ(tracks.track(kLens), (rocket::Track{{16, {50, kSmooth}}})); // Rocket has no row -8
     EXPECT_EQ(tracks.track(kTheLamp),
               (rocket::Track{{0, {1, kLinear}}, {3, {2, kSmooth}}, {8, {3, kLinear}}}));
     EXPECT_EQ(tracks.track(kTheGrow), (rocket::Track{{104, {0, kLinear}}, {108, {1, kLinear}}}));
     EXPECT_EQ(tracks.offRows(), 8 + 1);
 }
 
-TEST_F(Fixture, TakesWhatAnEditorHas) {
+TEST_F(Fixture, TakesOverAnEditorsKeys) {
     tracks.takeFromEditor(kTheLamp, {{1, {5, Step}}, {3, {6, Ramp}}, {9, {7, kSmooth}}});
     tracks.takeFromEditor(kEyeY, {{4, {9, kLinear}}});
     tracks.show();
     EXPECT_EQ(keysOf(kLamp), (Keys{{1, 5, (float)kStep},
-                                   {2.5f, 6, (float)kRamp}, // where the film's own key is
+                                   {2.5f, 6, (float)kRamp}, // on the row of the film's own key
                                    {9, 7, (float)Smooth}}));
-    // All numbers of the camera have a key on every row that one of them has, as the film's table will
-    EXPECT_EQ(keysOf(kPath), (Keys{{-8, 1, 2, 3, 4, 5, 6, 7, 40}, // which the editor cannot see: it stays
+    // All numbers of the camera get a key on every row where one has a key, as in the film's table
+    EXPECT_EQ(keysOf(kPath), (Keys{{-8, 1, 2, 3, 4, 5, 6, 7, 40}, // stays: the editor cannot see it
                                    {4, 1.5f, 9, 3.5f, 4.5f, 5.5f, 6.5f, 7.5f, 45}, // half-way
                                    {16, 2, 9, 4, 5, 6, 7, 8, 50}}));               // holds
     // The editor releases them
@@ -161,7 +161,7 @@ TEST_F(Fixture, HasKeysSetByHand) {
     EXPECT_EQ(kPath.poses[0].eye.y, 2);
 }
 
-TEST_F(Fixture, WhatAnEditorHasIsNotSaved) {
+TEST_F(Fixture, AnEditorsKeysAreSaved) {
     tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}, {8, {3, kSmooth}}});
     tracks.show();
     EXPECT_EQ(tracks.unsaved(), 1);
@@ -173,7 +173,7 @@ TEST_F(Fixture, WhatAnEditorHasIsNotSaved) {
     EXPECT_EQ(tracks.unsaved(), 0);
 }
 
-TEST_F(Fixture, ARowBesideACutIsInTheShotThatIsSeen) {
+TEST_F(Fixture, ARowNextToACutIsInTheVisibleShot) {
     theCut = 24 / kRowsPerSecond;
     find();
     EXPECT_EQ(tracks.rowOfView(23.4), 23u);
@@ -186,7 +186,7 @@ TEST_F(Fixture, ARowBesideACutIsInTheShotThatIsSeen) {
     EXPECT_EQ(tracks.rowOfView(23.6), 24u);
 }
 
-TEST_F(Fixture, WhatWasEditedIsWrittenToTheFiles) {
+TEST_F(Fixture, EditsAreWrittenToTheFiles) {
     EXPECT_EQ(tracks.save(message), "");
     EXPECT_EQ(message, "nothing to save");
     tracks.setView(4, &kView);
@@ -196,7 +196,7 @@ TEST_F(Fixture, WhatWasEditedIsWrittenToTheFiles) {
     EXPECT_TRUE(has("film.keys", "{4, {8, 7, 6}, {5, 4, 3}, 7.5, 45},\n")) << read("film.keys");
     EXPECT_TRUE(has("scenes/start.keys", "{2.5, 2.25, Smooth},\n    {8, 3, Smooth},\n"));
     EXPECT_EQ(tracks.unsaved(), 0);
-    // The step is undone, and the file is as it was
+    // Undo the edits: the files are as they were
     EXPECT_TRUE(tracks.undo());
     EXPECT_TRUE(tracks.undo());
     tracks.takeFromEditor(kTheLamp, {});
@@ -205,15 +205,15 @@ TEST_F(Fixture, WhatWasEditedIsWrittenToTheFiles) {
     EXPECT_EQ(read("scenes/start.keys"), kStartKeys);
 }
 
-TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
+TEST_F(Fixture, StepsAreNotSaved) {
     tracks.takeFromEditor(kTheLamp, {{0, {1, Step}}});
     std::string wrong = tracks.save(message);
     EXPECT_NE(wrong.find("start:lamp: the film has no steps and ramps"), std::string::npos) << wrong;
     EXPECT_EQ(read("scenes/start.keys"), kStartKeys);
-    // A file that was changed meanwhile is not overwritten, and the edit is still shown
+    // A file that was changed meanwhile is not overwritten, and the edit stays visible
     write("film.keys", std::string(kFilmKeys) + "// mine\n");
     tracks.setView(4, &kView);
-    EXPECT_NE(tracks.save(message).find("film.keys was changed meanwhile"), std::string::npos);
+    EXPECT_NE(tracks.save(message).find("film.keys was changed by another program"), std::string::npos);
     find();
     EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
 }
@@ -221,15 +221,15 @@ TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
 TEST_F(Fixture, ATableThatNoFileHasIsNotEdited) {
     write("film.keys", "PATH(kNew, 24)\n    {0, {1, 2, 3}, {4, 5, 6}, 7, 40},\nEND\n");
     Tracks fresh{folder / ""};
-    fresh.find(live);
+    fresh.readFilm(live);
     EXPECT_EQ(fresh.names().size(), 2u);
-    EXPECT_EQ(fresh.setView(4, &kView), "its path is in no file of keys");
+    EXPECT_EQ(fresh.setView(4, &kView), "its path is not in a key file");
     write("film.keys", "int i;\n");
-    fresh.find(live);
+    fresh.readFilm(live);
     EXPECT_NE(fresh.setView(4, &kView).find("film.keys:1: expected TRACK"), std::string::npos);
 }
 
-TEST_F(Fixture, WhatAnEditorOpenedIsTheSame) {
+TEST_F(Fixture, AnEditorsCopyChangesNothing) {
     for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, tracks.track(i));
     tracks.show();
     EXPECT_EQ(keysOf(kLamp), (Keys{{0, 1, 0}, {2.5f, 2, 1}, {8, 3, 0}}));

@@ -81,10 +81,10 @@ struct Fixture : testing::Test {
 
     Fixture() {
         std::filesystem::create_directory(folder / "scenes");
-        becomes(kFile);
+        rewrite(kFile);
     }
-    // Somebody else writes the file, and it is read again.
-    void becomes(const std::string &text) {
+    // Writes the file as another program would, and reads it again.
+    void rewrite(const std::string &text) {
         common::writeWhole(file, text);
         load();
     }
@@ -132,7 +132,7 @@ TEST(KeyFile, NamedRowsStayNamed) {
     EXPECT_EQ(with("kDoor", [](auto &k) { k[1][1] = 0.5f; }), replaced("0.8", "0.5"));
 }
 
-TEST(KeyFile, KeysComeAndGoAndCommentsStay) {
+TEST(KeyFile, CommentsStayWhenKeysAreAddedOrRemoved) {
     auto inserted = [](const std::string &name, int at, const KeyNumbers &key) {
         return with(name, [&](auto &k) { k.insert(k.begin() + at, key); });
     };
@@ -184,12 +184,12 @@ TEST(KeyFile, NumbersAreShortAndExact) {
     }
 }
 
-TEST(KeyFile, WhatIsWrongIsReportedWithItsLine) {
+TEST(KeyFile, ErrorsAreReportedWithTheirLine) {
     const std::pair<const char *, const char *> kWrong[] = {
         {"static int i;\n", "one.keys:1: expected TRACK(name) or PATH(name, bits)"},
         {"{0, 0, Linear},\n", "one.keys:1: expected TRACK"},
         {"TRACK(kA)\n", "one.keys: END is missing"},
-        {"TRACK(kA)\nEND\n", "one.keys:2: a table without keys"},
+        {"TRACK(kA)\nEND\n", "one.keys:2: the table has no keys"},
         {"TRACK(kA\n", "one.keys:1: expected ')'"},
         {"PATH(kA)\n", "one.keys:1: expected ','"},
         {"TRACK(kA)\nTRACK(kB)\n", "one.keys:2: expected '{'"},
@@ -215,9 +215,9 @@ TEST(KeyFile, WhatIsWrongIsReportedWithItsLine) {
     }
 }
 
-// --- The film's own ---
+// --- The film's key files ---
 
-// Included as scenes include them, so that KeyTable's list has them all
+// Includes them as scenes do, so that KeyTable's list has all tables
 namespace {
 namespace film {
 #include "show/film.keys"
@@ -255,7 +255,7 @@ TEST(KeysOfTheFilm, AreTheSameForMakerAndProgram) {
             keys.push_back(t->camera ? numbersOf(t->poses[i]) : numbersOf(t->keys[i]));
         EXPECT_EQ(file.tables()[indexOf(file, t->name)].keys, keys) << t->file << " " << t->name;
         if (t->camera) paths.insert(keys);
-        // A track's scene is found by the name of its file
+        // A track's scene is found by its file name
         EXPECT_TRUE(t->camera || std::any_of(kScenes, kScenes + kSceneCount,
                                              [&](const SceneEntry &s) { return s.name == path.stem(); }))
             << path;
@@ -271,7 +271,7 @@ TEST(KeysOfTheFilm, AreTheSameForMakerAndProgram) {
 
 // --- Edits ---
 
-TEST_F(KeyTablesTest, StepsAreUndoneAndDoneAgain) {
+TEST_F(KeyTablesTest, StepsAreUndoneAndRedone) {
     EXPECT_EQ(find("kNone"), -1);
     EXPECT_FALSE(tables.undo());
     change("kDoor", {{9, 1, 0}, {3, 0, 1}});
@@ -301,7 +301,7 @@ TEST_F(KeyTablesTest, AreSavedAndSavedBack) {
     EXPECT_TRUE(holds("{72, 0.95, Linear},\n")) << readWhole(file);
     EXPECT_TRUE(holds("    {3, 0.5, Smooth},\n    {4, 1, Linear},\n")) << readWhole(file);
     EXPECT_EQ(tables.edited(), 0);
-    load(); // as when the film was built again: steps stay
+    load(); // as when the film was rebuilt: steps stay
     tables.undo();
     tables.undo();
     EXPECT_EQ(tables.edited(), 2);
@@ -309,14 +309,14 @@ TEST_F(KeyTablesTest, AreSavedAndSavedBack) {
     EXPECT_EQ(readWhole(file), replaced("1e-3", "0.001"));
 }
 
-TEST_F(KeyTablesTest, AreNotSavedOverWhatOthersWrote) {
+TEST_F(KeyTablesTest, AreNotSavedOverAnothersEdits) {
     change("kDoor", {{5, 1, 0}});
     std::string theirs = kFile + std::string("// mine\n");
     common::writeWhole(file, theirs);
-    EXPECT_NE(save().find("one.keys was changed meanwhile"), std::string::npos);
+    EXPECT_NE(save().find("one.keys was changed by another program"), std::string::npos);
     EXPECT_EQ(readWhole(file), theirs);
     EXPECT_EQ(tables.edited(), 1);
-    // Once it was read again, the edit goes on top of it
+    // After it was read again, the edit is saved on top of it
     load();
     EXPECT_EQ(tables.edited(), 1);
     EXPECT_EQ(save(), "");
@@ -335,11 +335,12 @@ TEST_F(KeyTablesTest, AnothersEditOfTheSameTableIsKept) {
     change("kDoor", {{5, 1, 0}});
     change("kGrow", {{5, 1, 0}});
     std::string theirs = replaced("{72, 1, Linear}", "{72, 2, Linear}");
-    becomes(theirs);
-    EXPECT_EQ(at("kDoor").keys[0][0], 5) << "it is still seen";
-    EXPECT_NE(save().find("one.keys was changed meanwhile, with other keys in kDoor"), std::string::npos);
+    rewrite(theirs);
+    EXPECT_EQ(at("kDoor").keys[0][0], 5) << "it is still shown";
+    EXPECT_NE(save().find("one.keys was changed by another program, which also edited kDoor"),
+              std::string::npos);
     EXPECT_EQ(readWhole(file), theirs);
-    // Once it is undone, what the other wrote is taken
+    // After an undo, the other program's edit is read
     EXPECT_TRUE(tables.undo());
     EXPECT_TRUE(tables.undo());
     load();
@@ -350,14 +351,14 @@ TEST_F(KeyTablesTest, AnothersEditOfTheSameTableIsKept) {
     EXPECT_EQ(save(), "");
 }
 
-TEST_F(KeyTablesTest, AFileWinsOverWhatWasNotEdited) {
-    becomes(replaced("{72, 1, Linear}", "{72, 2, Linear}"));
+TEST_F(KeyTablesTest, AFileReplacesUneditedTables) {
+    rewrite(replaced("{72, 1, Linear}", "{72, 2, Linear}"));
     EXPECT_EQ(at("kDoor").keys[2][1], 2);
     EXPECT_EQ(tables.edited(), 0);
-    becomes("TRACK(kDoor)\n");
+    rewrite("TRACK(kDoor)\n");
     EXPECT_NE(tables.problems().find("END is missing"), std::string::npos);
     EXPECT_EQ(at("kDoor").keys[2][1], 2);
     change("kDoor", {{5, 1, 0}});
-    becomes("TRACK(kOther)\n    {0, 1, Linear},\nEND\n");
-    EXPECT_NE(save().find("other keys in kDoor"), std::string::npos) << "it is gone from the file";
+    rewrite("TRACK(kOther)\n    {0, 1, Linear},\nEND\n");
+    EXPECT_NE(save().find("also edited kDoor"), std::string::npos) << "it is gone from the file";
 }

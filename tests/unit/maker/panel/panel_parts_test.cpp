@@ -111,7 +111,7 @@ TEST(Strip, StretchesAboutThePointer) {
     EXPECT_EQ(s.to, 164);
 }
 
-TEST(Strip, FollowsWhatIsShown) {
+TEST(Strip, FollowsTheTimeShown) {
     Strip s = stripOf(1280, 720, 164);
     s.zoom(0, 0.1);
     s.follow(10);
@@ -160,7 +160,7 @@ TEST(Keys, HaveOneMeaningEachAndEveryActionHasOne) {
         EXPECT_EQ(actionOf(host, false), Action::Count) << (char)host;
 }
 
-// The font has few signs, and would leave the others out
+// The font lacks most other characters, and would skip them
 TEST(Keys, AreListedInLettersThatTheFontHas) {
     for (const KeyRow &row : kKeys)
         for (const char *text : {row.shown, row.what})

@@ -1,4 +1,4 @@
-// The panel over pictures of the film, as odraz-debug uses it.
+// Tests the panel over pictures of the film, as odraz-debug uses it.
 #include "maker/panel/panel.h"
 #include "tests/support/loaded_film.h"
 
@@ -16,10 +16,10 @@ int64_t nanosecondsNow() { return std::chrono::steady_clock::now().time_since_ep
 const Quality &kDraft = kQualities[(int)QualityName::Draft], &kBest = kQualities[(int)QualityName::Film];
 std::vector<uint8_t> bytesOf(const Picture &p) { return {p.rgba, p.rgba + p.width * p.height * 4}; }
 
-// The film without its hall, and a panel over its pictures
-struct Shown : LoadedFilm {
+// The film without its hall, with a panel over its pictures
+struct FilmWithPanel : LoadedFilm {
     Panel panel;
-    Shown(int width, int height)
+    FilmWithPanel(int width, int height)
         : LoadedFilm(1, width, height, false), panel(width, height, 25, nanosecondsNow) {}
     Picture plain(double time, const Quality &q = kDraft) { return odraz::picture(*intro, 0, time, q); }
     Picture picture(double time, const Quality &q = kDraft) {
@@ -35,9 +35,9 @@ struct Shown : LoadedFilm {
 
 // --- The map of samples ---
 
-// Odd sizes, so that tiles are cut at the right and the lower edge
+// Sizes are odd, so that tiles are cut at the right and the lower edge
 TEST(Heat, AddsUpToTheSamplesThatTheEngineCounts) {
-    Shown film(203, 117);
+    FilmWithPanel film(203, 117);
     film.panel.act(Action::Heat);
     for (const Quality &q : kQualities)
         for (double time : {12., 22., 45.}) {
@@ -49,7 +49,7 @@ TEST(Heat, AddsUpToTheSamplesThatTheEngineCounts) {
 }
 
 TEST(Heat, CountsTheSamplesOfAGridWhereTheyAre) {
-    Shown film(203, 117);
+    FilmWithPanel film(203, 117);
     film.panel.act(Action::Heat);
     Quality grid = kDraft;
     grid.grid = 2;
@@ -57,9 +57,9 @@ TEST(Heat, CountsTheSamplesOfAGridWhereTheyAre) {
     for (uint32_t n : film.panel.samples()) ASSERT_EQ(n, 4u);
 }
 
-// Anti-aliasing works at outlines: most samples are in few pixels
+// Anti-aliasing adds samples at outlines: most samples are in few pixels
 TEST(Heat, IsHotWhereThereAreEdges) {
-    Shown film(320, 180);
+    FilmWithPanel film(320, 180);
     film.panel.act(Action::Heat);
     film.picture(22, kBest);
     size_t hot = 0, inHot = 0;
@@ -80,15 +80,15 @@ TEST(Heat, ColoursGrowBrighter) {
     }
 }
 
-// On black, a colour is seen as 184/256 of it
+// On black, a colour is drawn at 184/256 of its value
 TEST(Heat, ShowsHowFarApartTheSamplesAre) {
     constexpr int kWidth = 24, kHeight = 12; // the lower squares are cut
     std::vector<uint8_t> rgba(kWidth * kHeight * 4);
     std::vector<uint32_t> samples(kWidth * kHeight);
     auto at = [&](int x, int y) -> uint32_t & { return samples[(size_t)(y * kWidth + x)]; };
-    at(0, 0) = 1;                                    // the first square has one corner,
+    at(0, 0) = 1;                                    // the first square has one sample,
     at(8, 0) = at(12, 0) = at(8, 4) = at(12, 4) = 1; // the second four,
-    for (int y = 0; y < 8; ++y) // and in the third every pixel has one, and one pixel has 16
+    for (int y = 0; y < 8; ++y) // in the third every pixel has one, except one that has 16
         for (int x = 16; x < 24; ++x) at(x, y) = x == 20 && y == 3 ? 16 : 1;
     Canvas canvas(Picture{kWidth, kHeight, rgba.data()});
     drawHeat(canvas, samples);
@@ -109,39 +109,40 @@ TEST(Heat, ShowsHowFarApartTheSamplesAre) {
 
 // --- What a picture costs ---
 
-TEST(Costs, PartsAreSomeOfTheWhole) {
-    Shown film(320, 180);
+TEST(PictureCosts, PartsSumToLessThanTheWhole) {
+    FilmWithPanel film(320, 180);
     film.panel.act(Action::Panel);
     film.picture(22);
-    const Costs &c = film.panel.lastCosts();
+    const PictureCosts &c = film.panel.lastCosts();
     double sum = 0;
-    for (Cost part : {Cost::Posing, Cost::Tracing, Cost::Glare, Cost::Development}) {
+    for (PicturePart part :
+         {PicturePart::Posing, PicturePart::Tracing, PicturePart::Glare, PicturePart::Development}) {
         EXPECT_GT(c.milliseconds[(int)part], 0) << (int)part;
         sum += c.milliseconds[(int)part];
     }
-    EXPECT_EQ(c.milliseconds[(int)Cost::Enlarging], 0);
+    EXPECT_EQ(c.milliseconds[(int)PicturePart::Enlarging], 0);
     EXPECT_LE(sum, c.whole);
     EXPECT_GT(c.samplesAPixel(), 0.02);
     EXPECT_LT(c.samplesAPixel(), 4);
 }
 
-TEST(Probe, NotesNothingUnlessAsked) {
+TEST(Probe, MeasuresOnlyWhenSet) {
     LoadedFilm film(1, 64, 36, false);
     Probe probe;
     probe.clock = nanosecondsNow;
     inspector().watch(&probe);
     picture(*film.intro, 0, 22, kDraft, nullptr, {32, 18});
     inspector().watch(nullptr);
-    for (int64_t spent : probe.spent) EXPECT_GT(spent, 0); // enlarging too
+    for (int64_t spent : probe.spent) EXPECT_GT(spent, 0); // enlarging included
     Probe before = probe;
     picture(*film.intro, 0, 22, kDraft);
-    for (int i = 0; i < (int)Cost::Count; ++i) EXPECT_EQ(probe.spent[i], before.spent[i]);
+    for (int i = 0; i < (int)PicturePart::Count; ++i) EXPECT_EQ(probe.spent[i], before.spent[i]);
 }
 
 // --- The picture ---
 
-TEST(Panel, HiddenItShowsThePictureAlone) {
-    Shown film(320, 180);
+TEST(Panel, ShowsThePictureAloneWhenHidden) {
+    FilmWithPanel film(320, 180);
     std::vector<uint8_t> alone = bytesOf(film.plain(22));
     auto isAlone = [&] { return bytesOf(film.picture(22)) == alone; };
     EXPECT_TRUE(isAlone());
@@ -153,10 +154,10 @@ TEST(Panel, HiddenItShowsThePictureAlone) {
     EXPECT_FALSE(isAlone());
 }
 
-// Draws every part of the panel in pictures of all sizes, for sanitizers to check
-TEST(Panel, ServesPicturesOfAllSizes) {
+// Draws every part of the panel in pictures of several sizes, for sanitizers to check
+TEST(Panel, DrawsOnPicturesOfAllSizes) {
     for (auto [width, height] : {std::pair{1, 1}, {16, 9}, {239, 200}, {320, 180}, {100, 500}, {500, 100}}) {
-        Shown film(width, height);
+        FilmWithPanel film(width, height);
         Panel &panel = film.panel;
         double time = 163.9;
         bool paused = false, sought = false;
@@ -210,14 +211,14 @@ TEST(Panel, StepsByPictureBarAndEvent) {
     EXPECT_NEAR(after(Action::BarBack), 28, 1e-9);
     EXPECT_NEAR(after(Action::EventOn), 42, 1e-9) << "the first generation of the flake";
     EXPECT_NEAR(after(Action::EventBack), 18, 1e-9) << "balls set off";
-    // Two presses between two pictures are two steps
+    // Two key presses between two pictures make two steps
     h.panel.act(Action::BarOn);
     h.panel.act(Action::BarOn);
     h.steer();
     EXPECT_NEAR(h.time, 22, 1e-9);
 }
 
-TEST(Panel, ScrubsAndHoldsWhereTheMouseIs) {
+TEST(Panel, ScrubsAndHoldsTheTimeAtTheMouse) {
     Host h;
     h.steer();
     h.panel.press(h.x(50), h.y(), Panel::Button::Left);
@@ -238,7 +239,7 @@ TEST(Panel, ScrubsAndHoldsWhereTheMouseIs) {
     EXPECT_FALSE(h.panel.grabs() || h.paused);
 }
 
-TEST(Panel, LoopsAStretch) {
+TEST(Panel, LoopsAPart) {
     Host h;
     h.panel.press(h.x(60), h.y(), Panel::Button::Right);
     h.panel.move(h.x(65), h.y());
@@ -251,12 +252,12 @@ TEST(Panel, LoopsAStretch) {
     h.time = h.panel.loop().to + 0.01;
     h.steer();
     EXPECT_EQ(h.time, h.panel.loop().from);
-    // While it is paused, times outside the loop can be shown
+    // While paused, times outside the loop can be shown
     h.paused = true;
     h.time = 10;
     h.steer();
     EXPECT_EQ(h.time, 10);
-    // A click ends it, the key makes one of the shot
+    // A click ends the loop; the key loops the shot
     h.panel.press(h.x(20), h.y(), Panel::Button::Right);
     h.panel.release();
     EXPECT_FALSE(h.panel.loop().on());
@@ -269,7 +270,7 @@ TEST(Panel, LoopsAStretch) {
     EXPECT_FALSE(h.panel.loop().on());
 }
 
-TEST(Panel, LeavesTheMouseToTheHostElsewhere) {
+TEST(Panel, LeavesOtherMouseEventsToTheHost) {
     Host h;
     h.panel.press(640, 300, Panel::Button::Left);
     EXPECT_FALSE(h.panel.grabs());
@@ -292,7 +293,7 @@ TEST(Content, IsInOrderAndInTheFilm) {
     for (const EventInfo &e : c.events) {
         EXPECT_LT(e.at, c.end);
         found = found || inWords(e) == "generation 2";
-        // The scene of an event is the one on screen
+        // The scene of an event is on screen
         EXPECT_GE(e.at, c.shotAt(e.at).story);
     }
     EXPECT_TRUE(found);
