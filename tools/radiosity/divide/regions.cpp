@@ -22,22 +22,22 @@ struct Rectangle {
 // The rectangles of a region whose borders all run along u or v; empty if some do not. Divides it into slabs
 // at each v where a border along v ends. Lengths below `tiny` count as zero.
 std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &borders, double tiny) {
-    struct Upright {
+    struct Vertical {
         double u, v0, v1;
     };
-    std::vector<Upright> uprights;
+    std::vector<Vertical> verticals;
     for (const auto &[a, b] : borders) {
         if (std::fabs(a[0] - b[0]) <= tiny)
-            uprights.push_back({a[0], std::min(a[1], b[1]), std::max(a[1], b[1])});
+            verticals.push_back({a[0], std::min(a[1], b[1]), std::max(a[1], b[1])});
         else if (std::fabs(a[1] - b[1]) > tiny)
             return {};
     }
     // Join adjacent pieces of a line
-    std::sort(uprights.begin(), uprights.end(), [&](const Upright &a, const Upright &b) {
+    std::sort(verticals.begin(), verticals.end(), [&](const Vertical &a, const Vertical &b) {
         return std::fabs(a.u - b.u) > tiny ? a.u < b.u : a.v0 < b.v0;
     });
-    std::vector<Upright> lines;
-    for (const Upright &s : uprights) {
+    std::vector<Vertical> lines;
+    for (const Vertical &s : verticals) {
         if (!lines.empty() && std::fabs(lines.back().u - s.u) <= tiny &&
             std::fabs(lines.back().v1 - s.v0) <= tiny)
             lines.back().v1 = s.v1;
@@ -45,7 +45,7 @@ std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &bor
             lines.push_back(s);
     }
     std::vector<double> heights;
-    for (const Upright &s : lines) heights.push_back(s.v0), heights.push_back(s.v1);
+    for (const Vertical &s : lines) heights.push_back(s.v0), heights.push_back(s.v1);
     std::sort(heights.begin(), heights.end());
     heights.erase(std::unique(heights.begin(), heights.end(),
                               [&](double a, double b) { return std::fabs(a - b) <= tiny; }),
@@ -54,7 +54,7 @@ std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &bor
     for (size_t i = 0; i + 1 < heights.size(); ++i) {
         double middle = (heights[i] + heights[i + 1]) / 2;
         std::vector<double> crossed;
-        for (const Upright &s : lines)
+        for (const Vertical &s : lines)
             if (s.v0 < middle && s.v1 > middle) crossed.push_back(s.u);
         if (crossed.size() % 2) return {};
         std::sort(crossed.begin(), crossed.end());
@@ -132,12 +132,12 @@ struct ChartBuilder {
 
     // Adds the triangles as one chart; false if they fill too little of its rectangle.
     bool add(std::span<const int> triangles, std::span<const Edge> borders) {
-        Frame frame = frameOf(triangles, borders);
-        Box box = boxOf(triangles, frame);
+        PlaneFrame frame = frameOf(triangles, borders);
+        Extent box = extentOf(triangles, frame);
         std::vector<Rectangle> rectangles;
         if (triangles.size() > 1) {
             std::vector<std::array<Vec2d, 2>> flat;
-            for (const Edge &e : borders) flat.push_back({place(e.low, frame), place(e.high, frame)});
+            for (const Edge &e : borders) flat.push_back({project(e.low, frame), project(e.high, frame)});
             rectangles = rectanglesOf(flat, std::min(tiny, 1e-4 * (box.width() + box.height())));
             if (rectangles.empty() && box.twiceArea < 0.6 * box.width() * box.height()) return false;
         }
@@ -153,10 +153,10 @@ struct ChartBuilder {
     }
 
 private:
-    struct Frame { // of the plane
+    struct PlaneFrame { // of the plane
         Vec3d origin, u, v, n;
     };
-    struct Box { // in the frame
+    struct Extent { // in the frame
         Vec2d lo = {1e300, 1e300}, hi = {-1e300, -1e300};
         double twiceArea = 0; // of the triangles
         double off = 0;       // their largest distance from the plane
@@ -165,7 +165,7 @@ private:
     };
 
     // The plane's axes; u runs along the longest border.
-    Frame frameOf(std::span<const int> triangles, std::span<const Edge> borders) const {
+    PlaneFrame frameOf(std::span<const int> triangles, std::span<const Edge> borders) const {
         Vec3d sum = {};
         for (int t : triangles) sum = sum + normalOf(mesh, mesh.triangles[(size_t)t]);
         Vec3d n = normalize(sum), along = {};
@@ -180,16 +180,16 @@ private:
         return {points[(size_t)mesh.triangles[(size_t)triangles[0]].corners[0]], u, cross(n, u), n};
     }
 
-    Vec2d place(int point, const Frame &frame) const {
+    Vec2d project(int point, const PlaneFrame &frame) const {
         Vec3d d = mesh.points[(size_t)point] - frame.origin;
         return Vec2d{dot(d, frame.u), dot(d, frame.v)};
     }
 
-    Box boxOf(std::span<const int> triangles, const Frame &frame) const {
-        Box box;
+    Extent extentOf(std::span<const int> triangles, const PlaneFrame &frame) const {
+        Extent box;
         for (int t : triangles) {
             for (int c : mesh.triangles[(size_t)t].corners) {
-                Vec2d p = place(c, frame);
+                Vec2d p = project(c, frame);
                 box.off = std::max(box.off, std::fabs(dot(mesh.points[(size_t)c] - frame.origin, frame.n)));
                 for (size_t k = 0; k < 2; ++k)
                     box.lo[k] = std::min(box.lo[k], p[k]), box.hi[k] = std::max(box.hi[k], p[k]);
@@ -199,7 +199,7 @@ private:
         return box;
     }
 
-    Chart chartOf(const Frame &frame, const Box &box, int material) const {
+    Chart chartOf(const PlaneFrame &frame, const Extent &box, int material) const {
         auto cells = [&](double side) {
             return (int16_t)std::clamp((float)side / (float)cell + 0.5f, 1.f, (float)kMaxAcross);
         };
@@ -216,7 +216,7 @@ private:
 
     // Adds the rectangles as facets, or the triangles if there are no rectangles.
     void addFacets(std::span<const int> triangles, const std::vector<Rectangle> &rectangles,
-                   const Frame &frame, const Box &box) {
+                   const PlaneFrame &frame, const Extent &box) {
         auto add = [&](std::array<Vec2d, 4> corners) {
             Facet f = {(int)regions.charts.size(), {}, {}};
             for (size_t k = 0; k < 4; ++k)
@@ -227,8 +227,8 @@ private:
         if (!rectangles.empty()) return;
         for (int t : triangles) {
             const auto &c = mesh.triangles[(size_t)t].corners;
-            Vec2d last = place(c[2], frame);
-            add({place(c[0], frame), place(c[1], frame), last, last});
+            Vec2d last = project(c[2], frame);
+            add({project(c[0], frame), project(c[1], frame), last, last});
         }
     }
 };

@@ -55,7 +55,7 @@ const std::vector<std::vector<float>> &AnyHemicubes::rows(const Model &m, std::s
 }
 
 bool findRows(AnyHemicubes &hemicubes, const Model &m, const std::vector<uint8_t> &lit, Workers &workers,
-              Rows &rows, size_t memory, const std::function<bool(float)> &progress, int each,
+              FormFactorRows &rows, size_t memory, const std::function<bool(float)> &progress, int each,
               const EyeOf &eyeOf) {
     auto count = (size_t)m.patchCount, batch = (size_t)(hemicubes.h.batch / each), links = (size_t)0;
     auto step = (size_t)((double)count * 0.6180339) | 1;

@@ -43,11 +43,11 @@ public:
 };
 
 // The form factors of all patches; one that is not known is hidden, or nothing needs it.
-struct Rows {
+struct FormFactorRows {
     std::vector<std::vector<Link>> of; // each patch
     std::vector<uint8_t> known;
 
-    explicit Rows(size_t patches) : of(patches), known(patches) {}
+    explicit FormFactorRows(size_t patches) : of(patches), known(patches) {}
     // The light that arrives at a patch from patches of these radiosities.
     Rgb gather(int patch, const std::vector<Rgb> &radiosity) const {
         Rgb sum = {};
@@ -61,7 +61,7 @@ struct Rows {
 // counts. Patches are taken in an order that spreads the first ones over the model. Calls progress(done)
 // after every picture, and stops if it returns false. Throws std::runtime_error if they need more memory.
 bool findRows(AnyHemicubes &hemicubes, const Model &model, const std::vector<uint8_t> &lit, Workers &workers,
-              Rows &rows, size_t memory, const std::function<bool(float done)> &progress, int each = 1,
-              const EyeOf &eyeOf = {});
+              FormFactorRows &rows, size_t memory, const std::function<bool(float done)> &progress,
+              int each = 1, const EyeOf &eyeOf = {});
 
 } // namespace odraz::radiosity

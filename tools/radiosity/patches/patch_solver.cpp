@@ -102,8 +102,8 @@ private:
         task.show(SolveStep::kDirectLight, 0);
         LampRays lamps(task.mesh, task.regions, s.lampSamples);
         if (!s.analytic) lamps.clear();
-        const std::vector<uint16_t> behind(grid.sites.size());
-        direct = directLight(lamps, s.surroundings, grid, behind, tree, task.workers);
+        const std::vector<uint16_t> excluded(grid.sites.size());
+        direct = directLight(lamps, s.surroundings, grid, excluded, tree, task.workers);
         if (s.surroundings.sky.width) {
             std::vector<Rgb> sky = skyLight(s.surroundings.sky, grid, tree, task.workers);
             for (size_t t = 0; t < sky.size(); ++t) direct[t] += sky[t];
@@ -119,7 +119,7 @@ private:
     }
 
     void findRows() {
-        p.rows = Rows(p.patches.size());
+        p.rows = FormFactorRows(p.patches.size());
         if (s.each > 0) {
             std::vector<uint8_t> lit;
             for (size_t i = 0; i < p.patches.size(); ++i)
@@ -171,7 +171,7 @@ private:
         report.residual = (float)shooting.left();
         Rgb ambient = shooting.ambient();
         for (const Rgb &light : shooting.arrives()) arrives.push_back(light + ambient);
-        p.rows = Rows(p.patches.size());
+        p.rows = FormFactorRows(p.patches.size());
         for (size_t i = 0; i < p.patches.size(); ++i) p.rows.known[i] = p.patches[i].share > 0;
     }
 

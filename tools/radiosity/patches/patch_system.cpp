@@ -33,7 +33,7 @@ std::vector<Rgb> skyLight(const SkyPicture &sky, const LightGrid &grid, const Ra
                           Workers &workers) {
     constexpr int kRays = 256;
     std::vector<std::vector<Vec3>> placesOf(grid.texels.size());
-    for (const LightGrid::Place &place : grid.places) placesOf[(size_t)place.texel].push_back(place.p);
+    for (const LightGrid::SamplePoint &place : grid.points) placesOf[(size_t)place.texel].push_back(place.p);
     std::vector<Rgb> light(grid.texels.size());
     parallelRanges(workers, (int)light.size(), 64, [&](int first, int end, int) {
         for (auto t = (size_t)first; t < (size_t)end; ++t) {

@@ -16,7 +16,7 @@ struct PatchSystem {
     std::vector<Cell> cells;
     std::vector<Texel> texels;
     std::vector<Patch> patches;
-    Rows rows{0};
+    FormFactorRows rows{0};
     // For each patch
     std::vector<Rgb> emits;  // for hemicubes: black if shadow rays find the light of lamps
     std::vector<Rgb> direct; // the light that arrives without a bounce

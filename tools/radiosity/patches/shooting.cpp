@@ -161,7 +161,7 @@ int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {
     return (int)shots.size();
 }
 
-Columns::Columns(const Rows &rows) : first(rows.of.size() + 1) {
+Columns::Columns(const FormFactorRows &rows) : first(rows.of.size() + 1) {
     for (const std::vector<Link> &row : rows.of)
         for (const Link &link : row) ++first[link.patch + 1];
     for (size_t i = 0; i + 1 < first.size(); ++i) first[i + 1] += first[i];

@@ -82,7 +82,7 @@ struct Columns {
     std::vector<Link> links;
     std::vector<size_t> first;
 
-    explicit Columns(const Rows &rows);
+    explicit Columns(const FormFactorRows &rows);
     std::span<const Link> of(int patch) const {
         size_t from = first[(size_t)patch];
         return {links.data() + from, first[(size_t)patch + 1] - from};

@@ -59,12 +59,12 @@ void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double l
     for (int r = 0; r < rows; ++r)
         for (int k = 0; k <= 2 * r; ++k) {
             int j = k / 2;
-            Part p = {{at(r, j), at(r + 1, j), at(r + 1, j + 1)},
-                      n,
-                      (float)(area / (rows * rows)),
-                      radiance,
-                      power,
-                      least / (float)rows};
+            Emitter p = {{at(r, j), at(r + 1, j), at(r + 1, j + 1)},
+                         n,
+                         (float)(area / (rows * rows)),
+                         radiance,
+                         power,
+                         least / (float)rows};
             if (k & 1) p.corner[1] = at(r + 1, j + 1), p.corner[2] = at(r, j + 1);
             parts.push_back(p);
         }
@@ -85,7 +85,7 @@ void LampRays::sortParts(const Mesh &mesh) {
                          i});
     }
     std::sort(order.begin(), order.end());
-    std::vector<Part> sorted;
+    std::vector<Emitter> sorted;
     double sum = 0;
     for (auto &[code, i] : order) {
         sorted.push_back(parts[i]);

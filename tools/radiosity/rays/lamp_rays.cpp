@@ -61,7 +61,7 @@ Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, 
 } // namespace
 
 // Near its side, a wall that touches the part hides it.
-bool LampRays::Part::seen(const RayTree &tree, const Vec3 &p, float a, float b) const {
+bool LampRays::Emitter::seen(const RayTree &tree, const Vec3 &p, float a, float b) const {
     Vec3 d = point(a, b) - p;
     if (a + b > 1) a = 1 - a, b = 1 - b; // as point() does
     float far = length(d);
@@ -71,7 +71,7 @@ bool LampRays::Part::seen(const RayTree &tree, const Vec3 &p, float a, float b) 
 }
 
 // The form factor of a part, without shadows. Beyond sqrt(near * area) the part counts as a disc.
-float LampRays::formFactor(const Part &part, const Vec3 &p, const Vec3 &n, float near) {
+float LampRays::formFactor(const Emitter &part, const Vec3 &p, const Vec3 &n, float near) {
     if (dot(p - part.corner[0], part.n) <= 0) return 0;
     Vec3 to = part.middle() - p;
     float square = dot(to, to);
@@ -94,8 +94,8 @@ float LampRays::formFactor(const Part &part, const Vec3 &p, const Vec3 &n, float
     return factor > 1e-7f ? factor : 0; // smaller values are rounding errors
 }
 
-Rgb LampRays::fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed,
-                      int rays) const {
+Rgb LampRays::fromWholes(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed,
+                         int rays) const {
     float power[kMostWhole], factors[kMostWhole], sum = 0;
     for (size_t i = 0; i < wholes.size(); ++i) {
         float factor = 0;
@@ -127,8 +127,8 @@ Rgb LampRays::fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3
     return all;
 }
 
-Rgb LampRays::fromSome(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32_t seed, float shift,
-                       int some) const {
+Rgb LampRays::fromParts(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32_t seed, float shift,
+                        int some) const {
     Rgb sum = {};
     uint32_t state = pcg(seed);
     auto random = [&] { return unitFloat(state = pcg(state)); };
@@ -136,7 +136,7 @@ Rgb LampRays::fromSome(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32
         float at = ((float)k + shift) / (float)some * until.back();
         auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
                           parts.size() - 1);
-        const Part &part = parts[i];
+        const Emitter &part = parts[i];
         float a = random(), b = random(), factor = formFactor(part, p, n, kNear);
         if (factor > 0 && maxComponent(part.radiance) > 0 && part.seen(tree, p, a, b))
             sum += part.radiance * (factor * until.back() / ((float)some * part.area * part.power));
@@ -153,33 +153,33 @@ Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 *p,
     for (int k = 0; k < places; ++k) {
         uint32_t own = seed * 4 + (uint32_t)k;
         if (!all && some > 0)
-            sum += fromSome(tree, p[k], n, own, std::fmod(shift + (float)k / (float)sharers, 1.f), some);
+            sum += fromParts(tree, p[k], n, own, std::fmod(shift + (float)k / (float)sharers, 1.f), some);
         sum += fromOutside(around, tree, p[k], n, own);
     }
     sum = sum * (1 / (float)places);
-    if (all) sum += fromAll(tree, p, places, n, seed, some * places);
+    if (all) sum += fromWholes(tree, p, places, n, seed, some * places);
     return sum;
 }
 
 std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
-                             const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers) {
+                             const std::vector<uint16_t> &excluded, const RayTree &tree, Workers &workers) {
     std::vector<Rgb> light(grid.texels.size());
     if (lamps.none() && around.suns.empty() && around.lamps.empty()) return light;
     parallelRanges(workers, (int)grid.sites.size(), 64, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const LightGrid::Site &s = grid.sites[(size_t)i];
             const Vec3 &n = grid.charts[(size_t)s.chart].n;
-            auto counts = [&](uint32_t k) { return !(behind[(size_t)i] >> k & 1); };
-            auto texelOf = [&](uint32_t k) { return (size_t)grid.places[s.firstPlace + k].texel; };
+            auto counts = [&](uint32_t k) { return !(excluded[(size_t)i] >> k & 1); };
+            auto texelOf = [&](uint32_t k) { return (size_t)grid.points[s.firstPoint + k].texel; };
             Rgb all = {};
             int places = 0, sharers = 0;
-            for (uint32_t k = 0; k < s.places; ++k) sharers += counts(k);
+            for (uint32_t k = 0; k < s.pointCount; ++k) sharers += counts(k);
             float base = unitFloat(pcg((uint32_t)i));
-            for (uint32_t k = 0, next; k < s.places; k = next) {
+            for (uint32_t k = 0, next; k < s.pointCount; k = next) {
                 Vec3 at[4];
                 int count = 0;
-                for (next = k; next < s.places && texelOf(next) == texelOf(k); ++next)
-                    if (counts(next)) at[count++] = grid.places[s.firstPlace + next].p;
+                for (next = k; next < s.pointCount && texelOf(next) == texelOf(k); ++next)
+                    if (counts(next)) at[count++] = grid.points[s.firstPoint + next].p;
                 if (!count) continue;
                 float shift = base + (float)places / (float)sharers;
                 light[texelOf(k)] =
@@ -187,9 +187,10 @@ std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, 
                 all += light[texelOf(k)] * (float)count, places += count;
             }
             // Texels none of whose places count get the mean of the site
-            for (uint32_t k = 0, next; k < s.places; k = next) {
+            for (uint32_t k = 0, next; k < s.pointCount; k = next) {
                 int count = 0;
-                for (next = k; next < s.places && texelOf(next) == texelOf(k); ++next) count += counts(next);
+                for (next = k; next < s.pointCount && texelOf(next) == texelOf(k); ++next)
+                    count += counts(next);
                 if (!count) light[texelOf(k)] = all * (1 / (float)places);
             }
         }

@@ -33,7 +33,7 @@ public:
            uint32_t seed, float shift, int sharers) const;
 
 private:
-    struct Part {
+    struct Emitter {
         Vec3 corner[3], n;
         float area;
         Rgb radiance;
@@ -50,20 +50,21 @@ private:
     };
     double emittingShare = 0;
     float brightest = 0;
-    std::vector<Part> parts;
-    std::vector<float> until; // running sums of the parts' power
-    std::vector<Part> wholes; // triangles that emit, undivided; empty if there are too many
+    std::vector<Emitter> parts;
+    std::vector<float> until;    // running sums of the parts' power
+    std::vector<Emitter> wholes; // triangles that emit, undivided; empty if there are too many
     void divide(const Mesh &mesh, const Triangle &t, int samples, double largest);
     void sortParts(const Mesh &mesh);
-    static float formFactor(const Part &part, const Vec3 &p, const Vec3 &n, float near);
-    Rgb fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed, int rays) const;
-    Rgb fromSome(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32_t seed, float shift,
-                 int some) const;
+    static float formFactor(const Emitter &part, const Vec3 &p, const Vec3 &n, float near);
+    Rgb fromWholes(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed,
+                   int rays) const;
+    Rgb fromParts(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32_t seed, float shift,
+                  int some) const;
 };
 
-// The direct light of all visible texels: the mean over their places. `behind` has a set bit for each of a
+// The direct light of all visible texels: the mean over their places. `excluded` has a set bit for each of a
 // site's places that does not count (ray_system.h).
 std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
-                             const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers);
+                             const std::vector<uint16_t> &excluded, const RayTree &tree, Workers &workers);
 
 } // namespace odraz::radiosity

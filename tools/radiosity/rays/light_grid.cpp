@@ -157,11 +157,11 @@ void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drop
         const Chart &c = charts[index];
         bool small = c.across == 1 && c.down == 1;
         auto begin = [&](float area) {
-            sites.push_back({(uint32_t)places.size(), 0, small, (int)index, std::sqrt(area)});
+            sites.push_back({(uint32_t)points.size(), 0, small, (int)index, std::sqrt(area)});
         };
         auto end = [&] {
-            sites.back().places = (uint16_t)(places.size() - sites.back().firstPlace);
-            if (!sites.back().places) sites.pop_back();
+            sites.back().pointCount = (uint16_t)(points.size() - sites.back().firstPoint);
+            if (!sites.back().pointCount) sites.pop_back();
         };
         if (small) {
             double area = 0;
@@ -170,21 +170,21 @@ void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drop
             begin((float)area);
         }
         for (int t = c.firstTexel; t < c.firstTexel + c.texels(); ++t) {
-            size_t first = places.size();
+            size_t first = points.size();
             if (!small) begin(c.width * c.height / (float)(c.across * c.down));
             for (int k = 0; k < 4; ++k)
                 if (const Texel &texel = texels[(size_t)t]; texel.visible >> k & 1)
-                    places.push_back(
+                    points.push_back(
                         {landed(regions, (int)index, placeAt(c, texel, k), drops[(size_t)t * 4 + (size_t)k]),
                          t});
-            if (places.size() > first) siteOf[(size_t)t] = (uint32_t)(sites.size() - 1);
+            if (points.size() > first) siteOf[(size_t)t] = (uint32_t)(sites.size() - 1);
             if (!small) end();
         }
         if (small) end();
     }
 }
 
-void LightGrid::takeSitesForPatches() {
+void LightGrid::useSitesAsPatches() {
     for (Cell &cell : cells)
         for (int t : cell.corner)
             if (siteOf[(size_t)t] != kNone) {

@@ -25,14 +25,14 @@ std::vector<RayTree::Corners> cornersOf(std::span<const Facet> facets, const Cha
 
 struct LightGrid {
     static constexpr uint32_t kNone = 0xffffffff;
-    struct Place {
+    struct SamplePoint {
         Vec3 p; // just above the surface
         int texel;
     };
     struct Site {
-        uint32_t firstPlace;
-        uint16_t places; // 1 ..
-        bool small;      // represents its whole chart
+        uint32_t firstPoint;
+        uint16_t pointCount; // 1 ..
+        bool small;          // represents its whole chart
         int chart;
         float size; // square root of its area
     };
@@ -41,14 +41,14 @@ struct LightGrid {
     std::vector<Texel> texels;
     std::vector<uint32_t> siteOf; // of each texel; kNone: it is hidden
     std::vector<Site> sites;
-    std::vector<Place> places; // of each site, and of each texel, in order
-    std::vector<int> tied;     // hidden texels, in the order of filling
+    std::vector<SamplePoint> points; // of each site, and of each texel, in order
+    std::vector<int> tied;           // hidden texels, in the order of filling
 
     // Numbers the cells, texels and patches of the charts, which the caller keeps. A patch has `block` by
     // `block` cells where charts are large enough.
     LightGrid(Regions &regions, const RayTree &tree, Workers &workers, int block = 1);
     // For the viewer, without patches: makes the patch of a cell the site that sends out its rays.
-    void takeSitesForPatches();
+    void useSitesAsPatches();
 
     Vec3 at(const Texel &t) const;
     // The cell at a point of a chart, and the position in it, 0 .. 1.

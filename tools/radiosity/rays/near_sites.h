@@ -16,8 +16,8 @@ public:
         : middles(grid.sites.size()), order(middles.size()), axes(middles.size()) {
         for (size_t i = 0; i < middles.size(); ++i) {
             const LightGrid::Site &s = grid.sites[i];
-            for (uint32_t k = 0; k < s.places; ++k) middles[i] += grid.places[s.firstPlace + k].p;
-            middles[i] = middles[i] * (1 / (float)s.places);
+            for (uint32_t k = 0; k < s.pointCount; ++k) middles[i] += grid.points[s.firstPoint + k].p;
+            middles[i] = middles[i] * (1 / (float)s.pointCount);
         }
         std::iota(order.begin(), order.end(), 0);
         sort(0, order.size());

@@ -42,7 +42,7 @@ RaySystem::RaySystem(const Regions &regions, const LightGrid &grid, const RayTre
     size_t sites = grid.sites.size();
     firstOf.resize(sites + 1), found.resize(sites);
     arrives.resize(sites), sky.resize(sites), skySquare.resize(sites), reach.resize(sites),
-        behind.resize(sites);
+        excluded.resize(sites);
 }
 
 size_t RaySystem::setRays(const std::vector<uint16_t> &counts) {
@@ -60,16 +60,19 @@ size_t RaySystem::setRays(const std::vector<uint16_t> &counts) {
     return missing;
 }
 
-void RaySystem::save(std::string &to) const { put(to, firstOf, rows, found, sky, skySquare, reach, behind); }
+void RaySystem::save(std::string &to) const {
+    put(to, firstOf, rows, found, sky, skySquare, reach, excluded);
+}
 
 bool RaySystem::restore(std::string_view from, size_t &at) {
     size_t count = grid.sites.size();
-    if (!get(from, at, firstOf, rows, found, sky, skySquare, reach, behind) || firstOf.size() != count + 1 ||
-        firstOf[0] != 0 || firstOf[count] != rows.size() || found.size() != count || sky.size() != count ||
-        skySquare.size() != count || reach.size() != count || behind.size() != count)
+    if (!get(from, at, firstOf, rows, found, sky, skySquare, reach, excluded) ||
+        firstOf.size() != count + 1 || firstOf[0] != 0 || firstOf[count] != rows.size() ||
+        found.size() != count || sky.size() != count || skySquare.size() != count || reach.size() != count ||
+        excluded.size() != count)
         return false;
     for (size_t i = 0; i < count; ++i)
-        if (firstOf[i] >= firstOf[i + 1] || behind[i] + 1 >= 1 << grid.sites[i].places) return false;
+        if (firstOf[i] >= firstOf[i + 1] || excluded[i] + 1 >= 1 << grid.sites[i].pointCount) return false;
     // Without a sky, clear the light of the previous one
     if (!around.sky.width)
         std::fill(sky.begin(), sky.end(), Rgb{}), std::fill(skySquare.begin(), skySquare.end(), 0.f);
@@ -87,13 +90,13 @@ void RaySystem::cast(size_t site, int count, const std::vector<Vec3> &spiral, co
           cosine = std::cos(turn);
     Vec3 u = c.u * cosine + c.v * sine, v = c.v * cosine - c.u * sine;
     uint32_t from[16], places = 0;
-    for (uint32_t k = 0; k < s.places; ++k)
-        if (!(behind[site] >> k & 1)) from[places++] = s.firstPlace + k;
+    for (uint32_t k = 0; k < s.pointCount; ++k)
+        if (!(excluded[site] >> k & 1)) from[places++] = s.firstPoint + k;
     for (int i = 0; i < count; ++i) {
         const Vec3 &d = spiral[(size_t)i];
         uint32_t place = from[(uint32_t)i % places];
         Vec3 direction = u * d.x + v * d.y + c.n * d.z;
-        met(i, place, direction, tree.nearest(grid.places[place].p, direction));
+        met(i, place, direction, tree.nearest(grid.points[place].p, direction));
     }
 }
 
@@ -110,7 +113,7 @@ uint32_t RaySystem::siteAt(int chart, const Vec3 &p, uint32_t random) const {
 }
 
 void RaySystem::findRow(size_t site, const std::vector<Vec3> &spiral) {
-    uint32_t *row = &rows[firstOf[site]], first = grid.sites[site].firstPlace;
+    uint32_t *row = &rows[firstOf[site]], first = grid.sites[site].firstPoint;
     auto count = (int)rays(site);
     Rgb open = {};
     float near = 0, squares = 0;
@@ -127,21 +130,21 @@ void RaySystem::findRow(size_t site, const std::vector<Vec3> &spiral) {
         if (hit.back)
             ++backs[place - first];
         else
-            row[i] = siteAt(regions.chartOf[(size_t)hit.triangle], grid.places[place].p + d * hit.t,
+            row[i] = siteAt(regions.chartOf[(size_t)hit.triangle], grid.points[place].p + d * hit.t,
                             pcg((uint32_t)(site * 8191 + (size_t)i)));
     });
     sky[site] = open * (1 / (float)count), skySquare[site] = squares / (float)count;
     reach[site] = near > 0 ? (float)count / near : kInfinity;
     // Repeat without the places that lie behind something
-    if (behind[site] || !findsBehind) return;
+    if (excluded[site] || !findsExcluded) return;
     bool clear = false;
     uint16_t hidden = 0;
-    for (int k = 0; k < grid.sites[site].places; ++k) {
+    for (int k = 0; k < grid.sites[site].pointCount; ++k) {
         clear |= backs[k] * 20 < all[k];
         if (backs[k] * 4 > all[k]) hidden |= (uint16_t)(1 << k);
     }
     if (!clear || !hidden) return;
-    behind[site] = hidden;
+    excluded[site] = hidden;
     findRow(site, spiral);
 }
 
@@ -251,7 +254,7 @@ void RaySystem::finalGather(int from, int to, int count, const std::vector<Rgb> 
                     if (around.sky.width) sum += around.sky.radiance(d);
                 } else if (!hit.back) {
                     LightGrid::Spot s =
-                        grid.spotAt(regions.chartOf[(size_t)hit.triangle], grid.places[place].p + d * hit.t);
+                        grid.spotAt(regions.chartOf[(size_t)hit.triangle], grid.points[place].p + d * hit.t);
                     const int *c = s.cell->corner;
                     auto l = [&](int k) { return texels[(size_t)c[k]]; };
                     sum += lerp(lerp(l(0), l(1), s.x), lerp(l(2), l(3), s.x), s.y) *

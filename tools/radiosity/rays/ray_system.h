@@ -35,7 +35,7 @@ public:
     RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around);
 
     // Values of the sites: means over their places that count, of values of the texels; and the reflectance.
-    std::vector<Rgb> meansOfPlaces(const std::vector<Rgb> &texels) const;
+    std::vector<Rgb> meansOfPoints(const std::vector<Rgb> &texels) const;
     std::vector<Rgb> reflectance(const Solution &solution) const;
 
     // Sets the number of rays of each site. A site whose number stays keeps its row; others repeat their old
@@ -83,13 +83,13 @@ public:
     std::vector<uint64_t> firstOf; // start of each site's row in `rows`, and the end of the last
     std::vector<uint32_t> rows;    // the sites that were hit
     std::vector<uint8_t> found;    // whether the site's row is found
-    bool findsBehind = true;       // findRows() also finds which places lie behind something
+    bool findsExcluded = true;     // findRows() also finds which places lie behind something
     std::vector<Rgb> sky;          // of every site
     std::vector<float> skySquare;  // mean of its squared brightness
     std::vector<float> reach;      // harmonic mean of the distances that its rays travel
     // A bit is set for each of a site's places that does not count: it sees many backs while other places of
     // the site see none. It lies behind or under something thin that cuts through the surface.
-    std::vector<uint16_t> behind;
+    std::vector<uint16_t> excluded;
 
 private:
     NearSites near;

@@ -7,14 +7,14 @@
 
 namespace odraz::radiosity {
 
-std::vector<Rgb> RaySystem::meansOfPlaces(const std::vector<Rgb> &texels) const {
+std::vector<Rgb> RaySystem::meansOfPoints(const std::vector<Rgb> &texels) const {
     std::vector<Rgb> means(grid.sites.size());
     for (size_t i = 0; i < means.size(); ++i) {
         const LightGrid::Site &site = grid.sites[i];
         int count = 0;
-        for (uint32_t k = 0; k < site.places; ++k)
-            if (!(behind[i] >> k & 1))
-                means[i] += texels[(size_t)grid.places[site.firstPlace + k].texel], ++count;
+        for (uint32_t k = 0; k < site.pointCount; ++k)
+            if (!(excluded[i] >> k & 1))
+                means[i] += texels[(size_t)grid.points[site.firstPoint + k].texel], ++count;
         means[i] = means[i] * (1 / (float)count);
     }
     return means;
@@ -29,9 +29,9 @@ std::vector<Rgb> RaySystem::reflectance(const Solution &solution) const {
             reflects[i] = solution.reflects[(size_t)site.chart];
             continue;
         }
-        for (uint32_t k = 0; k < site.places; ++k) {
-            auto *cell = grid.spotAt(site.chart, grid.places[site.firstPlace + k].p).cell;
-            reflects[i] += ofCell[(size_t)(cell - grid.cells.data())] * (1 / (float)site.places);
+        for (uint32_t k = 0; k < site.pointCount; ++k) {
+            auto *cell = grid.spotAt(site.chart, grid.points[site.firstPoint + k].p).cell;
+            reflects[i] += ofCell[(size_t)(cell - grid.cells.data())] * (1 / (float)site.pointCount);
         }
     }
     return reflects;

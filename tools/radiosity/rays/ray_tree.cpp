@@ -36,7 +36,7 @@ struct RayTree::Ray {
     // The distances to a leaf's triangles; kInfinity for a miss. Sets `back` where a back is hit. Corners are
     // sheared so that the ray becomes an axis. Neighbours then compute the same values for a shared edge, so
     // rounding cannot let the ray pass between them.
-    Float8 meet(const Leaf &l, Int8 &back) const {
+    Float8 intersect(const Leaf &l, Int8 &back) const {
         struct Sheared {
             Float8 x, y, z;
         };
@@ -65,11 +65,11 @@ struct RayTree::Ray {
 namespace {
 
 // Nodes still to visit, the nearest last.
-struct Waiting {
+struct StackEntry {
     int node;
     float enter;
 };
-constexpr int kWaiting = 512;
+constexpr int kMaxStack = 512;
 // Factor for distances to backs, so that of a back and a front in one plane the front is hit
 constexpr float kBehind = 1.0001f;
 constexpr float kParallel = 0.9999f; // the least cosine of normals
@@ -83,16 +83,17 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
     float limit = kInfinity, reach = kInfinity; // only nearer hits count, or are compared
     float second = kInfinity;                   // another front
     int at = 0, lane = 0;                       // where the hit is
-    Waiting stack[kWaiting];
+    StackEntry stack[kMaxStack];
     int waiting = 0;
     stack[waiting++] = {0, 0};
     while (waiting) {
-        Waiting next = stack[--waiting];
+        StackEntry next = stack[--waiting];
         if (next.enter > limit) continue;
         if (next.node < 0) {
             const Leaf &l = leaves[(size_t)~next.node];
             Int8 back;
-            Float8 t = ray.meet(l, back), far = select(back, kFronts ? broadcast(kInfinity) : t * kBehind, t);
+            Float8 t = ray.intersect(l, back),
+                   far = select(back, kFronts ? broadcast(kInfinity) : t * kBehind, t);
             for (int lanes = laneBits((far <= broadcast(reach)) & (far < kInfinity)); lanes;
                  lanes &= lanes - 1) {
                 int i = __builtin_ctz((unsigned)lanes);
@@ -137,14 +138,14 @@ RayHit RayTree::nearestFront(const Vec3 &origin, const Vec3 &direction) const {
 bool RayTree::blocked(const Vec3 &origin, const Vec3 &direction, float end, const Vec3 *n) const {
     Ray ray(origin, direction);
     const float before = n ? end * 0.9999f : end;
-    int stack[kWaiting], waiting = 0;
+    int stack[kMaxStack], waiting = 0;
     stack[waiting++] = 0;
     while (waiting) {
         int next = stack[--waiting];
         if (next < 0) {
             Int8 back;
             const Leaf &l = leaves[(size_t)~next];
-            Float8 t = ray.meet(l, back);
+            Float8 t = ray.intersect(l, back);
             if (any(t < broadcast(before))) return true;
             for (int lanes = n ? laneBits(t < broadcast(end)) : 0; lanes; lanes &= lanes - 1) {
                 int i = __builtin_ctz((unsigned)lanes);

@@ -116,7 +116,7 @@ private:
         auto rays = (uint16_t)(s.rays > 0 ? s.rays : RaySystem::kLeastRays);
         if (!refined)
             findRows(std::vector<uint16_t>(grid.sites.size(), rays), false, 0, s.rays > 0 ? 1 : kFirst);
-        system.findsBehind = false;
+        system.findsExcluded = false;
         task.lap(SolveStep::kFormFactors);
     }
 
@@ -127,8 +127,8 @@ private:
             system.emits = task.solution.emits;
             lamps.clear();
         }
-        direct = directLight(lamps, s.surroundings, grid, system.behind, tree, task.workers);
-        directAtSites = system.meansOfPlaces(direct);
+        direct = directLight(lamps, s.surroundings, grid, system.excluded, tree, task.workers);
+        directAtSites = system.meansOfPoints(direct);
         reflects = system.reflectance(task.solution);
         task.lap(SolveStep::kDirectLight);
         task.show(SolveStep::kDirectLight, 1);
@@ -218,7 +218,7 @@ void solveByRays(SolveTask &task) {
         refuseMemory(bytes, task.settings.memory, "larger elements or fewer rays need less");
     if (task.settings.needs) task.settings.needs(bytes);
     LightGrid grid(task.regions, tree, task.workers);
-    grid.takeSitesForPatches();
+    grid.useSitesAsPatches();
     report.sites = (int)grid.sites.size();
     task.findPictured(task.regions.charts, grid.cells, report.notes);
     task.show(SolveStep::kDividing, 1);

@@ -15,9 +15,9 @@ using Shade = std::array<int, 3>; // a colour in steps of kStep
 constexpr size_t kMostParts = 8192; // of a material
 constexpr float kStep = 1 / 64.f;   // colours of one material differ by less
 
-class Divider {
+class EmissionDivider {
 public:
-    Divider(Mesh &mesh) : mesh(mesh) {}
+    EmissionDivider(Mesh &mesh) : mesh(mesh) {}
 
     void divide(int material, const ReflectancePicture &picture) {
         std::vector<Triangle> given;
@@ -35,17 +35,17 @@ public:
         while (deepest < 6 && given.size() << (2 * (deepest + 1)) <= kMostParts) ++deepest;
         shades.clear(), parts.clear();
         texture = &picture, glow = mesh.materials[(size_t)material].glow;
-        for (size_t i = 0; i < given.size(); ++i) part(given[i].corners, coordinates[i], 0);
+        for (size_t i = 0; i < given.size(); ++i) divide(given[i].corners, coordinates[i], 0);
         addParts(material);
     }
 
 private:
-    struct Part {
+    struct ShadedTriangle {
         std::array<int, 3> corners;
         std::array<float, 6> at;
         Shade shade;
     };
-    struct Sum {
+    struct ShadeSum {
         double area = 0;
         Vec3d light = {};
     };
@@ -53,8 +53,8 @@ private:
     const ReflectancePicture *texture = nullptr;
     MeshPicture glow;
     int deepest = 0;
-    std::vector<Part> parts;
-    std::map<Shade, Sum> shades;
+    std::vector<ShadedTriangle> parts;
+    std::map<Shade, ShadeSum> shades;
     std::map<std::pair<int, int>, int> middles; // points between two others
 
     Rgb meanOf(const std::array<float, 6> &at) const {
@@ -72,7 +72,7 @@ private:
     }
 
     // Adds a triangle, or its four parts if it is not of one colour.
-    void part(const std::array<int, 3> &c, const std::array<float, 6> &at, int depth) {
+    void divide(const std::array<int, 3> &c, const std::array<float, 6> &at, int depth) {
         auto half = [&](size_t a, size_t b) {
             return std::array<float, 2>{(at[2 * a] + at[2 * b]) / 2, (at[2 * a + 1] + at[2 * b + 1]) / 2};
         };
@@ -92,13 +92,13 @@ private:
         if (known && depth < deepest && (depth < 2 || spread > kStep / 2)) {
             const int all[6] = {c[0], c[1], c[2], middle(c[0], c[1]), middle(c[1], c[2]), middle(c[2], c[0])};
             for (size_t k = 0; k < 4; ++k)
-                part({all[kParts[k][0]], all[kParts[k][1]], all[kParts[k][2]]}, quarters[k], depth + 1);
+                divide({all[kParts[k][0]], all[kParts[k][1]], all[kParts[k][2]]}, quarters[k], depth + 1);
             return;
         }
         auto step = [](float x) { return (int)std::lround(x / kStep); };
         Shade shade = {step(mean.x), step(mean.y), step(mean.z)};
         double area = length(normalOf(mesh, {c, 0}));
-        Sum &sum = shades[shade];
+        ShadeSum &sum = shades[shade];
         sum.area += area, sum.light = sum.light + toDouble(mean) * area;
         parts.push_back({c, at, shade});
     }
@@ -114,7 +114,7 @@ private:
             for (size_t k = 0; k < 3; ++k)
                 mesh.materials[(size_t)number].emits[k] = glow.tint[k] * (float)(sum.light[k] / sum.area);
         }
-        for (const Part &p : parts) {
+        for (const ShadedTriangle &p : parts) {
             mesh.triangles.push_back({p.corners, numbers[p.shade]});
             mesh.coordinates.push_back(p.at);
         }
@@ -124,7 +124,7 @@ private:
 } // namespace
 
 void divideByEmission(Mesh &mesh, std::vector<std::string> &notes) {
-    Divider divider(mesh);
+    EmissionDivider divider(mesh);
     for (int i = 0, count = (int)mesh.materials.size(); i < count; ++i) {
         const MeshPicture glow = mesh.materials[(size_t)i].glow;
         if (glow.path.empty() || std::none_of(mesh.triangles.begin(), mesh.triangles.end(),

@@ -25,7 +25,7 @@ const std::set<std::string> kExtensions = {"KHR_lights_punctual",   "KHR_materia
 bool isWhole(const json &x, int bits) { return x.is_number_unsigned() && x.get<uint64_t>() >> bits == 0; }
 
 // What a property must be, and whether it is that
-struct Kind {
+struct ValueType {
     std::string what;
     bool (*is)(const json &);
 };
@@ -35,24 +35,24 @@ template <bool (*Is)(const json &)> bool eachIs(const json &x) {
 bool isNumber(const json &x) { return x.is_number(); }
 bool isObject(const json &x) { return x.is_object(); }
 bool isIndex(const json &x) { return isWhole(x, 31); }
-template <size_t N> Kind numbers() {
+template <size_t N> ValueType numbers() {
     return {"a list of " + std::to_string(N) + " numbers",
             [](const json &x) { return eachIs<isNumber>(x) && x.size() == N; }};
 }
-const Kind kIndex = {"a whole number below 2^31", isIndex},
-           kSize = {"a whole number below 2^53", [](const json &x) { return isWhole(x, 53); }},
-           kIndices = {"a list of whole numbers below 2^31", eachIs<isIndex>},
-           kNumber = {"a number", isNumber}, kNumbers = {"a list of numbers", eachIs<isNumber>},
-           kFactor = {"a number, or a list of numbers",
-                      [](const json &x) { return x.is_number() || eachIs<isNumber>(x); }},
-           kFlag = {"true or false", [](const json &x) { return x.is_boolean(); }},
-           kText = {"text", [](const json &x) { return x.is_string(); }}, kObject = {"an object", isObject},
-           kObjects = {"a list of objects", eachIs<isObject>};
+const ValueType kIndex = {"a whole number below 2^31", isIndex},
+                kSize = {"a whole number below 2^53", [](const json &x) { return isWhole(x, 53); }},
+                kIndices = {"a list of whole numbers below 2^31", eachIs<isIndex>},
+                kNumber = {"a number", isNumber}, kNumbers = {"a list of numbers", eachIs<isNumber>},
+                kFactor = {"a number, or a list of numbers",
+                           [](const json &x) { return x.is_number() || eachIs<isNumber>(x); }},
+                kFlag = {"true or false", [](const json &x) { return x.is_boolean(); }},
+                kText = {"text", [](const json &x) { return x.is_string(); }},
+                kObject = {"an object", isObject}, kObjects = {"a list of objects", eachIs<isObject>};
 
 // By name, or by name within what holds it
-const std::map<std::string, Kind> kKinds = [] {
-    std::map<std::string, Kind> all;
-    auto add = [&](const Kind &kind, std::initializer_list<const char *> names) {
+const std::map<std::string, ValueType> kTypes = [] {
+    std::map<std::string, ValueType> all;
+    auto add = [&](const ValueType &kind, std::initializer_list<const char *> names) {
         for (const char *name : names) all[name] = kind;
     };
     add(kIndex, {"attributes.*", "buffer", "bufferView", "byteLength", "byteOffset", "byteStride", "camera"});
@@ -81,7 +81,7 @@ const std::map<std::string, Kind> kKinds = [] {
 
 void checkProperty(const std::string &holder, const std::string &name, const json &value) {
     for (const std::string &key : {holder + "." + name, name, holder + ".*"})
-        if (auto kind = kKinds.find(key); kind != kKinds.end())
+        if (auto kind = kTypes.find(key); kind != kTypes.end())
             return need(kind->second.is(value), name + " is not " + kind->second.what);
     if (name.ends_with("Factor")) need(kFactor.is(value), name + " is not " + kFactor.what);
 }

@@ -18,8 +18,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr size_t kMostEmpty = 1 << 20;                  // items of an accessor without a buffer
-constexpr uint32_t kKinds[] = {0x4e4f534a, 0x004e4942}; // of chunks: JSON, binary
+constexpr size_t kMostEmpty = 1 << 20;                       // items of an accessor without a buffer
+constexpr uint32_t kChunkTypes[] = {0x4e4f534a, 0x004e4942}; // of chunks: JSON, binary
 
 uint32_t word(std::string_view bytes, size_t at) {
     uint32_t value = 0;
@@ -105,7 +105,8 @@ GltfFile::GltfFile(const std::string &path) : path(path) {
         chunk = word(all, at);
         need(chunk <= all.size() - at - 8, "ends early, within a chunk");
         for (size_t k : {0, 1}) // other kinds are allowed
-            if (word(all, at + 4) == kKinds[k] && chunks[k].empty()) chunks[k] = all.substr(at + 8, chunk);
+            if (word(all, at + 4) == kChunkTypes[k] && chunks[k].empty())
+                chunks[k] = all.substr(at + 8, chunk);
     }
     need(!chunks[0].empty(), "has no JSON");
     readJson(chunks[0], chunks[1]);

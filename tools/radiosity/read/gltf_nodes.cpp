@@ -6,17 +6,17 @@ namespace odraz::radiosity {
 
 using common::need;
 
-Placing placingOf(const double *m) { // columns of four
+Transform transformOf(const double *m) { // columns of four
     return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
 }
 
 namespace {
 
-Placing transformOf(const tinygltf::Node &n) {
+Transform localTransform(const tinygltf::Node &n) {
     auto take = [](const std::vector<double> &given, std::vector<double> otherwise) {
         return given.empty() ? otherwise : given;
     };
-    if (!n.matrix.empty()) return placingOf(n.matrix.data());
+    if (!n.matrix.empty()) return transformOf(n.matrix.data());
     const auto t = take(n.translation, {0, 0, 0}), s = take(n.scale, {1, 1, 1});
     auto q = take(n.rotation, {0, 0, 0, 1});
     const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
@@ -44,12 +44,12 @@ std::vector<int> rootsOf(const tinygltf::Model &model) {
 
 } // namespace
 
-GltfNodes placeNodes(const tinygltf::Model &model) {
+GltfNodes findTransforms(const tinygltf::Model &model) {
     GltfNodes all;
-    all.places.resize(model.nodes.size());
+    all.transforms.resize(model.nodes.size());
     std::vector<bool> seen(model.nodes.size());
-    std::vector<std::pair<int, Placing>> open; // with their parents' places
-    auto add = [&](const std::vector<int> &nodes, const Placing &parent) {
+    std::vector<std::pair<int, Transform>> open; // with their parents' places
+    auto add = [&](const std::vector<int> &nodes, const Transform &parent) {
         for (size_t k = nodes.size(); k-- > 0;) open.push_back({nodes[k], parent});
     };
     add(rootsOf(model), {});
@@ -60,7 +60,7 @@ GltfNodes placeNodes(const tinygltf::Model &model) {
         need(!seen[(size_t)i], named("node", n.name, i) + " has two parents, or is within itself");
         seen[(size_t)i] = true;
         all.order.push_back(i);
-        add(n.children, all.places[(size_t)i] = parent * transformOf(n));
+        add(n.children, all.transforms[(size_t)i] = parent * localTransform(n));
     }
     return all;
 }

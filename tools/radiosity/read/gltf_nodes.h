@@ -7,25 +7,25 @@
 namespace odraz::radiosity {
 
 // p becomes x p.x + y p.y + z p.z + origin.
-struct Placing {
+struct Transform {
     Vec3d x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1}, origin = {};
 
-    Vec3d turned(Vec3d p) const { return x * p.x + y * p.y + z * p.z; }
-    Vec3d operator()(Vec3d p) const { return turned(p) + origin; }
-    Placing operator*(const Placing &inner) const {
-        return {turned(inner.x), turned(inner.y), turned(inner.z), (*this)(inner.origin)};
+    Vec3d linear(Vec3d p) const { return x * p.x + y * p.y + z * p.z; }
+    Vec3d operator()(Vec3d p) const { return linear(p) + origin; }
+    Transform operator*(const Transform &inner) const {
+        return {linear(inner.x), linear(inner.y), linear(inner.z), (*this)(inner.origin)};
     }
     bool mirrors() const { return dot(cross(x, y), z) < 0; }
 };
-Placing placingOf(const double *matrix); // four columns of four
+Transform transformOf(const double *matrix); // four columns of four
 
 struct GltfNodes {
-    std::vector<int> order;      // parents before their children
-    std::vector<Placing> places; // of all nodes; of those outside the scene not set
+    std::vector<int> order;            // parents before their children
+    std::vector<Transform> transforms; // of all nodes; of those outside the scene not set
 };
 
 // The nodes of the default scene, or of the first, or all. Throws Refused.
-GltfNodes placeNodes(const tinygltf::Model &model);
+GltfNodes findTransforms(const tinygltf::Model &model);
 
 // A thing's name for messages.
 inline std::string named(const char *what, const std::string &name, int number) {

@@ -35,7 +35,7 @@ public:
     }
 
     void readScene() {
-        nodes = placeNodes(model);
+        nodes = findTransforms(model);
         if (model.scenes.size() > 1)
             notes.push_back(path + ": one of its " + std::to_string(model.scenes.size()) + " scenes is read");
         for (int i : nodes.order) {
@@ -44,7 +44,7 @@ public:
             auto light = n.extensions.find("KHR_lights_punctual");
             if (light != n.extensions.end() && light->second.Has("light"))
                 readLight(GltfFile::at(model.lights, light->second.Get("light").GetNumberAsInt(), "light"),
-                          nodes.places[(size_t)i]);
+                          nodes.transforms[(size_t)i]);
         }
         need(!polygons.polygons.empty(), "holds no triangle");
         addBalls();
@@ -84,7 +84,7 @@ private:
 
     void readMesh(const tinygltf::Node &n, int node) {
         const tinygltf::Mesh &mesh = GltfFile::at(model.meshes, n.mesh, "mesh");
-        Placing place = nodes.places[(size_t)node];
+        Transform place = nodes.transforms[(size_t)node];
         if (n.skin >= 0) {
             // All joints agree in the pose in which the mesh was bound
             const tinygltf::Skin &skin = GltfFile::at(model.skins, n.skin, "skin");
@@ -92,11 +92,11 @@ private:
                 named("node", n.name, node));
             if (!skin.joints.empty()) {
                 GltfFile::at(model.nodes, skin.joints[0], "node");
-                place = nodes.places[(size_t)skin.joints[0]];
+                place = nodes.transforms[(size_t)skin.joints[0]];
                 if (skin.inverseBindMatrices >= 0) {
                     auto bound = file.numbers(skin.inverseBindMatrices, TINYGLTF_TYPE_MAT4);
                     need(bound.size() >= 16, "a skin has no matrix");
-                    place = place * placingOf(bound.data());
+                    place = place * transformOf(bound.data());
                 }
             }
         }
@@ -118,7 +118,7 @@ private:
         }
     }
 
-    void readPrimitive(const tinygltf::Primitive &p, const std::string &name, const Placing &place,
+    void readPrimitive(const tinygltf::Primitive &p, const std::string &name, const Transform &place,
                        const std::vector<double> &weights, AllPoints &allPoints) {
         auto attribute = [&](const std::string &which) {
             auto found = p.attributes.find(which);
@@ -141,7 +141,7 @@ private:
         const GltfMaterial *material =
             p.material < 0 ? nullptr : &GltfFile::at(materials, p.material, "material");
         std::vector<double> at; // coordinates
-        if (material && material->mesh.pictured())
+        if (material && material->mesh.hasPicture())
             if (int set = attribute("TEXCOORD_" + std::to_string(material->set)); set >= 0)
                 at = file.numbers(set, TINYGLTF_TYPE_VEC2);
         std::vector<int> coordinates(at.size() / 2, -1);
@@ -194,7 +194,7 @@ private:
         if (step == 3 && corners % 3) kinds["corners that make no triangle are left out"].push_back(name);
     }
 
-    void readLight(const tinygltf::Light &light, const Placing &place) {
+    void readLight(const tinygltf::Light &light, const Transform &place) {
         Vec3d colour = {1, 1, 1};
         for (size_t k = 0; k < light.color.size(); ++k) colour[k] = light.color[k];
         colour = colour * light.intensity;

@@ -37,7 +37,7 @@ struct MeshMaterial {
     std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka if that is above 1, 0 ..
     MeshPicture picture = {}, glow = {};  // of the reflectance; of the emission
     bool twoSided = false;                // both sides are lit
-    bool pictured() const { return !(picture.path.empty() && glow.path.empty()); }
+    bool hasPicture() const { return !(picture.path.empty() && glow.path.empty()); }
 };
 
 struct Triangle {

@@ -20,7 +20,7 @@ void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &us
         MeshMaterial &m = materials[i];
         auto none = [](const std::array<float, 3> &c) { return c[0] + c[1] + c[2] == 0; };
         if (!used[i]) continue;
-        if (none(m.reflects) && none(m.emits) && !m.pictured())
+        if (none(m.reflects) && none(m.emits) && !m.hasPicture())
             black.push_back(&m);
         else
             ++seen;
@@ -79,7 +79,7 @@ public:
 
     Mesh build(std::vector<MeshMaterial> &&materials) {
         mesh.materials = std::move(materials);
-        for (const MeshMaterial &m : mesh.materials) pictured |= m.pictured();
+        for (const MeshMaterial &m : mesh.materials) pictured |= m.hasPicture();
         weldPoints();
         collectTriangles();
         dropTwice();
@@ -284,7 +284,7 @@ private:
         noteLines("polygons cross themselves, and may be lit wrongly: ", lines);
         lines.clear();
         for (int m : unplaced)
-            if (mesh.materials[(size_t)m].pictured()) lines.push_back(mesh.materials[(size_t)m].name);
+            if (mesh.materials[(size_t)m].hasPicture()) lines.push_back(mesh.materials[(size_t)m].name);
         noteLines("coordinates of pictures are missing, and their means are used: ", lines);
         lines.clear();
         for (auto [front, behind] : overlaps)

@@ -29,7 +29,7 @@ bool isMap(std::string_view word) {
                                   word.size() > 4 && word != "map_aat");
 }
 
-struct Reader {
+struct MtlReader {
     const std::string &model;
     std::vector<std::string> &notes;
     std::vector<MeshMaterial> materials = {};
@@ -216,7 +216,7 @@ std::string findFile(const std::string &folder, std::string name) {
 
 std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vector<std::string> &libraries,
                                         std::vector<std::string> &notes) {
-    Reader reader = {model, notes};
+    MtlReader reader = {model, notes};
     std::string folder = folderOf(model);
     for (const std::string &words : libraries) {
         // One name with blanks, or several

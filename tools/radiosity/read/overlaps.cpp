@@ -21,7 +21,7 @@ public:
         for (const Triangle &t : mesh.triangles) {
             const Vec3d &p = mesh.points[(size_t)t.corners[0]], &q = mesh.points[(size_t)t.corners[1]],
                         &r = mesh.points[(size_t)t.corners[2]];
-            Box box = {{}, {}, (int)boxes.size()};
+            TriangleBox box = {{}, {}, (int)boxes.size()};
             for (size_t k = 0; k < 3; ++k) {
                 auto [lo, hi] = std::minmax({p[k], q[k], r[k]});
                 box.lo[k] = (float)(lo - tiny), box.hi[k] = (float)(hi + tiny);
@@ -41,19 +41,19 @@ public:
     }
 
 private:
-    struct Box {
+    struct TriangleBox {
         float lo[3], hi[3];
         int triangle;
     };
     const Mesh &mesh;
     const std::vector<int> &polygonOf;
     double tiny;
-    std::vector<Box> boxes;
+    std::vector<TriangleBox> boxes;
     std::map<int, std::vector<int>> found;
 
     // Divides a set of triangles in two, with those across the middle in both, until it is small or one axis
     // after the other separates none.
-    void find(std::vector<Box> &some, int depth) {
+    void find(std::vector<TriangleBox> &some, int depth) {
         constexpr size_t kFew = 200;
         if (some.empty()) return;
         const std::array<size_t, 3> axes = axesOf(some);
@@ -65,9 +65,9 @@ private:
                 auto middle = middles.begin() + (long)middles.size() / 2;
                 std::nth_element(middles.begin(), middle, middles.end());
                 const float at = *middle / 2;
-                std::vector<Box> low, high;
+                std::vector<TriangleBox> low, high;
                 low.reserve(some.size()), high.reserve(some.size());
-                for (const Box &b : some) {
+                for (const TriangleBox &b : some) {
                     if (b.lo[axis] <= at) low.push_back(b);
                     if (b.hi[axis] >= at) high.push_back(b);
                 }
@@ -79,10 +79,10 @@ private:
             }
         const size_t axis = axes[0];
         std::sort(some.begin(), some.end(),
-                  [&](const Box &s, const Box &t) { return s.lo[axis] < t.lo[axis]; });
+                  [&](const TriangleBox &s, const TriangleBox &t) { return s.lo[axis] < t.lo[axis]; });
         for (size_t i = 0; i < some.size(); ++i)
             for (size_t k = i + 1; k < some.size() && some[k].lo[axis] <= some[i].hi[axis]; ++k) {
-                const Box &s = some[i], &t = some[k];
+                const TriangleBox &s = some[i], &t = some[k];
                 if (s.lo[axes[1]] > t.hi[axes[1]] || t.lo[axes[1]] > s.hi[axes[1]] ||
                     s.lo[axes[2]] > t.hi[axes[2]] || t.lo[axes[2]] > s.hi[axes[2]])
                     continue;
@@ -91,9 +91,9 @@ private:
             }
     }
 
-    std::array<size_t, 3> axesOf(const std::vector<Box> &some) const {
+    std::array<size_t, 3> axesOf(const std::vector<TriangleBox> &some) const {
         __m128 lo = _mm_loadu_ps(some[0].lo), hi = _mm_loadu_ps(some[0].hi); // the fourth counts for nothing
-        for (const Box &b : some)
+        for (const TriangleBox &b : some)
             lo = _mm_min_ps(lo, _mm_loadu_ps(b.lo)), hi = _mm_max_ps(hi, _mm_loadu_ps(b.hi));
         float size[4];
         _mm_storeu_ps(size, _mm_sub_ps(hi, lo));
@@ -129,28 +129,29 @@ private:
 };
 
 // A corner of a piece, and its texture coordinates.
-struct Corner {
+struct PieceCorner {
     Vec3d p;
     double at[2];
 };
-using Piece = std::vector<Corner>; // convex
+using Piece = std::vector<PieceCorner>; // convex
 
 // The part of a piece in front of a plane; empty if none of it lies further than `tiny`.
 Piece inFront(const Piece &piece, const Vec3d &on, const Vec3d &out, double tiny) {
-    auto distance = [&](const Corner &c) {
+    auto distance = [&](const PieceCorner &c) {
         double d = dot(c.p - on, out);
         return std::fabs(d) <= tiny ? 0 : d;
     };
-    if (std::none_of(piece.begin(), piece.end(), [&](const Corner &c) { return distance(c) > 0; })) return {};
-    return clip(piece, distance, [](const Corner &a, const Corner &b, double t) {
-        return Corner{a.p + (b.p - a.p) * t,
-                      {a.at[0] + (b.at[0] - a.at[0]) * t, a.at[1] + (b.at[1] - a.at[1]) * t}};
+    if (std::none_of(piece.begin(), piece.end(), [&](const PieceCorner &c) { return distance(c) > 0; }))
+        return {};
+    return clip(piece, distance, [](const PieceCorner &a, const PieceCorner &b, double t) {
+        return PieceCorner{a.p + (b.p - a.p) * t,
+                           {a.at[0] + (b.at[0] - a.at[0]) * t, a.at[1] + (b.at[1] - a.at[1]) * t}};
     });
 }
 
-class Cutter {
+class OverlapCutter {
 public:
-    Cutter(Mesh &mesh, std::vector<int> &polygonOf, double tiny)
+    OverlapCutter(Mesh &mesh, std::vector<int> &polygonOf, double tiny)
         : mesh(mesh), polygonOf(polygonOf), tiny(tiny) {}
 
     std::set<PolygonPair> cut() {
@@ -228,7 +229,7 @@ private:
         }
         for (const Piece &piece : rest)
             for (size_t k = 2; k < piece.size(); ++k) {
-                const Corner *corners[3] = {&piece[0], &piece[k - 1], &piece[k]};
+                const PieceCorner *corners[3] = {&piece[0], &piece[k - 1], &piece[k]};
                 Triangle part = t;
                 std::array<float, 6> place;
                 double longest = 0;
@@ -247,7 +248,7 @@ private:
 } // namespace
 
 std::set<PolygonPair> cutOverlaps(Mesh &mesh, std::vector<int> &polygonOf, double tiny) {
-    return Cutter(mesh, polygonOf, tiny).cut();
+    return OverlapCutter(mesh, polygonOf, tiny).cut();
 }
 
 } // namespace odraz::radiosity

@@ -33,14 +33,14 @@ std::vector<Obstacles::Triangle> trianglesOf(const Mesh &mesh) {
 }
 
 // The index of the first of ascending sums above a value
-size_t placeIn(const std::vector<double> &until, double value) {
+size_t indexAbove(const std::vector<double> &until, double value) {
     return std::min((size_t)(std::upper_bound(until.begin(), until.end(), value) - until.begin()),
                     until.size() - 1);
 }
 
-class Paths {
+class PathTracer {
 public:
-    Paths(const Mesh &mesh, const Surroundings &around)
+    PathTracer(const Mesh &mesh, const Surroundings &around)
         : mesh(mesh), around(around), triangles(trianglesOf(mesh)), obstacles(triangles),
           most(mesh.size() * 1e-5) {
         for (const MeshMaterial &m : mesh.materials)
@@ -113,7 +113,7 @@ private:
     }
     Vec3d emitted(size_t i) const { return colour(mesh.materials[(size_t)mesh.triangles[i].material].emits); }
     // The light of a ball, by a direction in the cone that it fills. Only shadow rays see it
-    Vec3d ofBall(const BallLamp &ball, Vec3d p, Vec3d n, Sampler &sampler) const {
+    Vec3d directFromBall(const BallLamp &ball, Vec3d p, Vec3d n, Sampler &sampler) const {
         Vec3d to = toDouble(ball.centre) - p;
         double far = length(to), sine = (double)ball.radius / far;
         if (!(sine < 1)) return {};
@@ -137,9 +137,9 @@ private:
             if (double c = dot(towards, n); c > 0 && !obstacles.blocked(p, towards, INFINITY))
                 sum = sum + toDouble(sun.light) * c;
         }
-        for (const BallLamp &ball : around.lamps) sum = sum + ofBall(ball, p, n, sampler);
+        for (const BallLamp &ball : around.lamps) sum = sum + directFromBall(ball, p, n, sampler);
         if (lamps.empty()) return sum;
-        size_t i = lamps[placeIn(until, pick * until.back())];
+        size_t i = lamps[indexAbove(until, pick * until.back())];
         Vec3d to = onTriangle(triangles[i], inCell(sampler, 0, 1)) - p;
         double far = length(to), here = dot(to, n) / far,
                there = -dot(to, normalize(normalOf(mesh, mesh.triangles[i]))) / far;
@@ -150,28 +150,28 @@ private:
 };
 
 // A triangle of a solution's element
-struct Part {
+struct ElementTriangle {
     SolutionPoint corner[3];
     float area;
     int chart, cell;
 };
 
 // The triangles of all charts that reflect. `until`: running sums of the area
-std::vector<Part> partsOf(const Solution &solution, std::vector<double> &until) {
-    std::vector<Part> parts;
+std::vector<ElementTriangle> elementTrianglesOf(const Solution &solution, std::vector<double> &until) {
+    std::vector<ElementTriangle> parts;
     double area = 0;
     solution.forPieces([&](int chart, int cell, const std::vector<SolutionPoint> &piece) {
         if (maxComponent(solution.reflects[(size_t)chart]) <= 0) return;
         for (size_t i = 2; i < piece.size(); ++i) {
             Vec3 u = piece[i - 1].p - piece[0].p, v = piece[i].p - piece[0].p;
-            Part part = {{piece[0], piece[i - 1], piece[i]}, length(cross(u, v)) / 2, chart, cell};
+            ElementTriangle part = {{piece[0], piece[i - 1], piece[i]}, length(cross(u, v)) / 2, chart, cell};
             parts.push_back(part), until.push_back(area += (double)part.area);
         }
     });
     return parts;
 }
 
-SolutionPoint randomPlace(const Part &part, Sampler &sampler) {
+SolutionPoint randomPlace(const ElementTriangle &part, Sampler &sampler) {
     const SolutionPoint *c = part.corner;
     auto a = (float)sampler.random(), b = (float)sampler.random();
     if (a + b > 1) a = 1 - a, b = 1 - b;
@@ -183,11 +183,11 @@ SolutionPoint randomPlace(const Part &part, Sampler &sampler) {
 
 std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count) {
     std::vector<double> until;
-    std::vector<Part> parts = partsOf(solution, until);
+    std::vector<ElementTriangle> parts = elementTrianglesOf(solution, until);
     std::vector<MeshProbe> probes;
     Sampler sampler(1);
     for (int i = 0; i < count && !parts.empty(); ++i) {
-        size_t k = placeIn(until, (i + sampler.random()) / count * until.back());
+        size_t k = indexAbove(until, (i + sampler.random()) / count * until.back());
         SolutionPoint found = randomPlace(parts[k], sampler);
         auto chart = (size_t)parts[k].chart;
         // The light that arrives is radiosity minus emission, divided by reflectance
@@ -210,7 +210,7 @@ void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes) {
 void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
                 Workers &workers, const int *stop) {
     int paths = side * side;
-    Paths tracer(mesh, around);
+    PathTracer tracer(mesh, around);
     std::vector<uint8_t> inside(probes.size());
     parallelFor(workers, (int)probes.size(), [&](int i, int) {
         if (stop && __atomic_load_n(stop, __ATOMIC_RELAXED)) return;

@@ -156,11 +156,11 @@ template <class Visit> void Obstacles::walk(Vec3d o, Vec3d d, const double &end,
         inverse[axis] = 1 / std::copysign(std::max(std::fabs(d[axis]), 1e-200), d[axis]);
         nearSide[axis] = inverse[axis] < 0;
     }
-    struct Waiting {
+    struct StackEntry {
         double from;
         int child;
     };
-    Waiting stack[256];
+    StackEntry stack[256];
     int waiting = 0;
     stack[waiting++] = {0, 0};
     while (waiting > 0) {
@@ -189,12 +189,12 @@ template <class Visit> void Obstacles::walk(Vec3d o, Vec3d d, const double &end,
 }
 
 // Where a ray hits four triangles.
-struct Obstacles::Met {
+struct Obstacles::LeafHits {
     Double4 t; // infinity: no hit
     Mask4 back;
 };
 
-Obstacles::Met Obstacles::meet(const Leaf &leaf, Vec3d o, Vec3d d) {
+Obstacles::LeafHits Obstacles::intersect(const Leaf &leaf, Vec3d o, Vec3d d) {
     constexpr double kEdge = 1e-12; // lets no ray pass between neighbours
     struct Vectors {
         Double4 x, y, z;
@@ -220,7 +220,7 @@ Obstacles::Met Obstacles::meet(const Leaf &leaf, Vec3d o, Vec3d d) {
 Obstacles::Hit Obstacles::nearest(Vec3d o, Vec3d d) const {
     Hit hit;
     walk(o, d, hit.t, [&](const Leaf &leaf) {
-        Met met = meet(leaf, o, d);
+        LeafHits met = intersect(leaf, o, d);
         for (int k = 0; k < 4; ++k) {
             double t = met.t[k];
             bool back = met.back[k] != 0;
@@ -235,7 +235,7 @@ Obstacles::Hit Obstacles::nearest(Vec3d o, Vec3d d) const {
 bool Obstacles::blocked(Vec3d o, Vec3d d, double end) const {
     bool is = false;
     walk(o, d, end, [&](const Leaf &leaf) {
-        Met met = meet(leaf, o, d);
+        LeafHits met = intersect(leaf, o, d);
         for (int k = 0; k < 4; ++k) is |= met.t[k] < end;
         return is;
     });

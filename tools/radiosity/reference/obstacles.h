@@ -41,11 +41,11 @@ private:
         int number[4];        // -1: none
     };
     struct Builder;
-    struct Met;
+    struct LeafHits;
     std::vector<Node> nodes;
     std::vector<Leaf> leaves;
 
-    static Met meet(const Leaf &leaf, Vec3d origin, Vec3d direction);
+    static LeafHits intersect(const Leaf &leaf, Vec3d origin, Vec3d direction);
     template <class Visit> void walk(Vec3d origin, Vec3d direction, const double &end, Visit visit) const;
 };
 

@@ -1,7 +1,7 @@
 // A model that is being solved: the input and the results that both methods share.
 #pragma once
 
-#include "tools/radiosity/divide/pictured.h"
+#include "tools/radiosity/divide/element_reflectance.h"
 #include "tools/radiosity/divide/regions.h"
 #include "tools/radiosity/solution/solve_settings.h"
 
@@ -38,9 +38,9 @@ struct SolveTask {
     const int *stop;        // a value other than 0 ends it early, with the light found so far
     const SolveProgress &progress;
 
-    Regions regions;   // the mesh as charts, divided into cells of cellSide()
-    Pictured pictured; // the reflectance of materials with pictures
-    Solution solution; // both methods fill its cells, texels and light
+    Regions regions;             // the mesh as charts, divided into cells of cellSide()
+    ElementReflectance pictured; // the reflectance of materials with pictures
+    Solution solution;           // both methods fill its cells, texels and light
     SolveReport report;
 
     // Joins the mesh into regions, and sets the charts' reflectance and emission. Throws ModelError.

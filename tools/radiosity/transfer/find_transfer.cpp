@@ -75,7 +75,7 @@ public:
         show("dividing", 0);
         RayTree tree(cornersOf(mesh));
         LightGrid grid(task.regions, tree, workers);
-        grid.takeSitesForPatches();
+        grid.useSitesAsPatches();
         task.findPictured(task.regions.charts, grid.cells, report.notes);
         task.solution.charts = task.regions.charts, task.solution.facets = task.regions.facets;
         task.solution.cells = grid.cells, task.solution.texels = grid.texels;
@@ -180,8 +180,8 @@ private:
                 }
             }
         }
-        direct.push_back(directLight(lamp, lamps[k].around, grid, rays.behind, tree, workers));
-        std::vector<Rgb> means = rays.meansOfPlaces(direct.back());
+        direct.push_back(directLight(lamp, lamps[k].around, grid, rays.excluded, tree, workers));
+        std::vector<Rgb> means = rays.meansOfPoints(direct.back());
         for (size_t site = 0; site < means.size(); ++site) {
             float *light = to.direct(site) + at;
             light[0] = means[site].x, light[1] = means[site].y, light[2] = means[site].z;

@@ -67,7 +67,7 @@ TEST(ReflectancePicture, HasTheSameMeanInAllItsSizes) {
 
 // A square of various triangles, rotated in space and on the picture: each element has the mean of its part
 // of the picture.
-TEST(Pictured, ElementsHaveTheirPartOfThePicture) {
+TEST(ElementReflectance, ElementsHaveTheirPartOfThePicture) {
     common::TemporaryFolder folder;
     // Brightness falls from left to right, by 128 columns
     pictures::Image picture = {128, 4, {}};

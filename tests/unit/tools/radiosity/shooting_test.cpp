@@ -20,7 +20,7 @@ using namespace odraz::radiosity;
 namespace {
 
 // A system of a few patches with random rows, of one colour in three channels.
-struct Few {
+struct RandomSystem {
     int count;
     PatchSystem system;
     std::vector<Patch> &patches = system.patches;
@@ -28,8 +28,8 @@ struct Few {
     std::unique_ptr<Model> &model = system.model;
 
     // As in a closed room, rows sum to 1, and area times form factor is the same both ways
-    Few(int patchCount, float reflects, float light, unsigned seed) : count(patchCount) {
-        patches.resize((size_t)count), system.rows = Rows((size_t)count);
+    RandomSystem(int patchCount, float reflects, float light, unsigned seed) : count(patchCount) {
+        patches.resize((size_t)count), system.rows = FormFactorRows((size_t)count);
         std::vector<std::vector<Link>> &links = system.rows.of;
         Dice dice(seed);
         for (size_t i = 0; i < patches.size(); ++i) {
@@ -90,7 +90,7 @@ struct Few {
 TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
     for (float reflects : {0.f, 0.3f, 0.8f, 0.98f})
         for (int count : {2, 3, 20, 90}) {
-            Few few(count, reflects, 10, (uint32_t)count);
+            RandomSystem few(count, reflects, 10, (uint32_t)count);
             std::vector<Rgb> once = few.system.reflectDirect(), next((size_t)count);
             for (int sweeps = 0; few.system.sweep(once, true) > 1e-6f && sweeps < 10000;) ++sweeps;
             for (int pass = 0; pass < (reflects > 0.9f ? 1000 : 100); ++pass) few.system.sweep(next, false);
@@ -117,7 +117,7 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
 
 // A geometric series bounds the light that follows from unshot light.
 TEST(Shooting, TheResidualBoundsTheError) {
-    Few few(60, 0.7f, 5, 3);
+    RandomSystem few(60, 0.7f, 5, 3);
     std::vector<double> exact = few.solvedDirectly(&Rgb::x);
     double put = 0;
     for (size_t i = 0; i < 60; ++i) {
@@ -142,7 +142,7 @@ TEST(Shooting, TheResidualBoundsTheError) {
 }
 
 TEST(Shooting, NoLightNoLampsNoPatches) {
-    Few dark(10, 0.5f, 0, 1), one(1, 0.9f, 2, 1);
+    RandomSystem dark(10, 0.5f, 0, 1), one(1, 0.9f, 2, 1);
     Shooting none(*dark.model, patchesAlone(*dark.model), std::vector<Rgb>(10), std::vector<Rgb>(10));
     EXPECT_EQ(none.left(), 0);
     EXPECT_TRUE(none.brightest(5).empty());

@@ -1,4 +1,4 @@
-#include "tools/radiosity/divide/pictured.h"
+#include "tools/radiosity/divide/element_reflectance.h"
 
 #include "tools/picture/picture_file.h"
 #include "tools/radiosity/divide/facets.h"
@@ -12,9 +12,9 @@ namespace odraz::radiosity {
 namespace {
 
 // A triangle on its chart, and its texture coordinates there.
-class Placed {
+class ChartTriangle {
 public:
-    Placed(const Mesh &mesh, size_t number, const Chart &c, const MeshPicture &picture) {
+    ChartTriangle(const Mesh &mesh, size_t number, const Chart &c, const MeshPicture &picture) {
         const Triangle &t = mesh.triangles[number];
         for (size_t k = 0; k < 3; ++k) {
             Vec3d p = mesh.points[(size_t)t.corners[k]];
@@ -53,13 +53,13 @@ private:
     double twice; // twice the area
 };
 
-struct Sum {
+struct ColourSum {
     double area = 0, light[3] = {};
     void add(double much, const Rgb &c) {
         area += much;
         light[0] += much * (double)c.x, light[1] += much * (double)c.y, light[2] += much * (double)c.z;
     }
-    void add(const Sum &s) {
+    void add(const ColourSum &s) {
         area += s.area;
         for (int k = 0; k < 3; ++k) light[k] += s.light[k];
     }
@@ -69,7 +69,8 @@ struct Sum {
 };
 
 // Adds a triangle's part inside a cell.
-void addTo(Sum &sum, const Outline &cell, const Placed &t, const ReflectancePicture &texture, bool clamp) {
+void addTo(ColourSum &sum, const Outline &cell, const ChartTriangle &t, const ReflectancePicture &texture,
+           bool clamp) {
     Outline part = cell;
     for (size_t k = 0; k < 3 && part.size() > 2; ++k) part = cut(part, t.corners[k], t.corners[(k + 1) % 3]);
     if (part.size() < 3) return;
@@ -81,8 +82,8 @@ void addTo(Sum &sum, const Outline &cell, const Placed &t, const ReflectancePict
 }
 
 // Adds a triangle to the cells that it touches.
-void addTriangle(std::vector<Sum> &sums, const Chart &c, const Placed &t, const ReflectancePicture &texture,
-                 bool clamp) {
+void addTriangle(std::vector<ColourSum> &sums, const Chart &c, const ChartTriangle &t,
+                 const ReflectancePicture &texture, bool clamp) {
     if (t.flat()) return;
     auto [left, right] = std::minmax({t.corners[0].u, t.corners[1].u, t.corners[2].u});
     auto [low, high] = std::minmax({t.corners[0].v, t.corners[1].v, t.corners[2].v});
@@ -98,15 +99,16 @@ void addTriangle(std::vector<Sum> &sums, const Chart &c, const Placed &t, const 
 }
 
 // The pictures' colour in each cell; empty if no picture can be read.
-std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
-                             std::span<const Cell> cells, std::vector<std::string> &notes) {
+std::vector<ColourSum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf,
+                                   std::span<const Chart> charts, std::span<const Cell> cells,
+                                   std::vector<std::string> &notes) {
     // Read one picture at a time, to save memory
     std::map<std::string, std::vector<size_t>> shown;
     for (size_t i = 0; i < mesh.triangles.size() && !mesh.coordinates.empty(); ++i) {
         const std::string &path = mesh.materials[(size_t)mesh.triangles[i].material].picture.path;
         if (!path.empty() && chartOf[i] >= 0) shown[path].push_back(i);
     }
-    std::vector<Sum> sums;
+    std::vector<ColourSum> sums;
     for (const auto &[path, triangles] : shown) try {
             ReflectancePicture texture(
                 mesh.materials[(size_t)mesh.triangles[triangles[0]].material].picture.read());
@@ -114,7 +116,7 @@ std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, 
             for (size_t i : triangles) {
                 const Chart &c = charts[(size_t)chartOf[i]];
                 const MeshPicture &picture = mesh.materials[(size_t)mesh.triangles[i].material].picture;
-                addTriangle(sums, c, Placed(mesh, i, c, picture), texture, picture.clamp);
+                addTriangle(sums, c, ChartTriangle(mesh, i, c, picture), texture, picture.clamp);
             }
         } catch (const common::Refused &e) {
             notes.push_back(std::string(e.what()) + "; the material's colour is used");
@@ -124,12 +126,13 @@ std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, 
 
 } // namespace
 
-void Pictured::find(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
-                    std::span<const Cell> cells, std::vector<std::string> &notes) {
+void ElementReflectance::find(const Mesh &mesh, const std::vector<int> &chartOf,
+                              std::span<const Chart> charts, std::span<const Cell> cells,
+                              std::vector<std::string> &notes) {
     ofCell.clear(), ofChart.clear();
-    std::vector<Sum> sums = sumPictures(mesh, chartOf, charts, cells, notes);
+    std::vector<ColourSum> sums = sumPictures(mesh, chartOf, charts, cells, notes);
     if (sums.empty()) return;
-    std::vector<Sum> all(charts.size());
+    std::vector<ColourSum> all(charts.size());
     for (size_t i = 0; i < sums.size(); ++i) all[(size_t)cells[i].chart].add(sums[i]);
     std::vector<const MeshMaterial *> material(charts.size());
     for (size_t i = 0; i < chartOf.size(); ++i)
@@ -155,9 +158,9 @@ void Pictured::find(const Mesh &mesh, const std::vector<int> &chartOf, std::span
     }
 }
 
-void Pictured::toPatches(Model &m) const {
+void ElementReflectance::toPatches(Model &m) const {
     if (ofCell.empty()) return;
-    std::vector<Sum> sums((size_t)m.patchCount);
+    std::vector<ColourSum> sums((size_t)m.patchCount);
     for (size_t i = 0; i < ofCell.size(); ++i) {
         const Cell &c = m.cells[i];
         int seen = 0; // quarters

@@ -8,7 +8,7 @@
 
 namespace odraz::radiosity {
 
-struct Pictured {
+struct ElementReflectance {
     std::vector<Rgb> ofCell, ofChart; // both empty if no material has a readable picture
 
     // `chartOf` has the chart of each triangle of the mesh. Adds a note for a picture that cannot be read;
