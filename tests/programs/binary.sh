@@ -1,4 +1,4 @@
-# What the shipped files are made of.
+# The shipped files: their segments, imports, instructions and libraries.
 . "$(dirname "$0")/common.sh"
 skip_unless readelf objdump
 
@@ -22,7 +22,7 @@ check "no path of the build machine" lacks "$(sed 's/[.+*[^$()|]/\\&/g' <<<"$SOU
 objdump -d --no-show-raw-insn "$BUILD/odraz.elf" >"$WORK/code"
 check "no approximate reciprocals" lacks 'v?(rcp|rsqrt)[0-9]*[ps]s' "$WORK/code"
 check "(the search would find them)" grep -qE 'v?(sqrt|div)ps' "$WORK/code"
-# Code that runs before the processor is known must be baseline code
+# Code that runs before the processor is checked must not need AVX
 avx='%ymm|\bv[a-z0-9]+[ps][sd] '
 objdump -d --no-show-raw-insn "$BUILD/libhost.a" >"$WORK/host"
 check "code of host/ uses no AVX" lacks "$avx" "$WORK/host"
@@ -32,8 +32,8 @@ for part in odraz/{answers,early,linux/entry,start,memory} odraz-windows/{window
 done
 check "(the search would find it)" grep -qE "$avx" "$WORK/code"
 
-# The pages that are decoded first hold only the code that runs before the rest is decoded
-early() { # early MAP: the objects that the linker put there; the table of qualities may come from any that has it
+# The pages that are decoded first hold only code that runs before the rest is decoded
+early() { # early MAP: prints the objects in these pages, leaving out the table of qualities, which any may provide
     awk '/^\.[a-zA-Z]/ { on = /^\.early(data)?( |$)/ } /^ \.[a-z]/ { section = $1 }
         on && $NF ~ /\.o\)?$/ && $(NF - 1) ~ /^0x/ && $(NF - 1) != "0x0" && section !~ /kQualities/ { print $NF }' "$1" |
         sed 's|.*/||' | sort -u
@@ -53,7 +53,7 @@ for intruder in 'libplay.a(film_clock.cpp.o)' 'libengine.a(clock.cpp.o)' 'intro/
     check "(${intruder##*/} in that part would be found)" test $? = 1
 done
 
-# For Windows, from the same objects
+# The film for Windows, made from the same objects
 objdump -d --no-show-raw-insn "$BUILD/odraz-windows.elf" >"$WORK/windows"
 objdump -d --no-show-raw-insn "$BUILD/libhost_windows.a" >"$WORK/host"
 check "odraz.exe names only the libraries that it should" test "$(grep -aoiE '[a-z0-9_-]+\.(dll|drv)' "$BUILD/odraz-safe.exe" | tr A-Z a-z | sed -E "s/.*(gdi32|kernel32|opengl32|user32|winmm)\\./\\1./" | sort -u | tr '\n' ' ')" = "gdi32.dll kernel32.dll opengl32.dll user32.dll winmm.dll "
@@ -67,12 +67,12 @@ done
 g++ -O2 -fno-pic -fstack-protector-all -x c++ -c -o "$WORK/red.o" - <<<'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
 g++ -O2 -fno-pic -fno-stack-protector -x c++ -c -o "$WORK/zone.o" - <<<'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
 check "(both would be found)" test "$(objdump -d "$WORK/red.o" | grep -c '%fs:')" -gt 0 -a "$(objdump -d --no-show-raw-insn "$WORK/zone.o" | grep -cE '[^x]-0x[0-9a-f]+\(%rsp')" -gt 0
-# Windows calls one function of ours, which must restore all of these registers
+# Windows calls one of the film's functions, which must restore all of these registers
 awk '/^[0-9a-f]+ <.*receive.*>:/ { on = 1 } /^$/ { on = 0 } on' "$WORK/host" | grep -oE 'movaps +%xmm[0-9]+,[(0-9]' | grep -oE 'xmm[0-9]+' | sort -u >"$WORK/kept"
 check "functions that Windows calls save xmm6 to xmm15" test "$(tr '\n' ' ' <"$WORK/kept")" = "xmm10 xmm11 xmm12 xmm13 xmm14 xmm15 xmm6 xmm7 xmm8 xmm9 "
 
-# While it runs, none of its memory is both writable and executable. OpenGL drivers that compile shaders for the
-# processor may have such memory, so the picture needs no OpenGL. It does not fit into the pipe, where the film waits
+# While the film runs, none of its memory is both writable and executable. OpenGL drivers that compile shaders for the
+# processor may have such memory, so this picture needs no OpenGL. The film waits, since the pipe is too small for it
 exec 8< <(exec "$BUILD/odraz" --dump - --from 20 --to 20.04 --size 1280x720 --quality draft)
 pid=$!
 LC_ALL=C IFS= read -r -N 2 -u 8 magic

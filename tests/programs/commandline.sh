@@ -1,4 +1,4 @@
-# Bad options and failing outputs: one helpful line, the right exit status, nothing half-written.
+# Wrong options and failing outputs give one helpful line and the right exit status; no file is half-written.
 #   commandline.sh BUILD packed|safe
 . "$(dirname "$0")/common.sh"
 skip_unless script
@@ -23,15 +23,15 @@ check "--help reports a full disk" refuses 1 "no space left" bash -c 'exec "$0" 
 small=(--size 64x36 --from 2 --to 2.2 --quality draft)
 check "--dump reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c 'exec "$0" --dump - "$@" >/dev/full' "$film" "${small[@]}"
 check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c 'set -o pipefail; "$0" --dump - --size 320x180 --quality draft | head -c 99 >/dev/null' "$film"
-not_to_terminal() { # no picture may be written there
+not_to_terminal() { # it refuses, and writes no picture
     script -qec "${film@Q} --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
     [ $? != 0 ] && grep -q 'not to the terminal' "$WORK/terminal" && lacks P6 "$WORK/terminal"
 }
 check "it does not dump to a terminal" not_to_terminal
 check "--dump refuses a folder that it may not write to" refuses 1 "cannot write /proc/frame-000050.ppm" "$film" --dump /proc "${small[@]}"
 
-# Closed standard descriptors must not be taken for files
-five() { # five pictures, whole, and nothing else
+# An output file must not get the number of a closed standard descriptor
+five() { # the folder has five whole pictures and nothing else
     local n
     [ "$(ls -A "$WORK/frames")" = "$(printf 'frame-%06d.ppm\n' 50 51 52 53 54)" ] || return 1
     for n in 50 51 52 53 54; do [ "$(stat -c %s "$WORK/frames/frame-0000$n.ppm")" = $((64 * 36 * 3 + 13)) ] || return 1; done

@@ -1,7 +1,7 @@
 # Sourced by the end-to-end tests: bash tests/programs/NAME.sh BUILD [ARGUMENT...]
 #
-# A test fails for a wrong result, not for a busy machine: it waits for a condition, not for a fixed time, and gives up
-# after PATIENCE seconds, when something hangs. ctest's time-out (tests/CMakeLists.txt) is longer.
+# A test fails for a wrong result, not for a busy machine: it waits for a condition, not for a fixed time. After
+# PATIENCE seconds it assumes that the program hangs, and fails. ctest's time-out (tests/CMakeLists.txt) is longer.
 unset CDPATH
 BUILD=$(cd "$1" && pwd) || exit 1
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
@@ -15,10 +15,10 @@ CHECKS=0 FAILED=0 FINISHED=
 leave() {
     local status=$? pid tries=0
     for pid in "${PIDS[@]}"; do kill "$pid" && kill -CONT "$pid"; done 2>/dev/null
-    # They may write to the folder until they have ended. What is left of it decides nothing
+    # They may write into the folder until they end. A folder that cannot be removed does not fail the test
     for pid in "${PIDS[@]}"; do PATIENCE=10 await gone "$pid" || kill -KILL "$pid"; done 2>/dev/null
     until rm -rf "$WORK" 2>/dev/null || [ $((++tries)) = 50 ]; do sleep 0.1; done
-    [ -n "$FINISHED" ] || [ $status = 77 ] || { echo "FAILED: it ended before its end, with status $status" >&2; exit 1; }
+    [ -n "$FINISHED" ] || [ $status = 77 ] || { echo "FAILED: the test ended too early, with status $status" >&2; exit 1; }
 }
 trap leave EXIT
 
@@ -38,7 +38,8 @@ finish() {
     exit $FAILED
 }
 
-skip_unless() { # programs that the test needs; a test with a failed check fails nevertheless
+# skip_unless PROGRAM...: where one of them is missing, skips the rest of the test, which fails if a check has failed
+skip_unless() {
     local program
     for program in "$@"; do
         command -v "$program" >/dev/null && continue
@@ -47,35 +48,36 @@ skip_unless() { # programs that the test needs; a test with a failed check fails
         exit 77
     done
 }
-# lacking LIBRARY: prints a folder for LD_LIBRARY_PATH that hides the library behind a file that is no library
+# lacking LIBRARY: prints a folder for LD_LIBRARY_PATH whose file of that name is a text, so the library does not load
 lacking() {
     mkdir -p "$WORK/$1.d"
     echo "not a library" >"$WORK/$1.d/$1"
     echo "$WORK/$1.d"
 }
-# copy_sources FOLDER: copies the files that git tracks, except any that were removed without a commit
+# copy_sources FOLDER: copies the files that git tracks, except those that were removed without a commit
 copy_sources() {
     mkdir -p "$1"
     (cd "$SOURCE" && git ls-files -z | xargs -0 cp --parents -t "$1") 2>"$WORK/copied" || true
 }
-# flip FILE OFFSET [BITS]: inverts bits of one byte; all eight if BITS is not given
+# flip FILE OFFSET [BITS]: inverts the bits of one byte that the mask BITS has, by default all eight
 flip() {
     printf "\\x$(printf %02x $(($(od -An -tu1 -j "$2" -N 1 "$1") ^ ${3-255})))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
 }
-# "${UNWRITTEN[@]}" COMMAND...: runs it where written memory may not be executed (PR_SET_MDWE); status 77 before
-# Linux 6.3
-UNWRITTEN=(perl -e 'syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { $ARGV[0] } @ARGV')
-can_be_unwritten() {
-    "${UNWRITTEN[@]}" true || { echo "not checked: this kernel cannot forbid the execution of written memory"; false; }
+# "${MDWE[@]}" COMMAND...: runs the command where written memory may not be executed (PR_SET_MDWE). Exits with status 77
+# before Linux 6.3
+MDWE=(perl -e 'syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { $ARGV[0] } @ARGV')
+has_mdwe() {
+    "${MDWE[@]}" true || { echo "not checked: this kernel cannot forbid the execution of written memory"; false; }
 }
 needs_built() { # needs_built PROGRAM...
     local program
     for program in "$@"; do [ -x "$BUILD/$program" ] || { echo "SKIPPED: $program is not built"; exit 77; }; done
 }
 
-# --- What programs print ---
+# --- Outputs of programs ---
 
-# refuses STATUS TEXT COMMAND...: exits with the status; prints one line with the text on stderr, nothing on stdout
+# refuses STATUS TEXT COMMAND...: succeeds if the command exits with STATUS, and prints one line with TEXT on stderr and
+# nothing on stdout
 refuses() {
     local status=$1 text=$2 got
     shift 2
@@ -85,14 +87,14 @@ refuses() {
     echo "exit $got, wanted $status; stderr: $(head -c 300 "$WORK/err")" >&2
     return 1
 }
-# transcript COMMAND...: what it prints, on both outputs, and its exit status
+# transcript COMMAND...: prints the command's outputs, stdout and stderr, and its exit status
 transcript() {
     {
         timeout "$PATIENCE" "$@" 2>&1
         echo "status $?"
-    } 2>/dev/null # where the shell reports signals
+    } 2>/dev/null # hides the shell's reports of signals
 }
-# prints PATTERN COMMAND...: succeeds, and a line of its output matches
+# prints PATTERN COMMAND...: succeeds if the command does and a line of its output matches
 prints() {
     local pattern=$1
     shift
@@ -100,14 +102,15 @@ prints() {
     echo "printed: $(head -c 300 "$WORK/printed")" >&2
     return 1
 }
-# exits STATUS TEXT COMMAND...: exits with the status; prints the text on stdout, nothing on stderr
+# exits STATUS TEXT COMMAND...: succeeds if the command exits with STATUS, and prints just TEXT on stdout, nothing on
+# stderr
 exits() {
     local status=$1 text=$2 got
     shift 2
     got=$("$@" 2>"$WORK/err")
     [ $? = "$status" ] && [ "$got" = "$text" ] && [ ! -s "$WORK/err" ]
 }
-# lacks PATTERN FILE: the file is not empty, and none of its lines matches
+# lacks PATTERN FILE: succeeds if the file is not empty and none of its lines matches
 lacks() {
     [ -s "$2" ] || { echo "$2 is empty" >&2; return 1; }
     grep -aE -m 3 -- "$1" "$2" >&2
@@ -116,7 +119,7 @@ lacks() {
 
 # --- Numbers ---
 
-# less A B: A < B; fails when either is not a number, such as nan or nothing
+# less A B: succeeds if A < B; fails if one of them is not a number, such as nan or nothing
 less() {
     local n
     for n in "${1-}" "${2-}"; do
@@ -124,15 +127,15 @@ less() {
     done
     awk "BEGIN { exit !(($1) < ($2)) }"
 }
-# table FILE ACTION CONDITION: a CSV with at least one row below its header, and only finite numbers. awk runs ACTION on
-# every row; then CONDITION must hold
+# table FILE ACTION CONDITION: awk runs ACTION on every row of a CSV file. Succeeds if CONDITION holds then, the file
+# has a row after its header, and all numbers are finite
 table() {
     lacks '(^|,)[-+]?(nan|inf)' "$1" && awk -F, "NR > 1 { ++lines; $2 } END { exit !(lines > 0 && ($3)) }" "$1"
 }
 
 # --- Waiting ---
 
-# await COMMAND...: until it succeeds
+# await COMMAND...: repeats the command until it succeeds
 await() {
     local end=$((SECONDS + PATIENCE))
     until "$@"; do
@@ -141,21 +144,21 @@ await() {
     done
 }
 gone() { ! kill -0 "$1" 2>/dev/null; }
-# behind COMMAND...: in the background; sets pid. Its outputs are the files out and err, which are empty before: what
-# waits for a line does not find that of an earlier program
-behind() {
+# in_background COMMAND...: starts the command and sets pid. Its outputs go into the files out and err. They are emptied
+# first, so that no test finds a line of an earlier program
+in_background() {
     : >"$WORK/out"
     : >"$WORK/err"
     "$@" >"$WORK/out" 2>"$WORK/err" &
     pid=$!
     PIDS+=($pid)
 }
-# ended PID: waits for a process of this shell; its exit status
+# ended PID: waits for a child of this shell, and returns its exit status
 ended() {
     await gone "$1" || kill -KILL "$1"
     wait "$1"
 }
-# worked PID HUNDREDTHS: waits until the process has used HUNDREDTHS of a second more of processor time; false if it
+# worked PID HUNDREDTHS: waits until the process has used HUNDREDTHS of a second more of processor time; fails if it
 # ends first
 worked() {
     local until=$(($(ticks "$1") + $2))
@@ -165,6 +168,6 @@ worked() {
 ticks() {
     local stat
     { read -r stat <"/proc/$1/stat"; } 2>/dev/null || { echo 0; return; }
-    set -- ${stat##*) } # the name may hold blanks
+    set -- ${stat##*) } # the program's name, in brackets, may hold blanks
     echo $((${12} + ${13}))
 }

@@ -1,9 +1,9 @@
-# Sourced by tests of the film in a window: starts a display in memory and looks at what is on it.
+# Sourced by tests of programs in a window: starts a display in memory, and examines what it shows.
 declare -F check >/dev/null || . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 skip_unless Xvfb xdotool xwininfo import identify
 
 start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY
-    # (without -noreset it resets itself when its last client leaves, and refuses the next one for a moment)
+    # (without -noreset the server resets when its last client ends, and refuses the next one for a moment)
     local screen=$1
     [[ $screen = *x*x* ]] || screen+=x24
     shift
@@ -15,7 +15,7 @@ start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY
     : >"$WORK/display"
 }
 
-# A window that is mapped while its manager begins may stay unmapped, and GLFW 3.3 waits for it for ever
+# A window that is mapped while its manager starts may stay unmapped, and GLFW 3.3 would wait for it for ever
 has_window_manager() { xprop -root _NET_SUPPORTING_WM_CHECK | grep -q 'window id'; }
 start_window_manager() {
     skip_unless openbox xprop
@@ -24,7 +24,7 @@ start_window_manager() {
     await has_window_manager || exit 1
 }
 
-# --- What is on the display ---
+# --- Windows and screenshots ---
 WINDOW="^$FILM\$" # its title
 seen() { window=$(xdotool search --onlyvisible --name "$WINDOW" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
@@ -33,19 +33,19 @@ measures() { # measures WIDTH HEIGHT
     local info
     info=$(xwininfo -id "$window") && grep -q "Width: $1\$" <<<"$info" && grep -q "Height: $2\$" <<<"$info"
 }
-shot() { import -window "$window" "$@" -quality 0 "$WORK/shot.png"; } # hardly compressed: it is looked at once
+shot() { import -window "$window" "$@" -quality 0 "$WORK/shot.png"; } # hardly compressed, since it is read once
 measured() { identify -format "%[fx:$1]" "$WORK/shot.png"; }
 is_bright() { shot && less 0.1 "$(measured mean)"; } 2>/dev/null
 is_black() { shot -crop "$1" && [ "$(measured maxima)" = 0 ]; } # is_black WIDTHxHEIGHT+X+Y
 
-begin() { # begin PROGRAM OPTION...: sets pid and window, once it is there
-    await eval '! seen' # that of an earlier program, which the display removes a moment after its end
-    behind "$@"
+begin() { # begin PROGRAM OPTION...: starts the program, waits for its window, and sets pid and window
+    await eval '! seen' # an earlier program's window disappears a moment after its end
+    in_background "$@"
     await eval "seen || gone $pid"
     seen
 }
 
-# drawn: waits for two pictures of odraz-debug, whose title has the time of the last one: then every request is shown
+# drawn: waits until odraz-debug has drawn two pictures, by the time in its title: then it shows every request
 drawn() {
     local before i
     for i in 1 2; do
@@ -55,12 +55,12 @@ drawn() {
 }
 title() { xdotool getwindowname "$window"; }
 
-# play OPTION...: loads by load(), and waits for a picture: first the film is unpacked, and the hall is solved
+# play OPTION...: starts the film by load(), and waits for a picture, which comes after unpacking and solving the hall
 play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
-# comes CONDITION: until it holds, unless the program ends
+# comes CONDITION: waits until it holds; fails if the program ends first
 comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
 press() { xdotool key --window "$window" "$@"; }
-# on_key KEYS WHAT COMMAND...: presses the keys; then the command succeeds
+# on_key KEYS WHAT COMMAND...: presses the keys; then the command must succeed
 on_key() {
     xdotool key $1
     check "$2" await "${@:3}"
@@ -69,7 +69,7 @@ leaves() { "$@" >/dev/null 2>&1; ended $pid; } # leaves COMMAND...: the command 
 escapes() { xdotool key Escape; ended $pid && [ ! -s "$WORK/err" ]; } # ESC ends it with status 0, silently
 managed() { wmctrl -l | grep -q ' odraz$'; }
 
-# The film on the full screen of a display of 1000x700, which is taller than 16:9: 68 or 69 black rows above and below
+# Checks the film on a full screen of 1000x700, which is taller than 16:9: 68 or 69 rows above and below are black
 differs() { shot && [ -s "$WORK/first.png" ] && ! cmp -s "$WORK/first.png" "$WORK/shot.png"; }
 check_full_screen() {
     check "its window is as large as the screen" measures 1000 700
@@ -80,8 +80,8 @@ check_full_screen() {
     check "... below too" is_black 1000x67+0+633
     check "... and the picture is not black" await is_bright
 }
-# grows [PID]: the copper share of the middle row grows three times, or until the film begins, which is black at first.
-# PID is stopped while we look, so that a busy machine does not make us miss steps
+# grows [PID]: waits until the loading bar, the red in the middle row, has grown three times, or until the film begins,
+# which is black at first. PID is stopped for each screenshot: so a busy machine does not miss steps
 grows() {
     local before=0 now=0 steps=0 end=$((SECONDS + PATIENCE))
     while [ $SECONDS -lt $end ]; do
@@ -93,6 +93,6 @@ grows() {
         before=$now
         sleep 0.1
     done
-    echo "    the bar was seen to grow $steps times, and to $before"
+    echo "    the bar grew $steps times, up to $before"
     [ $steps -ge 1 ]
 }

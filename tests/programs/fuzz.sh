@@ -1,13 +1,13 @@
-# Attacks a reader of files, with real files as seeds.
-#   fuzz.sh BUILD READER replay PROGRAMS   damages the seeds, in every run the same way; for tests under sanitizers.
+# Fuzzes a reader of files, with real files as seeds.
+#   fuzz.sh BUILD READER replay PROGRAMS   damages the seeds, in the same way in every run; for tests under sanitizers.
 #                                          PROGRAMS: a build whose programs make the seeds
-#   fuzz.sh BUILD READER SECONDS           runs libFuzzer that long. What it finds differs from run to run, so it prints
-#                                          each finding: keep it as a test
+#   fuzz.sh BUILD READER SECONDS           runs libFuzzer for SECONDS. Its findings differ from run to run, so each is
+#                                          printed: make a test from it
 # READER: pack, rad, obj, gltf, hdr, prt or picture
-[ ! -w /dev/shm ] || export TMPDIR=/dev/shm # for files by the thousand
+[ ! -w /dev/shm ] || export TMPDIR=/dev/shm # it writes thousands of files
 . "$(dirname "$0")/common.sh"
 target=${2:-pack} seconds=${3:-30} programs=${4:-$BUILD}
-case $seconds in replay) needs_built "tests/replay_$target" ;; *) needs_built "tests/fuzz_$target" ;; esac # by clang
+case $seconds in replay) needs_built "tests/replay_$target" ;; *) needs_built "tests/fuzz_$target" ;; esac # clang builds it
 [ -x "$programs/pack" ] || { echo "SKIPPED: $programs has no pack: its programs make the seeds"; exit 77; }
 mkdir -p "$WORK/seeds"
 cd "$WORK" || exit 1
@@ -19,12 +19,12 @@ seeds_for_pack() {
     seed 1 hello packed
     tail -c +$((528 + $(stat -c %s "$BUILD/generated/stub.bin") + 1)) hello >parameters
     seed 2 parameters parameters
-    { printf '\xfa'; cat parameters; } >seeds/decoded # 250: reader 2, which decodes
+    { printf '\xfa'; cat parameters; } >seeds/decoded # 250: reader 2, and decode
     bash "$SOURCE/packer/example/build.sh" "$programs/pack" . --pe >/dev/null || return
     seed 5 hello_windows.elf windows
     seed 4 hello.exe packed_windows
     tail -c +$((512 + 264 + $(stat -c %s "$BUILD/generated/stub_windows.bin") + 1)) hello.exe >parameters
-    { printf '\xfc'; cat parameters; } >seeds/parameters_windows # 252: reader 4, of parts alone
+    { printf '\xfc'; cat parameters; } >seeds/parameters_windows # 252: reader 4, given parts
     "$programs/pack" hello.elf -o again --save-model model >/dev/null || return
     seed 3 model model
     seed 6 hello.elf any
@@ -43,7 +43,7 @@ seeds_for_obj() {
     printf 'v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r' >seeds/cr
     printf 'v 0 0 0\nv 9 0 0\nv 9 9 0\nv 5 1 0\nv 0 9 0\nv 1 1 0\nv 7 1 0\nf 1// 2/ 3//0 4/1/ 5\nf 6 7 4 3\nF 1 3 2 5\nvt 0 1\n' >seeds/shapes
     printf '\377\376v\0 \0' >seeds/utf16
-    # What OBJ and MTL are made of
+    # The fuzzer's dictionary: words of OBJ and MTL
     printf '"%s"\n' 'v ' 'f ' 'vn ' 'vt ' 'vp ' 'l ' 'p ' 'g ' 'o ' 's ' 's off' 'usemtl m' 'usemtl l' 'mtllib m.mtl' \
         'mtllib m.obj' 'mtllib ' 'newmtl m' 'newmtl ' 'Kd ' 'Ke ' 'Ka ' 'Ks ' 'Ns ' 'Ni ' 'Tf ' 'Tr ' 'd ' 'illum ' 'map_Kd ' 'map_Ke ' \
         'map_Bump ' 'bump ' 'refl ' '-bm ' '-blendu on' '-boost ' '-clamp on' '-imfchan r' '-mm ' '-o ' '-s ' '-t ' '-texres ' \
@@ -52,7 +52,7 @@ seeds_for_obj() {
     options=(-max_len=8192 -dict=words)
 }
 
-# A file that another program wrote, and one with all that the reader knows: a strip, a fan, sparse and normalised
+# One file by another program, and one with everything that the reader supports: a strip, a fan, sparse and normalised
 # numbers, a skin, transforms, lights, pictures
 seeds_for_gltf() {
     cp "$SOURCE/tests/support/models/blender.glb" seeds || return
@@ -61,13 +61,13 @@ seeds_for_gltf() {
     material='{"asset":{"version":"2.0"},"extensionsUsed":["KHR_lights_punctual","a"],"scene":0,"scenes":[{"nodes":[0,1]},{}],"nodes":[{"mesh":0,"skin":0,"children":[2,3]},{"mesh":0,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,1,2,3,1]},{"rotation":[0,0,0.6,0.8],"scale":[1,-1,1],"translation":[1,1,1],"extensions":{"KHR_lights_punctual":{"light":0}}},{"extensions":{"KHR_lights_punctual":{"light":1}}}],"skins":[{"joints":[2],"inverseBindMatrices":3}],"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{},"intensity":3,"color":[1,1,0]},{"type":"directional"}]}},"materials":[{"name":"m","doubleSided":true,"alphaMode":"MASK","pbrMetallicRoughness":{"baseColorFactor":[1,0.5,1,1],"baseColorTexture":{"index":0,"texCoord":1,"extensions":{"KHR_texture_transform":{"offset":[0,1],"rotation":1,"scale":[2,2],"texCoord":0}}}},"emissiveFactor":[1,1,1],"emissiveTexture":{"index":1},"extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":5}}},{"name":"m","extensions":{"KHR_materials_unlit":{},"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[1,0,1,1],"diffuseTexture":{"index":0}}}}],"textures":[{"source":0,"sampler":0},{"source":1}],"samplers":[{"wrapS":33071,"wrapT":33648}],"images":[{"bufferView":4},{"uri":"data:image/png;base64,iVBORw0KGgo="}],'
     echo "$material"'"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2,"COLOR_0":2},"indices":1,"mode":5,"material":0,"targets":[{}]},{"attributes":{"POSITION":4},"mode":6,"material":1},{"attributes":{"POSITION":0},"mode":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},{"bufferView":1,"componentType":5121,"count":4,"type":"SCALAR"},{"bufferView":2,"componentType":5121,"normalized":true,"count":4,"type":"VEC2"},{"bufferView":3,"componentType":5126,"count":1,"type":"MAT4"},{"componentType":5126,"count":5,"type":"VEC3","sparse":{"count":4,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":0}}}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":4},{"buffer":0,"byteOffset":52,"byteLength":8},{"buffer":0,"byteOffset":60,"byteLength":64},{"buffer":0,"byteOffset":124,"byteLength":14}],"buffers":[{"byteLength":138,"uri":"data:;base64,'"$square"'"}]}' >seeds/all
     echo '{"asset":{"version":"2.0"},"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5121,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":9}],"buffers":[{"byteLength":9,"uri":"data:;base64,AAAAAQAAAAEA"}]}' >seeds/small
-    # What glTF is made of
+    # The fuzzer's dictionary: words of glTF
     grep -ohE '"[A-Za-z_0-9]+"' seeds/all | sort -u | sed 's/"//g; s/.*/"\\"&\\""/' >words
     printf '"%s"\n' ':{' ':[' '},{' '5120' '5121' '5122' '5123' '5125' '5126' '4294967295' '18446744073709551615' '-1' 1e308 null true >>words
     options=(-max_len=20000 -dict=words)
 }
 
-small_model() { # a square and a lamp over it
+small_model() { # a square, and a lamp above it
     printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
     printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >m.obj
 }
@@ -96,7 +96,7 @@ seeds_for_prt() {
     options=(-max_len=65536)
 }
 
-# Rows plain and run-length coded, even, with a sun, and almost valid ones
+# Rows, plain and run-length coded; an even sky and one with a sun; almost valid files
 seeds_for_hdr() {
     head() { printf "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y $2 +X $1\n"; }
     { head 4 2; printf '\200\200\200\201%.0s' $(seq 8); } >seeds/plain
@@ -110,7 +110,7 @@ seeds_for_hdr() {
     options=(-max_len=4096)
 }
 
-# OpenEXR by other writers, PNM of all kinds, and the smallest files of those that stb reads
+# OpenEXR by independent writers, PNM of all kinds, and the smallest files of the formats that stb reads
 seeds_for_picture() {
     cp "$SOURCE"/tests/support/pictures/*.{exr,png,jpg} seeds || return
     printf 'P6\n# c\n2 2\n65535\n%.24dP5 2 1 15\n\1\2' 7 >seeds/raw
@@ -140,7 +140,7 @@ if [ "$seconds" = replay ]; then
 fi
 
 fuzz() {
-    # -timeout catches what hangs, not what waits for a busy machine
+    # -timeout ends only inputs that hang: it is long enough for a busy machine
     if "$BUILD/tests/fuzz_$target" -max_total_time="$seconds" -timeout=200 -rss_limit_mb=3000 -verbosity=0 -print_final_stats=1 "${options[@]}" seeds >log 2>&1; then
         grep -E 'executed_units|new_units' log
     else
@@ -152,5 +152,5 @@ fuzz() {
     fi
 }
 check "the readers survive $seconds s of the fuzzer" fuzz
-check "... which tried some" test "$(sed -n 's/^stat::number_of_executed_units: //p' log)" -gt 100
+check "... which tried more than 100 inputs" test "$(sed -n 's/^stat::number_of_executed_units: //p' log)" -gt 100
 finish

@@ -1,6 +1,6 @@
 # Tests of this film and its tools, which a new film (tools/new-film) does not have
 
-# odraz_scripts(FUNCTION FOLDER NAME SECONDS...): FUNCTION(NAME SECONDS FOLDER/NAME) for each
+# odraz_scripts(FUNCTION FOLDER NAME SECONDS...): calls FUNCTION(NAME SECONDS FOLDER/NAME) for each test
 function(odraz_scripts function folder)
     set(rest ${ARGN})
     while(rest)
@@ -55,7 +55,7 @@ odraz_script(hostile_words 6 hostile/words odraz-safe 40 1)
 odraz_script(hostile_words_radiosity 3 hostile/words radiosity 60 1)
 odraz_script(machine 4 machine odraz-safe)
 
-# tools/test --long
+# Tests of tools/test --long
 function(odraz_long_script name seconds script)
     add_test(NAME ${name} CONFIGURATIONS long
         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${script}.sh ${CMAKE_BINARY_DIR} ${ARGN})
@@ -93,7 +93,7 @@ odraz_long_script(soak 180 soak)
 odraz_long_script(watch_full 40 watch full)
 odraz_long_script(tradeoff_all 45 tradeoff all)
 
-# tools/test --windows: by Wine, one at a time
+# Tests of tools/test --windows, which use Wine and run one at a time
 function(odraz_windows_script name seconds script)
     add_test(NAME windows_${name} CONFIGURATIONS windows
         COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${script}.sh ${CMAKE_BINARY_DIR})

@@ -15,10 +15,10 @@ sub text {
     return scalar <$file>;
 }
 
-# --- Read every CMakeLists.txt: who knows whom, what a target is made of, and what it links ---
+# --- Read every CMakeLists.txt: who knows whom, and the sources and libraries of each target ---
 my (%knows, %sources, @linked);
 for my $list (grep { m{(^|/)CMakeLists\.txt$} && !m{^(tests|tools/film_template)/} } @files) {
-    my ($room) = $list =~ m{^(.*)/} or next; # the top-level one adds rooms, no code
+    my ($room) = $list =~ m{^(.*)/} or next; # the top-level file adds rooms, no code
     my $text = text($list);
     $text =~ s/#.*//g;
     while ($text =~ /^\s*(\w+)\(([^()]*(?:\([^()]*\)[^()]*)*)\)/mg) {
@@ -32,7 +32,7 @@ for my $list (grep { m{(^|/)CMakeLists\.txt$} && !m{^(tests|tools/film_template)
     }
 }
 
-# --- The rooms that a room reaches; circles are reported ---
+# --- Find the rooms that each room reaches, and report circles ---
 my (%reach, %entered);
 sub reach {
     my ($room) = @_;
@@ -47,7 +47,7 @@ sub reach {
 }
 reach($_) for sort keys %knows;
 
-# The room of a file: the file itself, with or without its ending, or the nearest folder that has a knows() line
+# Returns the room of a file: the file itself, with or without its suffix, or the nearest folder with a knows() line
 sub room {
     my ($name) = @_;
     (my $stem = $name) =~ s/\.\w+$//;
@@ -63,7 +63,7 @@ sub may {
     return $from eq $to || reach($from)->{$to};
 }
 
-# --- Every include ---
+# --- Check every include ---
 sub judge {
     my ($file, $included) = @_;
     my ($folder) = $file =~ m{^(.*)/};
@@ -80,7 +80,7 @@ for my $file (@code) {
 }
 judge(@planted) if @planted;
 
-# --- System headers: the engine is freestanding, and the system stays behind host/linux and host/windows ---
+# --- Check system headers: the engine is freestanding; only host/linux and host/windows use the system ---
 my $own = qr{^intro/(maker/|record\.|main_debug\.|host/linux/)};
 my %special = ('intro/base/avx.h' => qr{intrin\.h$}, 'intro/base/wasm.h' => qr{^wasm_simd128\.h$}, 'intro/base/gl.h' => qr{^GL/}, 'intro/host/cpu.cpp' => qr{^cpuid\.h$});
 sub judge_system {
@@ -93,14 +93,14 @@ for my $file (grep { m{^intro/} } @code) {
 }
 judge_system($planted[0], $1) if @planted && $planted[1] =~ /^<(.*)>$/;
 
-# --- Every link: a room that adds to the target knows one that adds to the library ---
+# --- Check every link: a room with sources in the target must know a room with sources in the library ---
 for (@linked) {
     my ($list, $target, $library) = @$_;
     my @to = grep { defined } map { room($_) } keys %{$sources{$library} // next};
     my @from = grep { defined } map { room($_) } keys %{$sources{$target} // {}};
     ++$links;
     my $known = grep { my $from = $_; grep { may($from, $_) } @to } @from;
-    push @wrong, "$target of $list links $library" if @from && !$known; # without files of its own it is no code
+    push @wrong, "$target of $list links $library" if @from && !$known; # a target without sources is skipped
 }
 
 print "$_\n" for @wrong;

@@ -4,7 +4,7 @@
 house() { perl "$SOURCE/tests/programs/house.pl" "$SOURCE" "$@"; }
 check "every include and every link goes to a room that is known" house
 
-# Finds planted includes of each kind
+# Each planted include must be found
 finds() { [ "$(house "$@" | grep -c includes)" = 1 ]; }
 while read -r file included; do
     check "(it would be found that $file includes $included)" finds "$file" "$included"
@@ -23,15 +23,15 @@ tools/radiosity/read/mesh.h tools/radiosity/solution/solution.h
 tools/picture/flip.cpp tests/support/open_room.h
 PLANTED
 
-# Scripts find the house where cd prints
+# With CDPATH cd prints a folder. Scripts must find the house nevertheless
 for script in watch test golden ledger new-film release render measure/all; do
     check "tools/$script with CDPATH" eval '(cd "$SOURCE" && CDPATH=.:/tmp "tools/$script" --help) >"$WORK/help"'
 done
 
-# The film is made of intro/ and packer/ alone
+# The film is built from intro/ and packer/ alone
 if command -v ninja >/dev/null && [ -e "$BUILD/build.ninja" ]; then
     ninja -C "$BUILD" -t inputs odraz odraz-safe | sed "s|^$SOURCE/||" >"$WORK/inputs"
     check "the film is made of files of intro and packer" grep -qx 'intro/main.cpp' "$WORK/inputs"
-    check "... none of tests, and of tools only what the packer knows" lacks '^(tests|tools/(radiosity|measure|engine|picture))/' "$WORK/inputs"
+    check "... no files of tests, and of tools only what the packer knows" lacks '^(tests|tools/(radiosity|measure|engine|picture))/' "$WORK/inputs"
 fi
 finish

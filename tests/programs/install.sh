@@ -1,4 +1,4 @@
-# cmake --install: the tools under a prefix, each of which runs there, and their READMEs.
+# cmake --install puts the tools and their READMEs under a prefix, and each tool runs there.
 . "$(dirname "$0")/common.sh"
 skip_unless cmake
 needs_built pack compare radiosity

@@ -1,7 +1,7 @@
-# tools/ledger: the tables of rooms and of lines, and that a room over its budget of lines fails.
+# tools/ledger prints the tables of rooms and of lines, and fails for a room over its budget of lines.
 . "$(dirname "$0")/common.sh"
 ledger=$SOURCE/tools/ledger
-# report BYTES: a report on a film of two objects, of which the second lies in the sky's room
+# report BYTES: writes pack's report of a film of two objects. The second, in the room trace, takes BYTES
 report() {
     mkdir -p "$WORK/build"
     cat >"$WORK/build/odraz.json" <<END
@@ -13,10 +13,10 @@ rooms() { BUILD=$WORK/build "$ledger" rooms 2>"$WORK/err"; }
 
 report 4000
 check "a room's bytes" prints '^trace +4000 ' rooms
-check "... those of the programs" prints '^intro +100 ' rooms
+check "... and the programs' bytes" prints '^intro +100 ' rooms
 check "... the film's, and the change since the ledger" prints "^the film +6600 +65536 +58936 +$((6600 - $(sed -n 's/^ "file": \([0-9]*\),/\1/p' "$SOURCE/intro/size_ledger.json")))\$" rooms
 check "nothing on stderr while all rooms keep to their shares" test ! -s "$WORK/err"
-# Every folder of the engine has its row; maker is of odraz-debug
+# Every folder of the engine has its row; maker belongs to odraz-debug
 (cd "$SOURCE/intro" && find . -mindepth 2 -name '*.cpp' -not -path './maker/*') | cut -d/ -f2 | sort -u >"$WORK/folders"
 check "no room is forgotten" test "$(awk 'NR == FNR { row[$1] = 1; next } !($1 in row)' "$WORK/printed" "$WORK/folders")" = ""
 report 40000
@@ -25,7 +25,7 @@ check "... is reported on stderr" grep -q 'trace has outgrown its share' "$WORK/
 rm "$WORK/build/odraz.json"
 check "a film that is not built" refuses 1 "build film and pack first" env BUILD="$WORK/build" "$ledger" rooms
 
-# lines: a repository with two rooms and the rest
+# lines, in a repository of two rooms and other files
 git init -q "$WORK/house"
 cd "$WORK/house" || exit 1
 mkdir -p tools/build intro/trace tests

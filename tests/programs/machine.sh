@@ -1,4 +1,4 @@
-# Machines that lack something: one line on standard error, exit status 1.
+# Where a machine lacks something, the film prints one line on standard error and exits with status 1.
 #   machine.sh BUILD odraz|odraz-safe
 . "$(dirname "$0")/common.sh"
 unset DISPLAY WAYLAND_DISPLAY
@@ -16,11 +16,11 @@ check "without headless OpenGL, for the hall" \
     refuses 1 "no headless OpenGL 3.3: install" env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --dump - --from 100 --to 100.04
 check "without a driver: one line, though Mesa says more" \
     refuses 1 "no headless OpenGL 3.3: install" env LIBGL_DRIVERS_PATH=/none "$odraz" --dump - --from 100 --to 100.04
-if can_be_unwritten; then
+if has_mdwe; then
     check "where written memory may not be executed, odraz-safe draws scenes without the hall" \
-        "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36
+        "${MDWE[@]}" "$BUILD/odraz-safe" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36
     check "... and reports why it cannot draw the hall" \
-        refuses 1 "SELinux forbids what software OpenGL does: allow it" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
+        refuses 1 "SELinux forbids what software OpenGL does: allow it" "${MDWE[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
 fi
 
 # dumped FILE COMMAND...: a picture of 64x36
@@ -41,7 +41,7 @@ check "without address randomisation" dumped "$WORK/still.ppm" setarch -R "$odra
 check "... the same" cmp "$WORK/plain.ppm" "$WORK/still.ppm"
 if command -v qemu-x86_64 >/dev/null; then
     check "on a processor of 2008" refuses 1 "AVX2" qemu-x86_64 -cpu Nehalem "$odraz" --version
-    qemu-x86_64 -cpu Haswell "$odraz" --version >"$WORK/haswell" 2>"$WORK/err" # which prints what qemu lacks
+    qemu-x86_64 -cpu Haswell "$odraz" --version >"$WORK/haswell" 2>"$WORK/err" # qemu prints what it lacks
     check "on a processor of 2013" grep -q ^odraz "$WORK/haswell"
 else
     echo "skipped: qemu-x86_64 is not installed"

@@ -1,12 +1,12 @@
-# The command that measures and writes RESULTS.md: a section of the repository, measured into another file; and what
-# --check prints, in a scratch repository with two sections that take no time.
+# tools/measure/all, which measures and writes RESULTS.md. It measures one section into another file. What --check
+# prints is tested in a scratch repository with two sections that take no time.
 . "$(dirname "$0")/common.sh"
 skip_unless python3 git objcopy g++ ninja
 needs_built odraz
 export BUILD
 all=$SOURCE/tools/measure/all
 to=$WORK/results.md
-# section NAME: as it stands in the results
+# section NAME: prints a section of the results
 section() { awk -v name="$1" '/^<!-- .* -->$/ { sub(/:$/, "", $2); inside = $2 == name; next } inside' "$to"; }
 
 check "a section is measured" eval '"$all" --built --to "$to" --only size >/dev/null 2>"$WORK/err"'
@@ -61,7 +61,7 @@ compile() { sleep 0.02 && ninja -C build >/dev/null; }
 compile
 git init -q . && git add --all && git -c user.name=test -c user.email=test commit -q -m one
 all=$scratch/tools/measure/all BUILD=$scratch/build
-# reports STATUS PATTERN [OPTION]: --check exits with the status and a line of it matches
+# reports STATUS PATTERN [OPTION]: succeeds if --check exits with STATUS and prints a line that matches
 reports() {
     "$all" --check $3 >"$WORK/report" 2>&1
     [ $? = "$1" ] && grep -qE -- "$2" "$WORK/report" && return

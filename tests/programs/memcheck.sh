@@ -1,10 +1,10 @@
-# The film reads no uninitialised memory and nothing out of bounds: valgrind's memcheck over a picture of each scene, in
-# draft and in film.
-#   memcheck.sh BUILD [hall]     with `hall`: the scenes in the hall, whose solving takes half an hour under memcheck
+# The film reads no uninitialised memory and nothing out of bounds: valgrind's memcheck checks a picture of each scene,
+# in draft and in film.
+#   memcheck.sh BUILD [hall]     with `hall`: the scenes in the hall; memcheck takes half an hour to solve it
 . "$(dirname "$0")/common.sh"
 skip_unless valgrind
 odraz=$BUILD/odraz.elf # as it ships, but with symbols
-# One thread, and one of the driver; with vectors of 128 bits in the driver, which valgrind runs faster
+# One thread in the film and one in the driver. The driver's vectors have 128 bits, which valgrind runs faster
 export LP_NUM_THREADS=0 LP_NATIVE_VECTOR_WIDTH=128
 # pictures COUNT OPTION...
 pictures() {
@@ -25,7 +25,7 @@ for quality in draft film; do
     fi
 done
 
-# A program with faults shows that memcheck finds them
+# memcheck must find the fault of this program
 cat >"$WORK/blind.c" <<'END'
 #include <stdlib.h>
 int main(void) { int *p = malloc(4); return *p ? 0 : 1; }

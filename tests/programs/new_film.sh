@@ -1,4 +1,4 @@
-# tools/new-film: what it refuses, in one line, leaving nothing behind. (long/new_film.sh makes a film and tests it.)
+# tools/new-film refuses wrong arguments with one line, and leaves no files. (long/new_film.sh makes and tests a film.)
 . "$(dirname "$0")/common.sh"
 git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a new film is made from a repository"; exit 77; }
 new=$SOURCE/tools/new-film to=$WORK/made
@@ -16,11 +16,11 @@ check "a file" refuses 2 "is there already" "$new" "$WORK/full/.file" mira
 check "a folder in this house" refuses 2 "lies in this house" "$new" "$SOURCE/tools/mira" mira
 check "... by another path" refuses 2 "lies in this house" bash -c "ln -s '$SOURCE' '$WORK/link' && cd '$WORK' && exec '$new' link/mira mira"
 [ "$(id -u)" = 0 ] || check "a folder that may not be written to" refuses 2 "cannot write into /" "$new" /mira mira
-not_copied() { # headers of tools and tests that the copy includes and does not have
+not_copied() { # not_copied FOLDER: prints headers of tools and tests that the copy includes and lacks
     cd "$1" && grep -rhoE '^#include "(tools|tests)/[^"]*"' intro packer tools tests/unit | cut -d'"' -f2 | sort -u |
         while read -r header; do [ -e "$header" ] || echo "$header"; done
 }
-interrupted() { # while it builds, after all was copied; the signal goes to its process group
+interrupted() { # sends a signal to its process group while it builds, after all was copied
     setsid "$new" "$1" mira >/dev/null 2>&1 &
     local pid=$!
     await test -e "$1/build/build.log" && missing=$(not_copied "$1") && kill -TERM -- -$pid 2>/dev/null

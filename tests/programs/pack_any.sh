@@ -1,15 +1,15 @@
-# The packer with programs as compilers make them: packed, they must behave as before. With "all" as the second
-# argument it packs programs with all of glibc, too. (elf_test has what is refused)
+# Packs programs of ordinary compilers, which must behave as before. With "all" as the second argument it also packs
+# static programs, which contain glibc. (elf_test tests what is refused.)
 . "$(dirname "$0")/common.sh"
 skip_unless gcc
 pack=$BUILD/pack small=(--model "$SOURCE/tests/support/small.model")
 cd "$WORK" || exit 1
 
-# same NAME OPTION...: packs the program NAME, and both do the same with two arguments
+# same NAME OPTION...: packs the program NAME; succeeds if both do the same with two arguments
 same() {
     "$pack" "$1" -o "$1.packed" "${@:2}" >packed.txt || return 1
     mkdir -p before after
-    ln -f "$1" before/run && ln -f "$1.packed" after/run # under one name, which they may print
+    ln -f "$1" before/run && ln -f "$1.packed" after/run # the same name, which they may print
     (cd before && transcript ./run a 'b c') >wanted
     (cd after && transcript ./run a 'b c') >got
     cmp wanted got && [ "$(wc -l <got)" -gt 1 ]
@@ -62,38 +62,38 @@ for compiler in clang musl-gcc "musl-gcc -static"; do
     command -v ${compiler% *} >/dev/null && $compiler -O1 c.c -o other 2>/dev/null || { echo "not checked: $compiler"; continue; }
     check "of $compiler, the same packed" same other "${small[@]}"
 done
-# Opened again
+# Unpacked again
 check "finds that a packed one is whole" prints 'whole' "$pack" --test c.packed
 check "makes it plain" "$pack" -d c.packed -o plain
 transcript ./plain x >got
 transcript ./c x >wanted
 check "... the same" cmp wanted got
 
-# Errors begin with the name, and nothing of the program runs
+# Errors begin with the program's name, and none of its code runs
 cp c.packed damaged
 flip damaged 3800
 check "a damaged one prints that" refuses 1 "./damaged: damaged: get it afresh" ./damaged
 head -c 3900 c.packed >short && chmod +x short
 check "... one cut short, too" refuses 1 "./short: damaged: get it afresh" ./short
 check "... one without memory" refuses 1 "./c.packed: not enough free memory" bash -c 'ulimit -v 30000; exec ./c.packed'
-for interpreter in lib64/lost=02 .=21 dev/null=80; do # one that is missing, a folder, and one without a page
+for interpreter in lib64/lost=02 .=21 dev/null=80; do # a missing file, a folder, an empty file
     name=$(printf %27s "${interpreter%=*}" | tr ' ' /)
     sed "s|/lib64/ld-linux-x86-64.so.2|$name|" c >lost && chmod +x lost
     "$pack" lost -o lost.packed "${small[@]}" >/dev/null
     check "... with the interpreter $name, too" refuses 1 "./lost.packed: no interpreter: errno ${interpreter#*=}" ./lost.packed
 done
-for call in open openat; do # refused, as by a list of the calls that are allowed
+for call in open openat; do # a filter of the kernel refuses this call
     check "... compiles what refuses $call" gcc -DCALL=SYS_$call "$SOURCE/tests/programs/pack/deny.c" -o deny_$call
 done
 check "... runs without open, as its interpreter does" prints "the last 'x'" eval './deny_open ./c.packed x; true'
 check "... and prints that it cannot openat" refuses 1 "./c.packed: no interpreter: errno 01" ./deny_openat ./c.packed
-if can_be_unwritten; then
-    check "that it may not run" refuses 1 "./c.packed: may not run packed" "${UNWRITTEN[@]}" ./c.packed
+if has_mdwe; then
+    check "that it may not run" refuses 1 "./c.packed: may not run packed" "${MDWE[@]}" ./c.packed
 fi
 check "packed with the name of another, it is whole" eval '"$pack" c -o named --safe-name hello-safe "${small[@]}" >/dev/null && "$pack" --test named >/dev/null'
-if can_be_unwritten; then check "... and names another that may run" refuses 1 "./named: use hello-safe" "${UNWRITTEN[@]}" ./named; fi
+if has_mdwe; then check "... and names another that may run" refuses 1 "./named: use hello-safe" "${MDWE[@]}" ./named; fi
 
-# Programs that other tools have changed
+# A program that another tool has changed
 cp c moved
 if command -v patchelf >/dev/null && patchelf --add-needed libm.so.6 moved && patchelf --set-interpreter "/lib64/$(printf '../lib64/%.0s' {1..6})ld-linux-x86-64.so.2" moved; then
     check "with its interpreter's name moved, the same packed" same moved "${small[@]}"

@@ -1,11 +1,11 @@
-# What a packed program finds in its process, and what others find there: as if it had not been packed.
+# A packed program finds its process, and other programs find it, as if it had not been packed.
 . "$(dirname "$0")/common.sh"
 skip_unless gcc
 pack=$BUILD/pack
 cd "$WORK" || exit 1
 mkdir lib
 
-# A library that $ORIGIN leads to, one that is preloaded, and a program that prints what it sees
+# A library in $ORIGIN/lib, a preloaded library, and a program that prints what it finds
 echo 'int found(void) { return 42; }' >found.c
 echo 'int rand(void) { return -1234; }' >preloaded.c
 cat >c.c <<'END_OF_C'
@@ -28,7 +28,7 @@ static int count(struct dl_phdr_info *info, size_t size, void *data) {
     return size == 0 || data != 0;
 }
 static void show(const char *what) { puts(what), fflush(stdout); }
-static int deep(int n) { // of stack
+static int deep(int n) { // uses n * 100 KB of stack
     volatile char block[100000];
     memset((char *)block, n, sizeof block);
     return n ? deep(n - 1) + block[n] - (char)n : 0;
@@ -43,7 +43,7 @@ int main(int words, char **word) {
         dl_iterate_phdr(count, 0);
         printf("%d: %d headers, %d vdso, a stack of %ld, rand %d\n", found(), headers, vdso, (long)stack.rlim_cur,
                rand());
-        printf("%d of the stack\n", deep(70)); // of 8 MB
+        printf("%d of the stack\n", deep(70)); // 7 of 8 MB
         if (words > 1 && !strcmp(word[1], "abort")) printf("%p\n", (void *)&vdso), fflush(stdout), abort();
         return 3;
     }
@@ -55,7 +55,7 @@ gcc -shared -fPIC found.c -o lib/libfound.so && gcc -shared -fPIC preloaded.c -o
 check "compiles a program" gcc -O1 -rdynamic c.c -Llib -lfound -Wl,-rpath,'$ORIGIN/lib' -o before
 check "packs it" "$pack" before -o after --model "$SOURCE/tests/support/small.model"
 mkdir b a && mv before b/run && mv after a/run && ln -s ../lib b/lib && ln -s ../lib a/lib
-# both COMMAND: the same from both, run by the shell in their folders
+# both COMMAND: succeeds if the shell command, run in the folders of both programs, prints the same
 both() {
     (cd b && transcript bash -c "$1") >wanted
     (cd a && transcript bash -c "$1") >got
@@ -74,35 +74,35 @@ check "a stack of 8 MB" both 'ulimit -s 8192; exec ./run'
 check "without randomised addresses" both 'exec setarch -R ./run'
 check "with closed descriptors" both 'exec ./run <&- 2>&-'
 
-# A long decoding, in which signals come
+# Signals arrive during a long decoding
 head -c 150000 /dev/urandom >noise
 printf '%s\n' '.section .rodata' '.incbin "noise"' '.section .note.GNU-stack,"",@progbits' >noise.s
 gcc -O1 c.c noise.s -Llib -lfound -Wl,-rpath,'$ORIGIN/lib' -o long && "$pack" long -o a/long --fast >/dev/null
 check "a program of 150 KB of noise" test -x a/long
 in_a() { cd a && exec "$@"; }
 ignoring() { trap "" INT && in_a "$@"; }
-behind ignoring ./long x
+in_background ignoring ./long x
 stopped() { gone $pid || grep -q '^State:.*T' "/proc/$pid/status"; }
 in_pieces() {
     local i
     for i in 1 2 3; do
-        worked $pid 2 || break # a busy machine may be too late to stop it thrice
+        worked $pid 2 || break # on a busy machine it may end before it was stopped three times
         { kill -STOP $pid && await stopped && kill -CONT $pid && kill -WINCH $pid && kill -INT $pid; } || gone $pid || return 1
     done
     ended $pid
     [ $? = 3 ] && grep -q '^42: ' out
 }
 check "stopped and continued while it decodes, with signals that it ignores, it runs" in_pieces
-ended_by_term() { # tried again if it ended first
-    behind in_a ./long x
+ended_by_term() { # fails if the program ended before the signal: then it is tried again
+    in_background in_a ./long x
     worked $pid 2 && kill -TERM $pid
     ended $pid
     [ $? = 143 ] && [ ! -s out ]
 }
 check "SIGTERM ends it while it decodes" await ended_by_term
 
-# What others see
-behind in_a ./run wait
+# What other programs find
+in_background in_a ./run wait
 check "it waits" await grep -q here out
 check "no memory is both writable and executable" bash -c "! grep ' rwx' /proc/$pid/maps"
 # Debuggers get the packed file's headers from the kernel, so they need the program's address

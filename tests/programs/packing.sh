@@ -1,9 +1,9 @@
 # The packer's command line, with the small example.
 . "$(dirname "$0")/common.sh"
 pack=$BUILD/pack model=$SOURCE/tests/support/small.model
-bash "$SOURCE/packer/example/build.sh" true "$WORK" || exit 1 # not packed
+bash "$SOURCE/packer/example/build.sh" true "$WORK" || exit 1 # `true` in place of pack
 hello=$WORK/bare
-strip -s -o "$hello" "$WORK/hello.elf" || exit 1 # pack would report on symbols
+strip -s -o "$hello" "$WORK/hello.elf" || exit 1 # or pack would report on symbols
 packs=("$pack" "$hello" --model "$model")
 "${packs[@]}" -o "$WORK/hello" --report "$WORK/report" >/dev/null
 size=$(stat -c %s "$WORK/hello")
@@ -16,17 +16,17 @@ check "... makes the same" eval 'cmp "$WORK/hello" "$WORK/same" && cmp "$WORK/re
 check "a plain one" "$pack" "$hello" -o "$WORK/plain" --plain
 check "... runs" exits 7 "hello, 3 words, 42" "$WORK/plain" a b
 
-# A search from unsuitable contexts, so that there is something to find
+# A search that starts from unsuitable contexts, so that there are better ones to find
 awk '$1 == "code" { $2 = "byte4+byte3+instruction1" ($2 == "-" ? "" : "+" $2) } 1' "$model" >"$WORK/unsuited"
-check "takes contexts that do not suit" prints 'bytes left' "$pack" "$hello" -o "$WORK/poor" --model "$WORK/unsuited"
-behind "$pack" "$hello" -o "$WORK/found" --model "$WORK/unsuited" --effort 100000 --save-model "$WORK/model"
+check "takes unsuitable contexts" prints 'bytes left' "$pack" "$hello" -o "$WORK/poor" --model "$WORK/unsuited"
+in_background "$pack" "$hello" -o "$WORK/found" --model "$WORK/unsuited" --effort 100000 --save-model "$WORK/model"
 check "a search reports its progress" await grep -qE 'searching: [0-9]+ bytes after [0-9]+ tries, [0-9]+ of 100000 s' "$WORK/err"
 check "... works" worked $pid 100
 kill -INT $pid
 check "... and interrupted packs with what it has" ended $pid
 check "... which is smaller" test "$(stat -c %s "$WORK/found")" -lt "$(stat -c %s "$WORK/poor")"
-check "... kept, with which the same bytes are made again" prints 'bytes left' "$pack" "$hello" -o "$WORK/again" --model "$WORK/model"
-check "... the same" cmp "$WORK/found" "$WORK/again"
+check "... the model that it saved packs, too" prints 'bytes left' "$pack" "$hello" -o "$WORK/again" --model "$WORK/model"
+check "... to the same bytes" cmp "$WORK/found" "$WORK/again"
 check "a search ends by itself" prints 'bytes left' bash -c "exec '$pack' '$hello' -o '$WORK/brief' --effort 0.5 2>/dev/null"
 
 cp "$WORK/hello" "$WORK/large"
@@ -41,7 +41,7 @@ check "a packed program" refuses 2 "it is packed already" "$pack" "$WORK/hello" 
 check "an output that cannot be written" refuses 2 "cannot write" "${packs[@]}" -o /dev/full/x
 "${packs[@]}" -o "$WORK/p" 2>"$WORK/err" | head -c 0
 check "a closed pipe" cmp "$WORK/p" "$WORK/hello"
-# (radiosity.sh has outputs that are pipes)
+# (radiosity.sh tests outputs that are pipes)
 cp "$hello" "$WORK/in"
 for words in "in -o ./in" "in -o x --html in" "in -o x --model model --report model"; do
     check "refused: $words" refuses 2 "would be written over" bash -c "cd '$WORK' && exec '$pack' $words"

@@ -2,7 +2,7 @@
 . "$(dirname "$0")/common.sh"
 skip_unless perl git
 cd "$SOURCE" || exit 1
-# (RESULTS.md is figures alone; those of a new film are templates)
+# (RESULTS.md is generated; the pages of a new film are templates)
 PAGES=$(git ls-files '*.md' | grep -vE '^tools/(measure/RESULTS\.md$|film_template/)')
 dead() { # prints links to what is not there, from the page's folder
     perl -ne '($folder) = $ARGV =~ m{^(.*/)?}; print "$ARGV: $1\n" for grep { !-e ($folder // "") . $_ } /\]\((?!https?:)([^)#]+)/g' "$@"

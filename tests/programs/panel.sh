@@ -1,25 +1,25 @@
-# The panel of odraz-debug, by keys and mouse, in a window: its title and pictures of it are checked. panel_test and
-# panel_parts_test check the parts.
+# Uses the panel of odraz-debug in a window, by keys and mouse, and checks the title and screenshots. panel_test and
+# panel_parts_test test the parts.
 . "$(dirname "$0")/display.sh"
 needs_built odraz-debug
 start_display 660x400
 WIDTH=640 HEIGHT=360
 
 WINDOW="^$FILM-debug"
-# shown_at: seconds of the film, of the title "odraz-debug  table  0:25.00  row ..."
+# shown_at: prints the film's time in seconds, from the title "odraz-debug  table  0:25.00  row ..."
 shown_at() { title | sed -nE 's/.*  ([0-9]+):([0-9.]+)  row .*/\1 \2/p' | awk '{ print $1 * 60 + $2 }'; }
-at() { [ "$(shown_at)" = "$1" ]; } # at SECONDS, as the title writes them
+at() { [ "$(shown_at)" = "$1" ]; } # at SECONDS, written as in the title
 near() { awk "BEGIN { off = $1 - $(shown_at); exit !(off < $2 && off > -$2) }"; } # near SECONDS TOLERANCE
 pointer() { xdotool mousemove --window "$window" "$1" "$2"; }
 look() { drawn && import -window "$window" "$WORK/$1.png"; } # look NAME: takes a picture of the window
-# differ A B GEOMETRY: the share of pixels there that differ by more than 2 %
+# differ A B GEOMETRY: prints the share of pixels in that rectangle that differ by more than 2 %
 differ() {
     convert "$WORK/$1.png" "$WORK/$2.png" -crop "$3" +repage -compose difference -composite -colorspace gray -threshold 2% \
         -format '%[fx:mean]' info:
 }
 STRIP=640x25+0+335 REST=400x200+190+110
 ROWS=$(sed -n 's/.* kEndRow = \([0-9]*\);.*/\1/p' "$SOURCE/intro/show/length.h") # the film's length, 8 a second
-seconds_at() { awk "BEGIN { print $1 / $WIDTH * $ROWS / 8 }"; } # a column of the strip, as a time
+seconds_at() { awk "BEGIN { print $1 / $WIDTH * $ROWS / 8 }"; } # seconds_at COLUMN: prints the time of a column of the strip
 
 check "it opens a window" begin "$BUILD/$FILM-debug" --from 25 --size ${WIDTH}x$HEIGHT --mute
 xdotool windowfocus "$window"
@@ -40,7 +40,7 @@ xdotool mousemove_relative 40 0
 check "... and dragged further, further" await near "$(seconds_at 360)" 0.3
 xdotool mousemove_relative -- 0 -200
 drawn
-check "... even beside it, without turning the camera" near "$(seconds_at 360)" 0.3
+check "... even off the strip, without turning the camera" near "$(seconds_at 360)" 0.3
 xdotool mouseup 1
 check "... still paused" titled paused
 look plain
@@ -49,7 +49,7 @@ look heat
 check "P shows the samples" less 0.8 "$(differ plain heat $REST)"
 press p
 
-# (panel_test has how it is played)
+# (panel_test tests how a loop is played)
 pointer 120 350
 xdotool mousedown 3
 xdotool mousemove_relative 3 0
@@ -60,7 +60,7 @@ check "the right button marks a loop, which L ends" eval 'look unlooped; less 0.
 pointer 120 350
 xdotool click 1
 check "a click goes there, paused" await at "$(printf %05.2f "$(seconds_at 120)")"
-press Next # (the unit tests of the panel make every step)
+press Next # (the unit tests of the panel test all steps)
 check "page down: the next bar" await at 32
 pointer 639 350
 xdotool click 1

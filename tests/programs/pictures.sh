@@ -1,6 +1,6 @@
 # Dumped pictures: a frame depends only on its number, rate, size and quality.
 . "$(dirname "$0")/common.sh"
-odraz=$BUILD/odraz-safe # it starts sooner; below, the packed one must draw the same
+odraz=$BUILD/odraz-safe # starts without unpacking; below, the packed film must draw the same
 sums() { (cd "$1" && cksum ./*.ppm); }
 dump() { # dump NAME OPTION...
     local to=$WORK/$1
@@ -24,12 +24,12 @@ check "the stream is the files, one after the other" cmp "$WORK/stream" <(cat "$
 "$BUILD/odraz" --dump - --size 203x117 "${interval[@]}" >"$WORK/packed"
 check "the packed film draws the same" cmp "$WORK/stream" "$WORK/packed"
 
-# As it is played, with every other frame made from its neighbours: the same rules hold, across a cut (40 s) and to the
-# end
+# As the film is played, every other frame is made from its neighbours: the same rule holds, across a cut (40 s) and at
+# the end
 live=(--fps 60 --quality live --size 203x117)
 "$odraz" --dump "$WORK/live" "${live[@]}" --from 39.8 --to 40.2 --threads 1
 check "dump as it is played" test "$(ls "$WORK/live" | wc -l)" = 24
-check "... with other threads, from within" "$odraz" --dump "$WORK/within" "${live[@]}" --from 39.85 --to 39.86 --threads 5
+check "... with other threads, one frame alone" "$odraz" --dump "$WORK/within" "${live[@]}" --from 39.85 --to 39.86 --threads 5
 check "... the picture between two others" test "$(ls "$WORK/within")" = frame-002391.ppm
 check "... is the same" cmp "$WORK/within/frame-002391.ppm" "$WORK/live/frame-002391.ppm"
 "$odraz" --dump "$WORK/traced" --fps 60 --quality play --size 203x117 --from 39.8 --to 40.2
@@ -51,7 +51,7 @@ else
     echo "skipped: ffmpeg is not installed"
 fi
 
-# compare finds differences
+# compare must find differences
 printf 'P6\n2 1\n255\nabcdef' >"$WORK/a.ppm"
 printf 'P6\n2 1\n255\nabcdez' >"$WORK/b.ppm"
 check "compare finds equal pictures equal" prints 'largest difference 0,' "$BUILD/compare" "$WORK/a.ppm" "$WORK/a.ppm"
@@ -74,7 +74,7 @@ differ() { # differ PATTERN COMMAND...: exit status 1, and prints what matches
     "${@:2}" >"$WORK/printed"
     [ $? = 1 ] && grep -qE -- "$1" "$WORK/printed"
 }
-tga() { # tga BITS BYTES: 1 x 1; of 32 bits 8 are alpha
+tga() { # tga BITS BYTES: prints a TGA of 1 x 1; 8 of 32 bits are alpha
     printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0'"\\$(printf '%o\\%o' "$1" $((32 + ($1 == 32 ? 8 : 0))))$2"
 }
 tga 32 'abc\377' >"$WORK/opaque.tga"
@@ -95,8 +95,8 @@ check "... as does its lack" refuses 2 "the numbers of pictures differ: 2 and 1"
 { printf 'P5\n1500 1500\n65535\n'; head -c 4500000 /dev/zero; } >"$WORK/large.pgm"
 check "one without memory for it is refused" refuses 2 "there is not enough memory" bash -c "ulimit -v 20000; '$BUILD/compare' '$WORK/large.pgm' '$WORK/large.pgm'"
 exr=$SOURCE/tests/support/pictures
-# What files say of their numbers and is not used
-with() { head -c "$2" "$exr/small.$1" && printf "$3" && tail -c +$(($2 + 1)) "$exr/small.$1"; } # with TYPE PLACE BYTES
+# Statements of files about their colours and orientation, which compare does not apply
+with() { head -c "$2" "$exr/small.$1" && printf "$3" && tail -c +$(($2 + 1)) "$exr/small.$1"; } # with TYPE OFFSET BYTES: prints small.TYPE with these bytes inserted
 with png 33 '\0\0\0\4gAMA\0\1\206\240\61\350\226\137' >"$WORK/gamma.png"
 with jpg 2 '\377\341\0\42Exif\0\0II*\0\10\0\0\0\1\0\22\1\3\0\1\0\0\0\6\0\0\0\0\0\0\0' >"$WORK/turned.jpg"
 check "gamma that one picture has" differ '^not compared, and not alike: gAMA$' "$BUILD/compare" "$exr/small.png" "$WORK/gamma.png" --max 255

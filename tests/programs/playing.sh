@@ -1,11 +1,11 @@
-# The film's music as it is played: to ALSA's file device, to a PulseAudio server that stops and dies, and to no device.
-# (That a film which was stopped goes on where it stopped is in playback_test.) Films play with the server and without it
-# at the same time, each on a display of its own.
+# The film plays its music to ALSA's file device, to a PulseAudio server that stops and is killed, and to no device. The
+# tests with the server and without it run at the same time, each on its own display. (playback_test tests that a film
+# that was stopped goes on where it stopped.)
 #   playing.sh BUILD [server]
 . "$(dirname "$0")/display.sh"
 . "$(dirname "$0")/recorded.sh"
 [ -e /usr/share/alsa/alsa.conf ] || { echo "SKIPPED: libasound2 is not installed"; exit 77; }
-odraz=$BUILD/odraz-safe # the packed film is the same program and takes seconds more to start
+odraz=$BUILD/odraz-safe # the packed film is the same program and starts seconds later
 start_display 640x400
 play() { "$odraz" --window --size 160x90 "$@" >"$WORK/out" 2>"$WORK/err"; }
 prints_nothing() { [ ! -s "$WORK/err" ]; }
@@ -17,7 +17,7 @@ if [ "${2-}" != server ]; then
     with_server=$!
     PIDS+=($with_server)
     devices 'pcm.!default { type file slave.pcm "nothing" file "'"$WORK/played"'" format "raw" }' 'pcm.nothing { type null }'
-    # A busy machine may be late, and then the film drops sound, as it should: then it plays again
+    # On a busy machine the film may drop sound, as it should: then it is played again
     into_file() { rm -f "$WORK/played"; play "$@"; }
     check "plays with sound: the device gets what --wav writes, sample for sample" \
         await eval 'into_file --to 3 && is_music "$WORK/played" 1 0'
@@ -50,7 +50,7 @@ check "plays to a server what --wav writes, to the last bit" into_server 3 1 1
 check "... and prints nothing" prints_nothing
 
 
-# The film plays until it is heard, and then ends by ESC
+# The film plays until it is heard; at the end ESC leaves it
 begins() { begin "$odraz" --window --size 160x90 && await focused; }
 heard() { record "$WORK/heard" && comes 'is_loud "$WORK/heard"' && kill $recorder; }
 check "plays on" begins

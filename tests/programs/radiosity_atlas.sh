@@ -1,18 +1,18 @@
-# radiosity export --atlas: what lies in the folder, glTF's numbers, and what cannot be written. (atlas_test compares the
-# pages with the solution.)
+# radiosity export --atlas: the files in the folder, the numbers in glTF, and errors. (atlas_test compares the pages
+# with the solution.)
 . "$(dirname "$0")/radiosity_program.sh"
 
 "$radiosity" generate columns -o m.obj >/dev/null
 check "a model" solved m m.obj --element 4 --rays 16
 check "its lightmaps" prints '^114 polygons in 1 page, .* 1 stands for ' "$radiosity" export m.rad --atlas light
 check "... with their size printed" grep -qE '^light-0: [0-9]+ x [0-9]+ texels$' printed
-check "... with all that belongs to them" test "$(cd light && echo *)" = "light-0.hdr light-0.png model.bin model.gltf model.mtl model.obj"
+check "... with all their files" test "$(cd light && echo *)" = "light-0.hdr light-0.png model.bin model.gltf model.mtl model.obj"
 check "radiosity" prints '^radiosity-0: ' "$radiosity" export m.rad --atlas shown --map radiosity
 check "several pages" prints 'polygons in [2-9] pages' "$radiosity" export m.rad --atlas pages/ --texels 30 --page 1024 --padding 4
-check "... as many as it prints" test -s pages/light-1.hdr
+check "... the second is there" test -s pages/light-1.hdr
 check "polygons larger than a page are reported" prints 'polygons have fewer texels than asked for' "$radiosity" export m.rad --atlas small --texels 30 --page 256
 
-# (radiosity_gltf reads such a model again: its triangles have the same places, normals and areas)
+# (radiosity_gltf.sh reads such a model again, and compares its elements and their light)
 cat >gltf.py <<'END'
 import json, struct, sys
 folder, extension = sys.argv[1:]
@@ -40,7 +40,7 @@ check "the lamps shine on in its materials" grep -q '^Ke 20 18 15' light/model.m
 check "... and in glTF" grep -q '"KHR_materials_emissive_strength":{"emissiveStrength":20[.}]' light/model.gltf
 check "... but not twice where the pages have them" lacks '^Ke [^0]' shown/model.mtl
 check "a folder that holds something" refuses 2 "light: exists already: name a folder that is new or empty" "$radiosity" export m.rad --atlas light
-# A limit on the size of files that every page exceeds
+# Every page exceeds this limit on the size of files
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' export m.rad --atlas x"
 check "... leaves nothing" test -z "$(find . -maxdepth 1 -name 'x*')"
 finish

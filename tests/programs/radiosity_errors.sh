@@ -1,12 +1,12 @@
-# How far solutions are from path tracing, at random places, in percent: the limit of a room, and the orders of settings
-# in it. With "all" as the second argument, the limits of two others with more places and paths, their orders, and the
-# limits of two models of many small polygons.
+# Compares solutions with path tracing at random points: a room's error stays below a limit in percent, and coarser
+# settings have larger errors. With "all" as the second argument the same for two other rooms, with more points and
+# paths, and limits for two models of many small polygons.
 . "$(dirname "$0")/radiosity_program.sh"
 needs_built radiosity_errors
 paths=(500 24)
 [ "${2-}" != all ] || paths=(1000 36)
 
-# solved NAME MODEL PLACES SIDE OPTION...: solves MODEL with these options; its errors are NAME's: rms and median
+# solved NAME MODEL POINTS SIDE OPTION...: solves MODEL, and keeps the errors as rms[MODEL NAME] and median[MODEL NAME]
 declare -A rms median area
 solved() {
     local name=$1 model=$2 places=$3 side=$4 errors
@@ -17,13 +17,13 @@ solved() {
     median[$model $name]=$(sed -E 's/.*median ([0-9.]+) %.*/\1/' <<<"$errors")
     rms[$model $name]=$(sed -E 's/.*rms ([0-9.]+) %.*/\1/' <<<"$errors")
 }
-# generated MODEL: also finds its area
+# generated MODEL: writes MODEL.obj
 generated() {
     "$radiosity" generate "$1" -o "$1.obj" >out
 }
-part() { awk "BEGIN { print ${area[$1]} / $2 }"; } # part MODEL N: an N-th of its area
+part() { awk "BEGIN { print ${area[$1]} / $2 }"; } # part MODEL N: prints an N-th of the model's area
 
-room() { # room MODEL LIMIT: few places at the edges of shadows make most of its rms
+room() { # room MODEL LIMIT: limits the rms error, most of which comes from few points at edges of shadows
     generated "$1"
     check "$1: is solved" solved default "$1" "${paths[@]}"
     check "... its light is within $2 percent" less "${rms[$1 default]}" "$2"
@@ -41,7 +41,7 @@ orders() { # orders MODEL
     check "... and fewer patches" less "${rms[$1 patches]}" "${rms[$1 few patches]}"
     check "... and lamps that hemicubes see" less "${rms[$1 patches]}" "${rms[$1 seen lamps]}"
 }
-planes() { # planes MODEL LIMIT: of many small planes; the median includes the noise of the paths
+planes() { # planes MODEL LIMIT: limits the median error, which includes the noise of the paths
     generated "$1"
     check "$1: is solved" solved default "$1" 600 68
     check "... its median is within $2 percent" less "${median[$1 default]}" "$2"

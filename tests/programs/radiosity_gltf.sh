@@ -1,13 +1,14 @@
-# glTF through the commands: a file by another program, light that can be calculated, and the tool's own lightmaps.
+# glTF in the commands: a file by another program, lights with closed forms, and the tool's own lightmaps.
 . "$(dirname "$0")/radiosity_program.sh"
 skip_unless perl
+# near A B WITHIN: succeeds if A and B differ by less than that share
 near() { awk -v a="$1" -v b="$2" -v within="$3" 'BEGIN { exit !((a / b - 1) ^ 2 < within ^ 2) }'; }
 
 check "a room by Blender's exporter" solved blender "$SOURCE/tests/support/models/blender.glb" --element 4 --rays 16
 check "... with a note of its lamps" grep -q ': 2 point or spot lights become balls, up to 0.0139 across; 1 spot shines in all directions$' blender.err
 check "... of the right area, which faces its middle" eval 'awk -F, "NR > 1 { area += \$8; away += (10 - \$2) * \$5 + (9 - \$3) * \$6 + (-20 - \$4) * \$7 <= 0 } END { exit !(area > 323.99 && area < 324.01 && !away) }" blender.csv'
 
-# 100 candela, one above a small floor that reflects a half: .5 100 / pi; and a sun of pi lux: .5
+# A small floor reflects a half. 100 candela at the height of 1 give it the radiance .5 100 / pi, a sun of pi lux .5
 floor='{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":5,"material":0}]}],"materials":[{"name":"floor","pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}],
 "accessors":[{"bufferView":0,"componentType":5120,"count":4,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":16,"byteStride":4}],"buffers":[{"byteLength":16,"uri":"data:application/octet-stream;base64,'$(printf '\377\0\1\0\1\0\1\0\377\0\377\0\1\0\377\0' | base64 -w 0)'"}],
 "extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[LIGHT]}},
@@ -22,8 +23,8 @@ check "a sun of pi lux, between patches" eval 'solved sun sun.gltf --element .00
 check "... gives way to --sun" eval 'solved sun sun.gltf --element .0001 --sun 90,0,4,4,4 && near "$(radiance sun)" 2 1e-4 && grep -qx "radiosity: --sun replaces the model.s own suns" sun.err'
 check "transfer" prints '; lamps 1 sun 1$' "$radiosity" transfer sun.gltf -o sun.prt --rays 32 --element .0005 --bands 2
 
-# What export --atlas writes is the same model, with its picture: elements lie at the same places, in any order, and
-# have the same light
+# export --atlas writes the same model with its picture: its elements have the same positions, in any order, and the
+# same light
 perl -e 'print "P6 8 8 255\n", map { chr(40 + 25 * ($_ % 8)) . chr(200) . chr(20 * ($_ >> 3)) } 0 .. 63' >tiles.ppm
 printf 'newmtl floor\nKd .8 .8 1\nmap_Kd tiles.ppm\nnewmtl lamp\nKe 3 2 1\n' >room.mtl
 printf 'mtllib room.mtl\nv -2 0 2\nv 2 0 2\nv 2 0 -2\nv -2 0 -2\nv -1 2 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nusemtl floor\nf 1/1 2/2 3/3 4/4\nusemtl lamp\nf 5 6 7 8\n' >room.obj

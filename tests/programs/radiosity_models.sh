@@ -1,5 +1,5 @@
-# Models far from the origin, decals, odd shapes, and what is no regular file. (obj_reader_test has the forms of text, and
-# what the reader repairs, ignores and refuses.)
+# Models far from the origin, decals, odd shapes, and a pipe as a file of materials. (obj_reader_test tests the forms of
+# text, and what the reader repairs, ignores and refuses.)
 . "$(dirname "$0")/radiosity_program.sh"
 skip_unless convert compare
 
@@ -15,7 +15,7 @@ check "a room with two lamps" far_room near 0 0 0
 check "... in survey coordinates" far_room survey 460123.5 210 5411234.25
 check "... and in earth-centred ones" far_room earth 3980581.25 -12345.5 4966824.75
 for far in survey earth; do
-    # Places, normals, areas and light of every element
+    # Compare positions, normals, areas and light of every element
     check "... has the same light ($far)" eval "paste -d, near.csv $far.csv | awk -F, 'function off(a, b) { return a > b ? a - b : b - a }
         NR > 1 { ++n; s += off(\$9, \$21); light += \$9; if (off(\$6, \$18) > 1e-6 || off(\$8, \$20) > 1e-5 * \$8) ++bad
             for (k = 2; k < 5; ++k) { d = \$(k + 12) - \$k; if (n == 1) first[k] = d; if (off(d, first[k]) > 2e-6) ++bad } }
@@ -28,7 +28,7 @@ check "PLY has all digits" eval '"$radiosity" export survey.rad --ply survey.ply
 check "... lightmaps in OBJ" eval '"$radiosity" export survey.rad --atlas survey >out && grep -qE "^v 460122\.5[0-9]* 21[0-9.]* 54112[0-9]{2}\." survey/model.obj'
 check "... in glTF by a node" grep -q '"translation":\[460123' survey/model.gltf
 
-# A decal in the plane of a wall: the first in the file is in front, in the light by both methods and in the picture
+# If a decal and a wall are in one plane, the first in the file is in front: in both methods' light, and in the picture
 printf 'newmtl decal\nKd .9 .9 .9\nnewmtl wall\nKd .1 .1 .1\n' >decal.mtl
 decal_room() { # decal_room FILE before|after Z: the decal lies at Z; the wall at -1
     local face='usemtl decal\nf 13 14 15 16\n'
@@ -40,7 +40,7 @@ decal_room() { # decal_room FILE before|after Z: the decal lies at Z; the wall a
     done >"$1.floor"
     "$radiosity" render "$1.rad" -o "$1.png" --eye 0,1,.9 --at 0,1,-1 --size 160x120
 }
-alike() { # alike A B: floors within 1 %, and pictures
+alike() { # alike A B: the floors' light differs by at most 1 %, and the pictures are alike
     paste "$1.floor" "$2.floor" | awk '{ d = ($1 - $2) / $2; if (d * d > 0.0001) off = 1 } END { exit NR != 2 || off }' &&
         [ "$(compare -metric AE -fuzz 4% "$1.png" "$2.png" null: 2>&1)" -lt 200 ]
 }
@@ -52,7 +52,7 @@ check "... has the light and the picture without it" alike last behind
 check "... in front of the wall that comes later" decal_room first before -1
 check "... has those with it in front" alike first front
 
-# --- Odd shapes and sizes: they are solved, lit, and seen; with at most one note ---
+# --- Odd shapes and sizes: they are solved, lit, and visible, with at most one note ---
 odd() { # odd TEXT [NOTE [ELEMENT]]
     printf "$1" >model.obj
     solved m model.obj --element "${3-0.01}" --rays 16 && table m.csv 'light += $8 * ($9 + $10 + $11); a += $8' 'a > 0 && light > 0' &&
@@ -68,7 +68,7 @@ check "slivers" odd "${square}v 0.5 0.000002 0.5\nv 1.2 0.5 0.0001\nf 1 4 5\nf 4
 check "a box that is turned inside out" odd 'v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\nf 4 3 2 1\nf 6 7 8 5\nf 2 6 5 1\nf 4 8 7 3\nf 5 8 4 1\nf 3 7 6 2\n' 'no light reaches the fronts'
 check "one part far away" odd "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5 6 7\n"
 
-# --- Rooms, turned by some angle, from lines of two corners, the ceiling's material and the walls' ---
+# --- Rooms, turned by an angle. Each line of input has two corners and the materials of ceiling and walls ---
 rooms() { # rooms FILE ANGLE
     awk -v t="$2" 'BEGIN { print "mtllib rooms.mtl"; c = cos(t); s = sin(t) }
         { for (k = 0; k < 8; ++k) {
@@ -78,13 +78,13 @@ rooms() { # rooms FILE ANGLE
 }
 printf 'newmtl wall\nKd .5 .5 .5\nnewmtl lamp\nKd 0 0 0\nKe 10 10 10\nnewmtl glow\nKd .5 .5 .5\nKe 1 1 1\n' >rooms.mtl
 for turn in 0 1; do
-    for far in 1e4 5e4 1e6 -5e4; do # a negative one: the room is there, and the triangle here
+    for far in 1e4 5e4 1e6 -5e4; do # negative: the room is far from the origin, not the triangle
         rooms m $turn <<<"$(awk "BEGIN { s = $far < 0 ? $far : 0; print s, 0, 0, s + .4, .3, .5, \"glow glow\" }")"
         awk "BEGIN { s = $far > 0 ? $far : 0; printf \"v %f 0 0\nv %f 0 0\nv %f 1 0\nf -3 -2 -1\n\", s, s + 1, s }" >>m.obj
-        check "a room of half a metre that glows, beside a triangle $far away, turned by $turn" solved m m.obj
+        check "a room of half a metre that glows, with a triangle $far away, turned by $turn" solved m m.obj
         check "... has its bounces" table m.csv 'if ($1 < 6) { ++n; if ($9 < 1.999 || $9 > 2.001) ++off }' 'n > 5 && off + 0 == 0'
     done
-    for next in "1 0 0 2 1 1" "0 1 0 1 2 1"; do # behind a wall of the lit one; behind its lamp
+    for next in "1 0 0 2 1 1" "0 1 0 1 2 1"; do # next to the lit room: beyond a wall, above the lamp
         rooms m $turn <<<"$(printf '0 0 0 1 1 1 lamp wall\n%s wall wall\n' "$next")"
         check "a room that shares a wall with one that is lit ($next), turned by $turn" solved m m.obj
         check "... is dark" table m.csv 'if ($1 > 5) { ++n; if ($9 > 0) ++off } else light += $9' 'n > 5000 && light > 5000 && off + 0 == 0'

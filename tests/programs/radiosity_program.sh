@@ -1,15 +1,15 @@
-# Sourced by tests of the radiosity program: sets radiosity, and enters WORK.
+# Sourced by tests of the radiosity program: sets radiosity and changes to the folder WORK.
 . "$(dirname "$0")/common.sh"
 radiosity=$BUILD/radiosity
 needs_built radiosity
 cd "$WORK" || exit 1
-# stopped_at PATTERN FILE: Ctrl-C when the file of what runs behind has such a line; its exit status
+# stopped_at PATTERN FILE: sends Ctrl-C to process pid when the file has a line that matches; returns the exit status
 stopped_at() {
     await grep -qE "$1" "$2"
     kill -INT $pid
     ended $pid
 }
-# solved NAME MODEL OPTION...: NAME.rad and NAME.csv; what it printed is in NAME.out and NAME.err
+# solved NAME MODEL OPTION...: solves the model: NAME.rad, NAME.csv; the outputs go into NAME.out and NAME.err
 solved() {
     local name=$1
     shift

@@ -1,12 +1,12 @@
-# radiosity solve --resume: a solution that was stopped goes on, and ends with the bytes of one that was not.
+# radiosity solve --resume goes on with a stopped solution, and writes the same bytes as without the stop.
 # With "all" as the second argument it is stopped in more steps and by more signals.
 . "$(dirname "$0")/radiosity_program.sh"
 all=${2-}
 
 "$radiosity" generate columns -o columns.obj >/dev/null
 sed -i 's/^Kd .*/Kd 0.95 0.95 0.95/' columns.mtl # solving it takes some 170 sweeps
-# stopped SIGNAL STEP WORDS...: sends the signal when the step has begun and a state was kept. Tries again where the
-# program ended before it was stopped
+# stopped SIGNAL STEP WORDS...: solves, and sends the signal when the step has begun and a state was kept. Tries again
+# if the program ended first
 stopped() {
     local end=$((SECONDS + PATIENCE))
     while [ $SECONDS -lt $end ]; do
@@ -25,7 +25,7 @@ stopped_once() {
     kill -"$signal" $pid 2>/dev/null
     wait $pid
 }
-goes_on() { # SIGNAL STEP WORDS...
+goes_on() { # goes_on SIGNAL STEP WORDS...: a solution that is stopped so can be resumed
     check "$*" stopped "$@"
     [ "$1" = KILL ] || check "... it prints how to go on" grep -q '^to continue: radiosity solve --resume part.rad.state' out
     check "... goes on" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
@@ -44,12 +44,12 @@ for how in "KILL final" ${all:+"INT final"}; do
     goes_on $how "${gather[@]}"
 done
 
-# A material's picture is part of the model, too
+# A state is for one model, and a material's picture is part of it
 paint() { printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\100\100%b' "$1" >paint.tga; } # one texel; its red
 echo 'map_Kd paint.tga' >>columns.mtl
 paint '\0200'
 check "a model with a picture, stopped" stopped INT form "${rays[@]}"
-check "... shows what was written" eval '"$radiosity" export part.rad --csv part.csv && table part.csv "a += \$8" "lines > 1000"'
+check "... has written its elements" eval '"$radiosity" export part.rad --csv part.csv && table part.csv "a += \$8" "lines > 1000"'
 head -c 100000 part.rad.state >cut.state
 check "a state cut short" refuses 2 "is damaged" "$radiosity" solve --resume cut.state
 paint '\0300'

@@ -1,4 +1,4 @@
-# radiosity study --quick: the page, its numbers, a command of it, and an interrupt. What it measures is the same on every
+# radiosity study --quick: the page, its numbers, a command on it, and interrupts. Its figures are the same on every
 # machine and at any load.
 . "$(dirname "$0")/radiosity_program.sh"
 
@@ -6,7 +6,7 @@
 check "the study of a cube" prints '^page/index.html: 9 solutions$' "$radiosity" study cube.obj -o page --quick
 
 # --- The page ---
-parts() { # parts FOLDER LEAST: the files that its page shows or links to are there, LEAST or more, and no others
+parts() { # parts FOLDER LEAST: the folder has the page, the files that it shows or links to (at least LEAST), no others
     grep -oE '(src|href)="[^"]*"' "$1/index.html" | sed 's/.*="//; s/"$//' | sort -u >parts
     (echo index.html && cat parts) | sort >wanted
     [ "$(wc -l <parts)" -ge "$2" ] && ls "$1" | sort | diff - wanted >&2
@@ -19,15 +19,15 @@ for csv in page/*.csv; do
 done
 
 # --- Figures ---
-cell() { awk -F, -v n="$2" "$3 { print \$n; exit }" "page/$1.csv"; } # cell TABLE COLUMN CONDITION
-check "passes: the light that came and the light that is left add up" table page/passes.csv 'if ($2 != "") { all += $2; d = all + $3 - 100; if (d < 0) d = -d; if (d > 1) bad = 1 }' '!bad'
-# Light is reflected by the same room again and again
+cell() { awk -F, -v n="$2" "$3 { print \$n; exit }" "page/$1.csv"; } # cell TABLE COLUMN CONDITION: prints a cell
+check "passes: the light so far and the light that is left add up" table page/passes.csv 'if ($2 != "") { all += $2; d = all + $3 - 100; if (d < 0) d = -d; if (d > 1) bad = 1 }' '!bad'
+# Each pass reflects the light of the last one in the same room
 check "... each brings half of the one before: about as much as the room reflects" table page/passes.csv 'if (NR > 3 && NR < 12) { share = $2 / last; if (share < 0.45 || share > 0.6) bad = 1 } last = $2' '!bad'
-check "... with light at once half as many bring it within .01 %" table page/orders.csv 'if ($1 == 0.01) good = $3 <= 0.6 * $2' good
+check "... where new light counts at once, half as many reach .01 %" table page/orders.csv 'if ($1 == 0.01) good = $3 <= 0.6 * $2' good
 for method in gathering Gauss-Seidel 'shooting over'; do
     check "$method converges to the same light" less "$(cell methods_within 5 "/^$method/")" 0.01
 done
-# ... whose form factors are those from the other side, which differ where hemicubes are coarse
+# Shooting uses the form factors of the other direction, which differ where hemicubes are coarse
 check "shooting by hemicubes ends within a tenth of it" less "$(cell methods_within 6 '/by hemicubes, single/')" 10
 check "one gather: four times the pixels have at most a third of the error" less "$(cell gathering 6 '/^one/ && $2 == 100')" "$(cell gathering 6 '/^one/ && $2 == 25 { $6 /= 3 } /^one/ && $2 == 25')"
 check "... one hemicube of 50 is nearer to the finest than four of 25" less "$(cell gathering 6 '/^one/ && $2 == 50')" "$(cell gathering 6 '/^four turned/ && $2 == 25')"
@@ -35,19 +35,19 @@ check "whole solutions: twice the pixels are better" table page/rasters.csv 'if 
 check "interpolated light is twice as near as flat light" less "$(cell display 5 '/interpolated/')" "$(cell display 5 '/flat/ { $5 /= 2 } /flat/')"
 check "two sizes by two rasters: finer ones are nearer in the median" table page/table.csv 'm[NR] = $9' 'NR == 5 && m[3] < m[2] && m[5] < m[4] && m[4] < m[2] && m[5] < m[3]'
 check "the reference was compared with path tracing" grep -qE 'The reference itself differs from path tracing, .*, by (less than )?[0-9.]+ % \(rms; median [0-9.]+ %\)' page/index.html
-# A command on the page makes the solution of its row: it has the same number of patches
+# A command on the page repeats the solution of its row: it has the same number of patches
 follow() {
     local row command
     row=$(grep -m1 -E '^"[0-9]+ patches, shot by' page/solutions.csv) || return
     command=${row#*radiosity solve} && command=${command%\"}
     eval "\"$radiosity\" solve ${command/OUT.rad/followed.rad}" >out 2>err && row=${row#\"} && grep -q "[^0-9]${row%% *} patches" out
 }
-check "a command of it gives its solution" follow
+check "a command on the page repeats its solution" follow
 
 # --- Interrupts and errors ---
-interrupted() { # in this chapter, with this line; tried again where the next chapter has begun
+interrupted() { # interrupted CHAPTER LINE: fails if the next chapter had begun: then it is tried again
     rm -rf x
-    behind "$radiosity" study cube.obj -o x --progress --quick
+    in_background "$radiosity" study cube.obj -o x --progress --quick
     ! stopped_at "^progress: $1.* %" err && grep -qx "radiosity: $2" err && [ ! -e x/rasters.csv ]
 }
 check "an interrupt ends its reference, with a line" await interrupted reference "interrupted: no page is written"

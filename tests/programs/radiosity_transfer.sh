@@ -1,12 +1,12 @@
-# `radiosity transfer`: a room lit by any environment and its lamps, against solutions for that light; a model of
-# many small polygons, with --check; gloss; and Ctrl-C.
+# `radiosity transfer`: a room relit by environments and lamps, against solutions for the same light; a model of many
+# small polygons, with --check; gloss; and Ctrl-C.
 . "$(dirname "$0")/radiosity_program.sh"
 . "$SOURCE/tests/programs/room.sh"
 needs_built compare
 skip_unless convert perl
 
-# sky FILE DEGREES: a picture of all directions, 64 x 32: a bright spot over an even sky, DEGREES of azimuth from the
-# middle
+# sky FILE DEGREES: writes a picture of all directions, 64 x 32: an even sky with a bright spot, DEGREES of azimuth from
+# the middle
 sky() {
     perl -e 'print "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
         for $j (0 .. 31) { for $i (0 .. 63) {
@@ -18,7 +18,7 @@ sky() {
 sky east.hdr 90
 sky ahead.hdr 0
 
-# --- Against solutions for the same light from the same rays ---
+# --- Against solutions for the same light, with the same number of rays ---
 open_room room
 fine=(--element 0.02 --rays 64) size=(--size 160x100)
 at=("${size[@]}" --eye 0,1.5,7 --at 0,1.5,0)
@@ -26,18 +26,18 @@ check "transfer" prints '^5 bands, 25 functions; lamps 1 lamp, 2 spot$' "$radios
 check "... prints its clusters" grep -qE '^40 clusters of [0-9]+ axes: [0-9.]+ MB instead of' printed
 lit() { "$radiosity" render room.prt -o "$1" "${at[@]}" "${@:2}" >out; }
 cp room.mtl whole.mtl
-picture() { # picture NAME SED OPTION...: of a solution with altered lamps
+picture() { # picture NAME SED OPTION...: renders a solution whose lamps were altered
     sed "$2" whole.mtl >room.mtl && solved fresh room.obj "${fine[@]}" "${@:3}" && "$radiosity" render fresh.rad -o "$1" "${at[@]}" >out
 }
 check "an environment" eval "lit east.png --sky east.hdr --lamps none && picture fresh.png '/^Ke/d' --sky east.hdr"
-check "... is much like the solution for all of it" like east.png fresh.png 35
+check "... is like the solution for the whole environment" like east.png fresh.png 35
 check "... and what the bands lose is printed" grep -qE 'east.hdr: 5 bands hold 9[0-9.]* % of its energy and lose [0-9.]* %$' <(lit east.png --sky east.hdr --lamps none; cat out)
 check "one lamp of two" eval "lit spot.png --lamps spot && lit number.png --lamps 2=1 && picture fresh.png 's/^Ke 9 8 6/Ke 0 0 0/'"
 check "... is that lamp's light alone" like spot.png fresh.png 45
 check "... and the same by its number" cmp spot.png number.png
 check "a sky that is turned" lit turned.png --sky ahead.hdr --turn 90 --lamps none
-check "... is the one to which it was turned" like turned.png east.png 50
-check "... not the other" eval 'lit ahead.png --sky ahead.hdr --lamps none && ! like turned.png ahead.png 40'
+check "... is like the sky that lies there" like turned.png east.png 50
+check "... and unlike the sky before the turn" eval 'lit ahead.png --sky ahead.hdr --lamps none && ! like turned.png ahead.png 40'
 light() { "$radiosity" export room.prt --csv light.csv "$@" >out && awk -F, 'FNR > 1 { s += $9 * $8 } END { print s }' light.csv; }
 check "a lamp at twice its strength is twice its light" eval 'awk "BEGIN { d = $(light --lamps lamp=2) / $(light --lamps lamp); exit !(d > 1.9999 && d < 2.0001) }"'
 check "an atlas" eval '"$radiosity" export room.prt --atlas atlas --sky 1,1,1 >out && test -s atlas/light-0.hdr'
@@ -49,7 +49,7 @@ check "gloss" prints '^gloss in [0-9]* squares' "$radiosity" transfer room.obj -
 check "... shows on the polished wall" eval '"$radiosity" render glossy.prt -o glossy.png "${at[@]}" --lamps lamp >out && lit dull.png --lamps lamp && ! like glossy.png dull.png 40'
 
 # --- Any model, and --check ---
-# Hundreds of small triangles, curved, beneath a lamp, in centimetres. (obj_reader_test has what other programs write)
+# Hills of hundreds of small triangles beneath a lamp, in centimetres
 awk 'BEGIN { n = 20; print "mtllib hills.mtl\nusemtl grey"
     for (j = 0; j <= n; ++j) for (i = 0; i <= n; ++i) printf "v %g %g %g\n", i * 20 - 200, 40 * sin(i / 3) * cos(j / 3), j * 20 - 200
     for (j = 0; j < n; ++j) for (i = 0; i < n; ++i) { a = j * (n + 1) + i + 1; print "f", a, a + n + 1, a + 1; print "f", a + 1, a + n + 1, a + n + 2 }
@@ -63,14 +63,14 @@ check "... six lights: rows within .01 %, clusters within 1 %" eval '[ "$(errors
 check "a table of its light" "$radiosity" export hills.prt --csv hills.csv --sky 1,1,1
 check "... holds no more than the sky and the lamp give" table hills.csv 'if ($9 < 0 || $9 > 50) ++off' 'lines >= 800 && off + 0 == 0'
 
-# Ctrl-C while it compares: the room is there
-interrupted() { # tried again where it had compared everything
-    behind "$radiosity" transfer room.obj -o stopped.prt --element 0.004 --rays 128 --check
+# Ctrl-C during --check: the room is saved
+interrupted() { # fails if everything was compared: then it is tried again
+    in_background "$radiosity" transfer room.obj -o stopped.prt --element 0.004 --rays 128 --check
     stopped_at '^processor seconds' out
     [ $? = 1 ] && [ "$(cat err)" = "radiosity: interrupted: the check is incomplete; stopped.prt is saved" ]
 }
 check "Ctrl-C ends it with status 1 and one line" await interrupted
-check "... which is true" "$radiosity" render stopped.prt -o stopped.png --size 80x60
+check "... and the room can be rendered" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
 check "a lamp that is not there" refuses 2 "no lamp 'moon'; there are 1 lamp, 2 spot" "$radiosity" render room.prt -o x.png --lamps moon
 check "options for a room with a solution" refuses 2 "is for a room that" "$radiosity" render fresh.rad -o x.png --turn 3

@@ -1,18 +1,18 @@
-# `radiosity view`: its pictures against those of `radiosity render`; what its layers, keys, mouse and wheel do; and
+# `radiosity view`: its pictures against the pictures of `radiosity render`; its layers, keys, mouse and wheel; and
 # models that are solved while they are shown.
 . "$(dirname "$0")/radiosity_window.sh"
 
 view() { "$radiosity" view "$@" >printed 2>err; }
-pixels() { identify -format '%#' "$1"; } # the same for equal ones
+pixels() { identify -format '%#' "$1"; } # equal for equal pictures
 shows() { shot && [ "$(pixels shot.png)" = "$(pixels "$1")" ]; } 2>/dev/null
 alters() { shot && [ "$(pixels shot.png)" != "$(pixels "$1")" ]; } 2>/dev/null
-# The mean of a part of a picture, of a channel: part FILE WIDTHxHEIGHT+X+Y r|g|b
+# part FILE WIDTHxHEIGHT+X+Y r|g|b: prints the mean of a channel in a part of a picture; most: 0.7 times that
 part() { convert "$1" -crop "$2" +repage -format "%[fx:255*mean.$3]" info:; }
 most() { convert "$1" -crop "$2" +repage -format "%[fx:255*mean.$3*0.7]" info:; }
 
 "$radiosity" generate cube -o cube.obj >out
 check "solve a cube" prints '^processor' "$radiosity" solve cube.obj -o cube.rad --element 0.1 --rays 64
-# Hundreds of small triangles, curved, where z is up
+# Bumps of hundreds of small triangles, where z is up
 awk 'BEGIN { n = 20; print "mtllib bumps.mtl\nusemtl grey"
     for (j = 0; j <= n; ++j) for (i = 0; i <= n; ++i) printf "v %g %g %g\n", i / n * 8 - 4, 4 - j / n * 8, 0.4 * sin(i / 3) * cos(j / 3)
     for (j = 0; j < n; ++j) for (i = 0; i < n; ++i) { a = j * (n + 1) + i + 1; print "f", a, a + n + 1, a + 1; print "f", a + 1, a + n + 1, a + n + 2 } }' >bumps.obj
@@ -20,8 +20,8 @@ printf 'newmtl grey\nKd 0.5 0.4 0.3\n' >bumps.mtl
 sky=(--sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --up z --element 0.02 --rays 32)
 check "solve bumps" prints '^800 triangles' "$radiosity" solve bumps.obj -o bumps.rad "${sky[@]}"
 
-# --- The same picture as the tracer's, except on edges, where the samples differ, and within elements, where triangles
-# interpolate a little differently. Measured: 48 to 56 dB; 30 where the logarithm's darkest hundredth is edges ---
+# --- Pictures are the tracer's, except on edges, where the samples differ, and within elements, where triangles
+# interpolate a little differently. Measured: 48 to 56 dB; 30 in the logarithm's tone, where edges are darkest ---
 compared() { # compared DB SOLUTION OPTION...
     local least=$1
     shift
@@ -29,11 +29,11 @@ compared() { # compared DB SOLUTION OPTION...
 }
 size=(--size 300x200) inside=(--size 300x200 --eye 0,5,4.9 --at 0,4,-5)
 check "bumps look as render shows them" compared 44 bumps.rad "${size[@]}" --up z
-check "... from the place that render prints" cmp -s out <(grep -e --eye printed)
+check "... from the camera that render prints" cmp -s out <(grep -e --eye printed)
 check "... and the cube from inside" compared 44 cube.rad "${inside[@]}" --lens 100 --exposure -1
 check "... in the logarithm's tone" compared 28 cube.rad "${inside[@]}" --tone log
 
-# --- A model that is solved first, or while it is looked at ---
+# --- Models that are solved while they are shown ---
 for kind in "bumps ${sky[*]}" "cube --direct hemicube --bounces 3 --patch 2"; do
     set -- $kind
     model=$1 && shift
@@ -51,17 +51,17 @@ check "a plate has 16 patches and 64 elements" grep -q '; 16 patches, 64 element
 front=(--size 200x200 --eye 0,0,2 --at 0,0,0 --lens 60)
 view plate.rad "${front[@]}" --screenshot plain.png
 check "patches" view plate.rad "${front[@]}" --layer patches --screenshot patches.png
-# Few pixels are averages, where patches meet
+# Pixels where patches meet are averages: each of these colours has few pixels
 colours() { convert "$1" -format '%c' histogram:info: | awk '$1 + 0 >= 100' | wc -l; }
 check "... are 16 colours, before black" eval '[ "$(colours patches.png)" = 17 ] && [ "$(colours plain.png)" -lt 17 ]'
 check "elements" view plate.rad "${front[@]}" --layer elements --screenshot elements.png
-# Along a row in the middle of one, what differs from the plain picture; the outer lines may be half there
+# lines GEOMETRY: counts the lines across a row or column, by differences from the plain picture
 lines() { convert elements.png plain.png -compose difference -composite -crop "$1" +repage -threshold 3% txt: | awk '/white|#FFF|255,255,255/ { if (!on) ++n; on = 1; next } !/^#/ { on = 0 } END { print n }'; }
 check "... have 7 lines between 8 of them" eval '[ "$(lines 160x1+20+110)" = 7 ] && [ "$(lines 1x160+110+20)" = 7 ]'
 check "wireframe" view plate.rad "${front[@]}" --layer wireframe --screenshot wire.png
-# A plate of 2 at the distance of 2 is 173 of 200 pixels wide
+# A plate of width 2 at the distance of 2 takes 173 of 200 pixels
 check "... is a rectangle's edges, with nothing between" eval '[ "$(convert wire.png -trim -format "%[fx:w>=172&&w<=176]" info:)" = 1 ] && [ "$(convert wire.png -crop 160x160+20+20 -format "%[fx:maxima]" info:)" = 0 ]'
-check "of the back nothing is shown" eval 'view plate.rad --size 200x200 --eye 0,0,-2 --at 0,0,0 --screenshot back.png --layer elements && [ "$(convert back.png -format "%[fx:maxima]" info:)" = 0 ]'
+check "the back is not shown" eval 'view plate.rad --size 200x200 --eye 0,0,-2 --at 0,0,0 --screenshot back.png --layer elements && [ "$(convert back.png -format "%[fx:maxima]" info:)" = 0 ]'
 # The middle of the cube's far wall sees the red wall on its right, the green one on its left, the lamp above. Its
 # hemicube lies in the lower right corner: 4 x 37 pixels wide, 8 from the borders; the top face in its middle
 check "hemicube" view cube.rad --size 480x300 "${inside[@]:2}" --layer hemicube --screenshot hemicube.png
@@ -108,14 +108,14 @@ printed() { [ "$(grep -ce '^--eye' out)" -gt $lines ]; }
 prints_camera() { lines=$(grep -ce '^--eye' out); xdotool key c; await printed; }
 check "key C prints the camera" prints_camera
 check "... where it was put" eval '[ "$(camera)" = "${at[*]} --up y --exposure 0 --tone film --size 300x200" ]'
-flies() { # KEY COORDINATE: until that is another one
+flies() { # flies KEY COORDINATE: holds the key until the coordinate changes
     await rests
     from=$(place "$2")
     xdotool keydown "$1"
     await flown "$2"
     xdotool keyup "$1"
 }
-# A key that was released counts for one more picture
+# A released key moves the camera for one more picture
 rests() {
     local was
     was=$(camera)
@@ -123,7 +123,9 @@ rests() {
 }
 flown() { prints_camera && [ "$(place "$1")" != "$from" ]; }
 place() { camera | awk -v k="$1" '{ split($2, eye, ","); split($4, at, ","); print (k > 3 ? at[k - 3] : eye[k]) }'; }
-ahead() { [ $1 = 1 ] && less "$2" "$3" || { [ $1 = -1 ] && less "$3" "$2"; }; } # SIGN FROM TO
+ahead() { # ahead SIGN FROM TO
+    [ $1 = 1 ] && less "$2" "$3" || { [ $1 = -1 ] && less "$3" "$2"; }
+}
 for move in "w 3 -1" "a 1 -1" "e 2 1"; do
     set -- $move
     check "key $1 flies" flies "$1" "$2"
@@ -139,7 +141,7 @@ check "another size" await measures 400 150
 same() {
     prints_camera && [[ $(camera) = *"--size 400x150" ]] && "$radiosity" render cube.rad -o render.png $(camera) >printed && shot && like shot.png render.png 40
 }
-check "... shows as much; a camera's line gives the same picture of render" await same
+check "... is filled; key C prints the camera with which render draws the same" await same
 check "ESC ends it with status 0, silently" escapes
 check "a plate from behind" begin "$radiosity" view plate.rad --eye 0,0,-2 --at 0,0,0 --size 200x200
 await focused
@@ -147,7 +149,7 @@ check "... is black" await is_black 200x200+0+0
 on_key b "... and with B it is not" eval '! is_black 200x200+0+0'
 check "ESC ends it" escapes
 
-# ESC does not wait for form factors. (light_so_far_test has the light that is shown while it is solved)
+# ESC does not wait for form factors. (light_so_far_test tests the light that is shown meanwhile)
 "$radiosity" generate columns -o columns.obj >out
 check "a model that takes long" begin "$radiosity" view columns.obj --hemicube 1024 --element 1 "${size[@]}"
 check "... gets form factors" await titled 'form factors'

@@ -1,10 +1,10 @@
-# `radiosity view` of a room: its pictures against those of `render`, the sky turned by the mouse, lamps, bands and
-# clusters by keys.
+# `radiosity view` of a room: its pictures against the pictures of `render`; the sky, which the mouse turns; lamps,
+# bands and clusters, which keys change.
 . "$(dirname "$0")/radiosity_window.sh"
 skip_unless perl
 shows() { shot && like shot.png "$1" 46; } 2>/dev/null
 
-# A sky with an odd name
+# A sky whose name has characters that a shell interprets
 sky="it's a \$sky\" "
 perl -e 'print "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
     for $j (0 .. 31) { for $i (0 .. 63) { print pack("C4", $i < 32 ? (200, 90, 40, 129) : (30, 60, 120, 128)) } }' >"$sky"
@@ -39,7 +39,7 @@ check "... shows" await shows bands.png
 on_key 'bracketright bracketright bracketright bracketright' "key ]: and back" shows plain.png
 on_key p "key P: clusters" titled '40 clusters of 8 axes'
 check "... show" await shows clusters.png
-on_key minus "key -: an axis less" titled 'of 7 axes'
+on_key minus "key -: one axis less" titled 'of 7 axes'
 check "... shows" await shows axes.png
 on_key equal "key =: and back" titled 'of 8 axes'
 on_key period "key .: twice as many clusters" titled '80 clusters of 8 axes  lamps'
@@ -50,7 +50,7 @@ on_key F3 "... and back" shows plain.png
 xdotool mousemove --window "$window" 50 100 mousedown 3 mousemove --window "$window" 80 100 mousemove --window "$window" 200 100 mouseup 3
 check "the right button turns the sky" await shows turned.png
 check "... by a third of a degree for a pixel" await titled 'turn 50 '
-# The line of key C, read by a shell: clusters, a tilt, and the sky's name
+# A shell reads the line of key C: with clusters, a tilt, and the sky's name
 xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 100 85 mouseup 3
 await titled 'tilt 5  '
 on_key 'p comma minus' "other clusters" titled '40 clusters of 7 axes  lamps'
@@ -62,7 +62,7 @@ like_both() { shot && like shot.png view.png 46 && like shot.png render.png 44; 
 check "... which show the same" await like_both
 check "ESC ends it with status 0, silently" escapes
 
-# More lamps than there are numbers, and of other strengths than 1
+# More lamps than number keys, some of strengths other than 1
 balls=()
 for k in $(seq 11); do balls+=(--lamp "-1.$((9 - k % 10)),0.$((k % 9 + 1)),-1.$((k % 9)),0.2,$((k % 3)),2,$((k % 2))"); done
 check "a room of 13 lamps" prints '13 ball 11$' "$radiosity" transfer hall.obj -o many.prt --rays 16 --element 0.04 --bands 2 "${balls[@]}"

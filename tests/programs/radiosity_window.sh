@@ -1,4 +1,4 @@
-# Sourced by the tests of `radiosity view`: what they need, and its window on a display.
+# Sourced by the tests of `radiosity view`: skips them where something is missing, and starts a display.
 . "$(dirname "$0")/display.sh"
 . "$(dirname "$0")/room.sh"
 skip_unless convert

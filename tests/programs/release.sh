@@ -1,4 +1,4 @@
-# tools/release: archives that are the same twice, unpack with their file modes, and hold a film that runs.
+# tools/release makes archives that are equal in two runs, unpack with their file modes, and contain a film that runs.
 . "$(dirname "$0")/common.sh"
 skip_unless zip unzip tar gzip sha256sum
 git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a release is made of a commit, and here is no repository"; exit 77; }
@@ -23,9 +23,8 @@ tgz=$(echo "$WORK"/one/odraz-[0-9]*.tar.gz) zip=$(echo "$WORK"/one/*.zip)
 name=$(basename "$tgz" .tar.gz)
 check "the name has the version" test "$name" = "odraz-$("$BUILD/odraz-safe" --version | cut -d' ' -f2)-unclean"
 
-# unpacked HOW COMMAND...: each way that a viewer may unpack
 modes() { (cd "$WORK/$1/$name" && find . -type f -printf '%m %f\n' | LC_ALL=C sort | tr '\n' ,); }
-unpacked() { # unpacked HOW PROGRAMS-FOR-WINDOWS COMMAND...
+unpacked() { # unpacked HOW PROGRAMS-FOR-WINDOWS COMMAND...: unpacks as a viewer may do
     local how=$1 exe=${2#0} files=$((7 + $2))
     shift 2
     mkdir "$WORK/$how"
@@ -52,7 +51,7 @@ check "... and has the size for Windows" grep -q "$(stat -c %s "$BUILD/odraz.exe
 check "... and has the size" grep -q "$(stat -c %s "$BUILD/odraz" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
 for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2 Wine odraz.exe; do check "README.txt mentions $word" grep -qF -e "$word" "$inside/README.txt"; done
 
-# The index: what it links to is there
+# The index links to all files, and to no others
 if [ "$pages" = 1 ]; then
     links() { grep -oE '(href|src)="[^"]*"' "$WORK/one/index.html" | cut -d'"' -f2 | sort -u; }
     check "the index has links to all files" test "$(links)" = "$(ls "$WORK/one" | grep -vx index.html | LC_ALL=C sort)"
@@ -62,7 +61,7 @@ check "the tools alone" prints "odraz-tools-.*gz\$" "$release" --built --unclean
 check "... have the same files, in one archive" diff <(tar -tzf "$WORK"/tools/*) <(tar -tzf "$WORK"/one/odraz-tools-*)
 check "... nothing else can be alone" refuses 2 "--only takes tools, not 'film'" "$release" --only film
 
-# The tools: in an archive of their own, for older systems, too
+# The tools' archive, which also runs on older systems
 tools=odraz-tools-${name#odraz-}-linux-x86_64
 check "the tools unpack" tar -C "$WORK" -xzf "$WORK/one/$tools.tar.gz"
 cd "$WORK/$tools" || exit 1
@@ -88,11 +87,11 @@ check "... what the one of build/ solves" bash -c '"$2" solve "$1/cube.obj" -o "
 check "... and reports what is wrong with a file" refuses 2 "cannot read" ./radiosity solve "$WORK/needs.obj" -o "$WORK/x"
 cd "$WORK" || exit 1
 
-# What is refused
+# Wrong arguments and programs are refused
 check "a poster that is none" refuses 2 "is no PNG" "$release" --poster "$BUILD/odraz"
 check "a folder that cannot be" refuses 1 "cannot write into" "${made[@]}" --to /proc/here
 check "programs that are not there" env BUILD="$WORK" bash -c '"$@" 2>&1 | grep -q "is not built"' - "${made[@]}" --to "$WORK/three"
-refuses_unclean() { # a program whose version is marked: its tree differed
+refuses_unclean() { # the + of a program's version marks that its tree differed
     mkdir "$WORK/other"
     printf '#!/bin/sh\necho odraz 1.2.3 0123456789ab+\n' >"$WORK/other/odraz"
     chmod +x "$WORK/other/odraz"
@@ -107,7 +106,7 @@ check "a build for Windows of another commit" env BUILD="$WORK/other" bash -c '"
 cp "$BUILD/odraz-safe.exe" "$BUILD/pack" "$WORK/other"
 check "... a packed one" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz.exe is of another build"' - "${made[@]}" --to "$WORK/three"
 check "... and leaves nothing" test -z "$(ls -A "$WORK/three")"
-# A small repository, whose programs are of its commit, and whose figures are stale
+# A small repository whose programs are of its commit and whose figures are stale
 mkdir -p "$WORK"/house/{intro,build,tools/measure}
 cd "$WORK/house" || exit 1
 cp "$SOURCE/intro/film.conf" intro

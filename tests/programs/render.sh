@@ -1,5 +1,5 @@
-# tools/render: the bytes are the same however the film is divided, wherever its shards are made, and when they were
-# interrupted, lost or damaged and are made again.
+# tools/render makes the same bytes however the film is divided and on whatever hosts, also when shards were
+# interrupted, lost or damaged.
 . "$(dirname "$0")/common.sh"
 skip_unless ffmpeg ffprobe
 needs_built compare
@@ -11,7 +11,7 @@ parted=("${small[@]}" --shard 5) # in three
 to=$WORK/to
 mkdir "$to"
 rendered() { "$render" --film "$film" "$@" >"$WORK/out" 2>"$WORK/err" || { cat "$WORK/err" >&2; return 1; }; }
-fails() { ! rendered "$@" 2>/dev/null; } # WORK/err has the reason
+fails() { ! rendered "$@" 2>/dev/null; } # WORK/err gets the reason
 reported() { grep -qx "tools/render: $1" "$WORK/err"; }
 parts_gone() { [ -z "$(find "$WORK" -name '*.parts')" ]; }
 same_video() { cmp "$to/one.mp4" "$1" && cmp "$to/one.mp4.manifest" "$1.manifest"; }
@@ -44,20 +44,21 @@ check "it holds H.264 and AAC" test "$(shown codec_name)" = "h264 aac"
 check "... twelve frames" test "$(shown nb_read_frames | cut -d' ' -f1)" = 12
 check "... and is .48 s long" test "$(shown duration)" = "0.480000 0.480000"
 check "... marked as Rec. 709" test "$(shown pix_fmt,color_range,color_space,color_transfer,color_primaries | cut -d' ' -f-5)" = "yuv420p tv bt709 bt709 bt709"
-like() { # like MATRIX: how near the last frame is, with its colours by that matrix
+like() { # like MATRIX: prints the PSNR of the last frame, whose colours are converted by that matrix
     ffmpeg -loglevel error -y -i "$to/one.mp4" -vf "select=eq(n\,11),scale=in_color_matrix=$1,format=rgb24" -frames:v 1 "$WORK/last.ppm" &&
         "$BUILD/compare" "$WORK/last.ppm" "$to/one/frame-000406.ppm" | sed 's/psnr \([0-9.]*\).*/\1/'
 }
-check "... which it is" less "$(awk "BEGIN { print $(like bt601) + 1 }")" "$(like bt709)"
+check "... which is true" less "$(awk "BEGIN { print $(like bt601) + 1 }")" "$(like bt709)"
 check "it can be played before it is whole" eval '[ "$(grep -abo -m 1 moov "$to/one.mp4" | head -n 1 | cut -d: -f1)" -lt "$(grep -abo -m 1 mdat "$to/one.mp4" | head -n 1 | cut -d: -f1)" ]'
 check "a video without loss" rendered "${parted[@]}" "$to/one.mkv"
 check "... has every bit of the frames" cmp <(ffmpeg -loglevel error -i "$to/one.mkv" -c:v ppm -f image2pipe -) <(cat "$to"/one/*.ppm)
 check "... and of the music" cmp <(ffmpeg -loglevel error -i "$to/one.mkv" -f s16le -) <("$film" --wav - "${span[@]:0:4}" | tail -c +45)
 
 # --- Shards that were lost or damaged ---
-# kept: the folder of finished shards, as it was kept
 parts=$to/r.mp4.parts
-kept() { rm -rf "$parts" && cp -r "$to/kept.mp4.parts" "$parts"; }
+kept() { # restores the folder of finished shards
+    rm -rf "$parts" && cp -r "$to/kept.mp4.parts" "$parts"
+}
 resumes() { # resumes LEFT
     rendered "${parted[@]}" --resume --keep "$to/r.mp4" && reported "$((3 - $1)) of 3 shards are there, $1 to do" && same_video "$to/r.mp4"
 }
@@ -97,13 +98,13 @@ for out in broken.mp4 broken; do
     touch "$WORK/bad"
 done
 
-# No room: a file may have 100 kB more than the film
+# No room: a file may be 100 kB larger than the film
 limit=$((($(stat -c %s "$film") + 100000) / 1024))
 check "no room for a shard" eval '(ulimit -f $limit; fails "${span[@]}" --size 320x180 --quality draft "$to/full.mp4")'
 check "... is reported" grep -q '^tools/render: frames 395 to 406 failed: ' "$WORK/err"
 check "... and with room it goes on" rendered "${span[@]}" --size 320x180 --quality draft --resume "$to/full.mp4"
 
-# Ctrl-C, as a terminal sends it: to all of them
+# Ctrl-C, which a terminal sends to all processes of the group
 interrupted() { # interrupted OUT OPTION...
     local began
     set -m
@@ -118,14 +119,14 @@ interrupted() { # interrupted OUT OPTION...
 }
 all_gone() { ! grep -lqF "$to" /proc/[0-9]*/cmdline 2>/dev/null && ! ls -l /proc/[0-9]*/cwd 2>/dev/null | grep -qF "$to"; }
 check "Ctrl-C ends it" interrupted "$to/int.mp4" --jobs 2
-check "... and all that it began" await all_gone
+check "... and all that it started" await all_gone
 check "... and what was done is still there" eval 'ls "$to/int.mp4.parts"/*.sums >/dev/null'
 rm -r "$to/int.mp4.parts"
 
 # --- On hosts, by GNU parallel ---
 if command -v parallel >/dev/null; then
-    # A stand-in for ssh: the host `broken` fails when it should draw, `patient` draws only after that, and `deaf` cannot
-    # be reached
+    # A stand-in for ssh: the host `broken` fails when it should draw, `patient` draws only after that, and `deaf` does
+    # not answer
     cat >"$WORK/ssh" <<END
 #!/usr/bin/env bash
 case "\$*" in
@@ -157,7 +158,7 @@ END
     rm -r "$to/none.mp4.parts"
     hosts 1/: far
     check "Ctrl-C ends GNU parallel" interrupted "$to/int.mp4" --ssh "$WORK/ssh" --hosts "$WORK/hosts"
-    check "... and all that it began" await all_gone
+    check "... and all that it started" await all_gone
     rm -r "$to/int.mp4.parts"
 else
     echo "not checked: hosts, for GNU parallel is not installed"
@@ -167,12 +168,12 @@ fi
 check "an option that the film refuses" refuses 2 "--quality needs draft" "$render" --film "$film" --quality best "$to/x.mp4"
 check "an odd size" refuses 2 "even width and height" "$render" --film "$film" "${small[@]}" --size 65x36 "$to/x.mp4"
 check "a folder that holds something" refuses 2 "not an empty folder" "$render" --film "$film" "$to/one"
-# Without ffmpeg it would install it: here it cannot
+# It would install a missing ffmpeg: here it cannot
 mkdir "$WORK/bin"
 for program in bash dirname cat sed grep id basename; do ln -s "$(command -v $program)" "$WORK/bin"; done
 printf '#!/bin/sh\nexit 1\n' | tee "$WORK/bin/dpkg-query" "$WORK/bin/sudo" >"$WORK/bin/env"
 chmod +x "$WORK/bin/"*
-check "no ffmpeg, and none to be had" eval 'PATH=$WORK/bin fails "$to/x.mp4"'
+check "no ffmpeg, which cannot be installed" eval 'PATH=$WORK/bin fails "$to/x.mp4"'
 check "... is reported" grep -qx 'render: apt-get could not install ffmpeg' "$WORK/err"
 check "what it refuses leaves nothing" parts_gone
 finish

@@ -1,10 +1,10 @@
-# What pack and tools/ledger pack report of sizes: pages, texts and JSON add up to the file, and earlier ones are compared.
+# pack and tools/ledger pack report sizes: pages, texts and JSON add up to the file, and are compared with earlier ones.
 . "$(dirname "$0")/common.sh"
 skip_unless perl objdump gcc ar
 pack=("$BUILD/pack" --model "$SOURCE/tests/support/small.model") page=$SOURCE/tests/programs/report/page.pl
 cd "$WORK" || exit 1
 
-# A program of two files, one of them in an archive, with padding, constants without names, and two names for one thing
+# A program of two files, one of them in an archive, with padding, unnamed constants, and two names for one function
 mkdir folder
 cat >folder/main.c <<'END_C'
 #include <stdio.h>
@@ -18,7 +18,7 @@ gcc -O1 -c folder/main.c -o folder/main.o && gcc -O1 -c twice.c && ar rc libtwic
     gcc folder/main.o libtwice.a -Wl,-Map=program.map -o program || exit 1
 packs=("${pack[@]}" program -o packed --map program.map)
 sums() { perl "$page" "$@" sums; }
-json_sums() { # of a report, in whole bits
+json_sums() { # json_sums REPORT: its figures add up, in whole bits
     perl -MJSON::PP -e 'local $/; my $r = decode_json(<>); my $n = 0;
         for my $part (grep { ref $r->{$_} && %{$r->{$_}} } keys %$r) {
             my $all = 8 * $r->{overhead} + $r->{rest}; $all += $_->{bits} for values %{$r->{$part}};
@@ -67,7 +67,7 @@ check "a page of what is over budget is written" over
 
 check "an earlier report that is not there yet is noted" eval '"${packs[@]}" --text - --than none >text 2>note && grep -qx "pack: there is no none yet, so nothing is compared: keep a --report there" note && grep -q " symbol" text'
 
-# --- What is refused, before anything is packed or written ---
+# --- Refused before anything is packed or written ---
 echo '{"file": 5}' >foreign
 rm packed
 for words in "--than foreign: foreign: not a report of pack" "--report none/x: cannot write none/x"; do
@@ -75,7 +75,7 @@ for words in "--than foreign: foreign: not a report of pack" "--report none/x: c
 done
 check "nothing is written then" eval '[ ! -e packed ] && [ ! -e x.html ] && ! ls | grep part'
 
-# --- tools/ledger, with this program instead of the film ---
+# --- tools/ledger, with this program in place of the film ---
 mkdir -p film/generated && cp program film/odraz.elf && cp program.map film/odraz.map && ln -s "$BUILD/pack" film/pack && : >film/generated/symbols && cp a.html film/odraz
 check "the film's page" env BUILD=film "$SOURCE/tools/ledger" pack --html film.html --than "$SOURCE/intro/size_ledger.json" >/dev/null
 check "... adds up" sums film.html >/dev/null

@@ -1,4 +1,4 @@
-# odraz-debug and an editor of GNU Rocket that takes orders (rocket/editor.pl).
+# odraz-debug with a stand-in for the editor of GNU Rocket, which takes orders (rocket/editor.pl).
 . "$(dirname "$0")/display.sh"
 needs_built "$FILM-debug"
 skip_unless openbox xmllint perl
@@ -13,7 +13,7 @@ has() { grep -qF "$1" "$document"; }
 check "... with every number of a camera" eval 'for n in {eye,target}.{x,y,z} roll lens; do has "<track name=\"table.camera.tableWide:$n\">" || exit 1; done'
 check "... and a scene's own tracks" has '<track name="hall:exposure">'
 check "... keys are on the film's rows" eval 'sed -n "/tableWide:eye.y/,/<.track>/p" "$document" | grep -qF "row=\"160\" value=\"1.5\" interpolation=\"2\""'
-check "... in whose names no two are alike" test -z "$(grep '<track ' "$document" | sort | uniq -d)"
+check "... whose names differ" test -z "$(grep '<track ' "$document" | sort | uniq -d)"
 check "no folder" refuses 1 "cannot write $WORK/none/tracks" "$debug" --tracks "$WORK/none/tracks"
 
 # --- An editor ---
@@ -30,7 +30,7 @@ WINDOW="^$FILM-debug "
 begin "$debug" --mute --threads 1 --size 160x90 --from 20 --quality draft --rocket "127.0.0.1:$port"
 [ -n "$window" ] && xdotool windowfocus --sync "$window"
 received() { grep -qxF "$1" "$WORK/received"; }
-check "the film comes, and greets" comes 'received film'
+check "the film connects, with its greeting" comes 'received film'
 check "... offers its tracks" comes "received 'track credits:page'"
 check "... as many as are in the document" test "$(grep -c '^track ' "$WORK/received")" = "$(grep -c '<track ' "$document")"
 check "... and sends its row while it plays" comes '[ "$(grep -c "^row " "$WORK/received")" -ge 3 ]'
@@ -47,7 +47,7 @@ order key table.camera.tableWide:eye.y 160 2.3 2
 check "a key of the editor is seen" comes '! is before'
 order key table.camera.tableWide:eye.y 160 1.5 2
 check "... and the picture is the same to the bit when all keys are the film's" comes 'is before'
-# Interpolations that the film does not have
+# Interpolations that the film does not use
 order row 2
 check "it seeks to the light" comes 'titled "row 2.0 "'
 drawn
@@ -64,7 +64,7 @@ check "... which is the film's" comes 'is light'
 order row 168
 check "it seeks again" comes 'titled "row 168.0 "'
 
-# --- By hand ---
+# --- Keys set in the window ---
 press Right
 check "the film seeks, too" comes 'titled "row 172.0 "'
 check "... and sends it to the editor" comes "received 'row 172'"
@@ -83,11 +83,11 @@ kept flown
 cp "$WORK/shot.png" "$WORK/flown.png"
 press k
 check "a key is set" comes 'titled "key set on row" && titled "172"'
-# The film's keys have few bits (PATH(kTableWide, 8) in show/film.keys): the view is kept almost
+# The film's keys have few bits (PATH(kTableWide, 8) in show/film.keys), so the key keeps the view approximately
 error() { shot && compare -metric RMSE "$WORK/flown.png" "$WORK/shot.png" null: 2>&1 | sed 's/.*(\(.*\))/\1/'; }
-check "... which keeps the view, as nearly as the table can" comes '! is film && less "$(error)" 0.1'
+check "... which keeps the view approximately" comes '! is film && less "$(error)" 0.1'
 press r
-check "... of the script" comes '! is film && less "$(error)" 0.1'
+check "... which is the script's view now" comes '! is film && less "$(error)" 0.1'
 echo "somebody's work" >"$FILM.rocket"
 press x
 check "a file of others is not written over" comes 'titled "$FILM.rocket is there already"'
@@ -103,9 +103,9 @@ rm "$FILM.rocket"
 order save
 check "writes it on the order of the editor, too" comes '[ -s "$FILM.rocket" ]'
 
-# (rocket_test has editors that come and go, and that send nonsense)
+# (rocket_test tests editors that come and go, and that send nonsense)
 order hang-up
-check "the film comes again" comes '[ "$(grep -cx film "$WORK/received")" = 2 ]'
+check "the film connects again" comes '[ "$(grep -cx film "$WORK/received")" = 2 ]'
 check "the picture is the film's own" comes 'is film'
 check "nothing that the editor received was nonsense" eval '! grep -q "nonsense\|stranger" "$WORK/received"'
 xdotool key --window "$window" Escape 2>/dev/null

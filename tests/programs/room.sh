@@ -1,10 +1,10 @@
-# Sourced by the tests of rooms that are relit, after common.sh.
+# Sourced by tests of rooms that are relit, after common.sh.
 
-# like A B DB: two pictures with a PSNR above DB
+# like A B DB: succeeds if the PSNR of two pictures is above DB
 like() { less "$3" "$("$BUILD/compare" "$1" "$2" | sed -E 's/psnr (inf|[0-9.]+).*/\1/; s/inf/999/')"; }
 
-# open_room NAME: writes NAME.obj and NAME.mtl, a room without its front wall, with a lamp below its ceiling and another
-# at its left wall
+# open_room NAME: writes NAME.obj and NAME.mtl, a room without its front wall, with one lamp below its ceiling and
+# another on its left wall
 open_room() {
     cat >"$1.mtl" <<'END'
 newmtl grey

@@ -1,16 +1,16 @@
-# The film on screens of many sizes: its picture is as large as the screen allows, in the middle, with black beside it.
+# The film on screens of many sizes: its picture is in the middle, as large as possible, and the rest is black.
 . "$(dirname "$0")/display.sh"
 odraz=$BUILD/odraz-safe
 
-# shows WIDTH HEIGHT X Y W H [OPTION...]: plays on a screen of this size, and checks that the film fills the rectangle
-# at (X, Y) and nothing beside it. The sky at 24 s is bright in its upper corners
+# shows WIDTH HEIGHT X Y W H [OPTION...]: plays on a screen of this size; succeeds if the film fills the rectangle at
+# (X, Y) and the rest is black. At 24 s the sky is bright in the upper corners
 shows() {
     start_display "$1x$2"
     await plays "lit $3 $4 $5 $6 $1 $2" "${@:7}"
 }
-# plays CONDITION [OPTION...]: until it holds. On a busy machine the film may end first: then it plays again
+# plays CONDITION [OPTION...]: plays the film until it holds; fails if the film ends first, as on a busy machine
 plays() {
-    behind "$odraz" --mute --threads 1 --from 24 --to 60 "${@:2}"
+    in_background "$odraz" --mute --threads 1 --from 24 --to 60 "${@:2}"
     comes "$1" && kill $pid && await gone $pid
 }
 brightness() { convert "$WORK/screen.png" -crop "$1" +repage -colorspace gray -format '%[fx:round(255*mean)]' info:; }

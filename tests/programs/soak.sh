@@ -1,14 +1,14 @@
 # The film in a window for some minutes: whole, then from a random moment, and so on in turns; the last run is cut
-# short. Every scene is shown. Each run ends by itself, prints nothing on standard error, and takes no more memory,
-# descriptors or threads after its first third, nor than the whole film did. It plays to a PulseAudio server, if there
-# is one.
+# short. Every scene is shown. Each run ends by itself and prints nothing on standard error. After its first third it
+# takes no more memory, descriptors or threads, and never more than the whole film. It plays to a PulseAudio server, if
+# there is one.
 #   soak.sh BUILD [MINUTES]
 . "$(dirname "$0")/display.sh"
 . "$(dirname "$0")/recorded.sh"
 minutes=${2:-3} mute=--mute
 LENGTH=164 # seconds of film
 LEAST=6    # seconds of the shortest run
-ROOM=8     # MB that a run may grow by after its first third, for scenes that it had not shown before
+ROOM=8     # MB by which a run may grow after its first third, for scenes that it has not shown before
 cp "$BUILD/odraz" "$WORK/film" # a copy, because the original may be rebuilt meanwhile
 start_display 1280x720
 if can_serve; then
@@ -17,22 +17,22 @@ if can_serve; then
     mute=
 fi
 
-# looks SECONDS: a line a look at the process: milliseconds, MB, descriptors, threads; ends it when it hangs
+# looks SECONDS: prints the process's milliseconds, MB, descriptors and threads each second; kills it when it hangs
 looks() {
     local began=${EPOCHREALTIME/[.,]/} at descriptors
     until gone $pid; do
         at=$(((${EPOCHREALTIME/[.,]/} - began) / 1000))
         [ $at -lt $((($1 + PATIENCE) * 1000)) ] || kill -KILL $pid
         descriptors=$(ls "/proc/$pid/fd" 2>/dev/null | wc -l)
-        # (a process that is about to end has neither memory nor descriptors)
+        # (a process that is ending has neither memory nor descriptors)
         [ "$descriptors" = 0 ] || awk -v at=$at -v descriptors="$descriptors" \
             '/^VmRSS/ { mb = $2 / 1024 } /^Threads/ { print at, mb, descriptors, $2 }' "/proc/$pid/status" 2>/dev/null
         sleep 1
     done
 }
-# taken: of the looks at a run that was started up, which lasts 1.5 times the time of its first picture and a second:
-# their number; the most memory, descriptors and threads; how many MB more than in the first third; how many descriptors
-# and threads more in all of the last third than in the first
+# taken: sums up the looks at a run after its start, which lasts 1.5 times the time of the first picture and a second.
+# Prints their number; the most memory, descriptors and threads; how many MB more than in the first third; how many more
+# descriptors and threads the last third has at least than the first third has at most
 taken() {
     awk -v first="$(sed -n 's/^first picture after \(.*\) s$/\1/p' "$WORK/out")" '
         first != "" && $1 >= 1500 * first + 1000 { ++n; for (k = 2; k <= 4; ++k) value[k, n] = $k }
@@ -52,14 +52,14 @@ whole=()
 for ((run = 1, end = SECONDS + $(awk "BEGIN { printf \"%d\", $minutes * 60 }"); end - SECONDS >= LEAST; ++run)); do
     from=$((run % 2 ? 0 : RANDOM % (LENGTH - LEAST))) left=$((end - SECONDS))
     to=$((from + left < LENGTH ? from + left : LENGTH))
-    behind "$WORK/film" --window --size 1280x720 --from $from --to $to --stats $mute
+    in_background "$WORK/film" --window --size 1280x720 --from $from --to $to --stats $mute
     looks $((to - from)) >"$WORK/looks"
     check "run $run, $from to $to s, ends with status 0" ended $pid
     [ $FAILED = 0 ] || finish
     check "... prints nothing on standard error" test ! -s "$WORK/err"
     read -r n mb descriptors threads mb_more descriptors_more threads_more <<<"$(taken)"
     echo "    $n looks: $mb MB, $descriptors descriptors, $threads threads at most"
-    [ "$n" -ge 3 ] || continue # too busy a machine for three looks: growth cannot be judged
+    [ "$n" -ge 3 ] || continue # the machine is too busy for three looks: growth cannot be judged
     check "... within 512 MB" less "$mb" 512
     check "... takes at most $ROOM MB more after its first third" less "$mb_more" $ROOM.01
     check "... no more descriptors" test "$descriptors_more" -le 0

@@ -1,10 +1,10 @@
-# The film's music as the packed film writes it: whole, in parts, and as it must sound.
+# The music that the packed film writes: whole, in parts; its loudness, and the times of its events.
 . "$(dirname "$0")/common.sh"
 skip_unless ffmpeg sha256sum
 needs_built listen
 unset DISPLAY
 packed=$BUILD/odraz
-odraz=$BUILD/odraz-safe # the same program, as is checked: it need not be unpacked first
+odraz=$BUILD/odraz-safe # the same program, as is checked below; it starts without unpacking
 wav=$WORK/film.wav
 
 check "the whole music is written" "$packed" --wav "$wav"
@@ -14,7 +14,7 @@ check "odraz-safe writes the same, whatever the number of threads" cmp "$wav" <(
 format() { ffprobe -v error -show_entries stream=codec_name,sample_rate,channels,duration -of csv=p=0 "$1"; }
 check "it is a WAV of 48 kHz, 16 bits, stereo" test "$(format "$wav")" = pcm_s16le,48000,2,164.000000
 
-# A part is a slice of the whole: samples at or after a time belong to it
+# A part is a slice of the whole, from its first sample at or after --from
 body() { tail -c +45 "$1"; }
 slice() { tail -c +$((45 + 4 * $1)) "$wav" | head -c $((4 * ($2 - $1))); }
 shard() { "$odraz" --wav "$WORK/shard.wav" --from "$1" --to "$2" && [ "$(format "$WORK/shard.wav")" = "pcm_s16le,48000,2,$5" ] && cmp <(body "$WORK/shard.wav") <(slice "$3" "$4"); }
@@ -56,7 +56,7 @@ check "no octave has more than half of a scene" octaves
 onset='$4 >= -20 && $4 <= 20 && $5 >= 2.5'
 check "every cut and every audible event is heard, within 20 ms" heard onset "$onset"
 check "... more than 50 of them" test "$(grep -c '^onset' "$WORK/heard")" -gt 50
-# Music that is a row late is found, and a click in it
+# Music that is a row late, with a click, must be found
 (head -c 44 "$wav"; head -c 24000 /dev/zero; body "$wav" | head -c 4000000; printf '\377\077\377\077'; body "$wav" | tail -c +4000005 | head -c -24000) >"$WORK/late.wav"
 "$BUILD/listen" "$WORK/late.wav" >"$WORK/late"
 late() { [ "$(awk -F, "/^onset/ && !($onset)" "$WORK/late" | wc -l)" -ge 15 ]; }

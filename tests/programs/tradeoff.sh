@@ -1,14 +1,14 @@
-# `tradeoff` and `bench_pack`, which measure the tracer's speed and accuracy, and the packer's: small runs, of one scene
-# or of all.
+# Small runs of `tradeoff` and `bench_pack`, which measure the tracer's and the packer's speed and accuracy, with one
+# scene or with all.
 #   tradeoff.sh BUILD [all]
 . "$(dirname "$0")/common.sh"
 needs_built tradeoff
 skip_unless g++
 tradeoff=$BUILD/tradeoff
-# the scenes, and those in which qualities are compared
-scenes=(field) apart=(field)
+# the scenes, and the ones in which qualities are compared
+scenes=(field) compared=(field)
 if [ "${2-}" = all ]; then
-    scenes=(A B field point table flake patches hall odraz credits) apart=(A B field table flake hall)
+    scenes=(A B field point table flake patches hall odraz credits) compared=(A B field table flake hall)
 fi
 quick=("$tradeoff" trace --width 256)
 check "the tracer's trade-off is measured" \
@@ -18,9 +18,9 @@ check "... as a table, its measures named" \
 for scene in "${scenes[@]}"; do
     check "... with the qualities of $scene" test "$(grep -c "^$scene," "$WORK/csv")" = 3
 done
-# measured COLUMN SCENE SETTING
+# measured COLUMN SCENE SETTING: prints a cell
 measured() { awk -F, -v column="$1" -v scene="$2" -v setting="$3" '$1 == scene && $2 == setting { print $column }' "$WORK/csv"; }
-for scene in "${apart[@]}"; do
+for scene in "${compared[@]}"; do
     for pair in "draft play" "play film"; do
         set -- $pair
         check "... in which $2 is nearer than $1 in $scene: by FLIP" less "$(measured 5 $scene $2)" "$(measured 5 $scene $1)"
@@ -40,7 +40,7 @@ check "... and used again" cmp "$WORK/first" <(again)
 check "a level of the governor's has samples between those of its qualities" \
     less "$(sed -n 's/^credits,level=1.5,\([^,]*\),.*/\1/p' "$WORK/first")" "$(sed -n 's/^credits,play,\([^,]*\),.*/\1/p' "$WORK/first")"
 
-# (a program of some hundred bytes, since the film takes a second)
+# (a program of a few hundred bytes, since the film takes a second)
 bash "$SOURCE/packer/example/build.sh" "$BUILD/pack" "$WORK" >/dev/null
 packed() { "$BUILD/bench_pack" "$@" >"$WORK/csv"; }
 bytes() { sed -n '2s/^[^,]*,\([^,]*\),.*/\1/p' "$WORK/csv"; }

@@ -1,6 +1,6 @@
 # tools/watch from a clone, without a display and with one.
-#   watch.sh BUILD [full]     with `full`: it builds, and makes the whole video. Otherwise built programs stand in for
-#                             its build, and the film is one of 24 s with small frames
+#   watch.sh BUILD [full]     with `full` it builds, and makes the whole video. Otherwise it uses built programs, and
+#                             the film has 24 s and small frames
 . "$(dirname "$0")/display.sh"
 skip_unless ffmpeg ffprobe g++
 needs_built contact_sheet
@@ -15,7 +15,7 @@ house="$WORK/a house"
 to=$house/build
 copy_sources "$house"
 mkdir -p "$WORK/bin" "$to"
-# In place of CMake: it builds until its count is shown
+# In place of CMake: ends when tools/watch has shown its count
 cat >"$WORK/bin/cmake" <<END
 #!/bin/bash
 [ \$1 = --build ] || exit 0
@@ -42,21 +42,21 @@ else
     export PATH="$WORK/bin:$PATH"
 fi
 
-behind env -u DISPLAY "$house/tools/watch"
+in_background env -u DISPLAY "$house/tools/watch"
 check "without a display it ends with status 0" ended $pid
-check "... printed at first what it does and how long it takes" eval \
+check "... first prints what it does and how long it takes" eval \
     'sed -n 1p "$WORK/err" | grep -q "^building the film: some two minutes .* log in .*/build/build.log$"'
-check "... and that there is no display, before it built" eval 'sed -n "/^no display/,\$p" "$WORK/err" | grep -q "^building: "'
-check "... made a contact sheet of 33 frames" prints ' 1956x1560 ' identify "$to/film.png"
+check "... prints that there is no display, before it builds" eval 'sed -n "/^no display/,\$p" "$WORK/err" | grep -q "^building: "'
+check "... makes a contact sheet of 33 frames" prints ' 1956x1560 ' identify "$to/film.png"
 probe() { ffprobe -v error -show_entries stream=codec_name,duration -of csv=p=0 "$to/film.mp4" | tr '\n' ' '; }
 check "... and a video of $length seconds, one of every ten, with sound" test "$(probe)" = "h264,$length.000000 aac,$length.000000 "
 
 touch "$WORK/broken"
 export PATH="$WORK/bin:$PATH"
-behind env DISPLAY=:99999999 "$house/tools/watch"
+in_background env DISPLAY=:99999999 "$house/tools/watch"
 ended $pid
 check "a build that fails ends it with status 1" test $? = 1
-check "... and what was printed" grep -qx 'no compiler' "$WORK/err"
+check "... and prints why" grep -qx 'no compiler' "$WORK/err"
 check "a display that cannot be opened is none" grep -q '^no display (DISPLAY is :99999999, ' "$WORK/err"
 
 rm "$WORK/broken"

@@ -1,9 +1,9 @@
-# The film's page in Chromium and Firefox: golden pictures, the music, and playing. What its player shows
-# at a stated time for each picture, on a simulated clock.
+# The film's page in Chromium and Firefox: golden pictures, music, and playing. Its player is also tested alone, on a
+# simulated clock, with a stated time for each picture.
 . "$(dirname "$0")/display.sh"
 skip_unless node chromium firefox-esr
 [ -s "$BUILD/$FILM.html" ] || { echo "there is no $BUILD/$FILM.html: build film_web first"; exit 77; }
-# Decibels of PSNR: SwiftShader, Chromium's OpenGL, does not draw hemicubes as Mesa does
+# The least PSNR in dB: SwiftShader, Chromium's OpenGL, draws hemicubes differently from Mesa
 declare -A tolerance=([chromium]=30 [firefox]=45)
 start_display 1280x800
 export TMPDIR=$WORK # for the browsers' profiles
@@ -19,7 +19,7 @@ done
 for browser in ${BROWSERS:-chromium firefox}; do
     out=$WORK/$browser
     mkdir "$out"
-    # Every other golden picture, the rest by the other browser
+    # Every other golden picture; the other browser draws the rest
     moments=$(printf '%s\n' $FILM_TRACED $FILM_LIT | awk -v odd=$([ $browser = firefox ]; echo $?) 'NR % 2 == odd')
     check "$browser" timeout "$PATIENCE" node "$SOURCE/tests/programs/web/page.mjs" $browser "$BUILD/$FILM.html" \
         "$out" $moments

@@ -1,7 +1,7 @@
 # The film in a window: it starts, draws, resizes, fills the screen, and leaves.
 . "$(dirname "$0")/display.sh"
 skip_unless xprop openbox wmctrl
-packed=$BUILD/odraz odraz=$BUILD/odraz-safe # the same program, which need not be unpacked for seconds
+packed=$BUILD/odraz odraz=$BUILD/odraz-safe # the same program, which starts without unpacking
 
 fills_the_screen() { xprop -id "$window" _NET_WM_STATE | grep -q FULLSCREEN; }
 load() { begin "$@" --threads 1 && await focused; } # load PROGRAM OPTION...
@@ -13,7 +13,7 @@ check "plays on the full screen" play "$packed" --from 100
 check_full_screen
 check "ESC leaves" leaves xdotool key Escape
 
-# Loading: a bar that grows, and that can be left
+# Loading: a bar grows, and ESC ends the film
 check "opens a window" load "$packed"
 check "a bar grows while it loads" grows $pid
 check "ESC leaves while it loads" leaves xdotool key Escape
@@ -24,10 +24,10 @@ looks() { import -window "$window" rgb:- | md5sum; }
 stands() { [ "$(looks)" = "$(sleep 0.4; looks)" ]; }
 moves() { ! stands; }
 xdotool key space
-check "stands by the space bar" await stands
-check "... for longer" stands
+check "space pauses" await stands
+check "... and it stays paused" stands
 xdotool key space
-check "... and goes on by it" await moves
+check "... and space goes on" await moves
 xdotool windowsize "$window" 900 300
 check "draws at another size" await is_black 180x300+0+0
 check "with bars at both sides" await is_black 180x300+720+0
@@ -44,7 +44,7 @@ check "nothing is printed on standard error" test ! -s "$WORK/err"
 
 check "plays to its end by itself" prints ^credits timeout "$PATIENCE" "$packed" --window --size 320x180 --from 161 --stats
 
-# What is missing is also reported in a small window
+# Missing things are also reported in a small window
 clicked_away() { xdotool mousemove 60 60 click 1; sleep 0.1; gone $pid; }
 leaves_by_click() {
     await clicked_away
@@ -72,7 +72,7 @@ check "plays in a window there" play "$odraz" --window --size 640x360 --from 30
 check "... managed by the window manager" await managed
 check "the close button leaves" leaves wmctrl -i -c "$window"
 
-# The display goes away under a playing film
+# The display ends while the film plays
 check "plays once more" play "$odraz" --window --size 320x180 --from 30
 kill "${PIDS[0]}"
 ended $pid

@@ -1,4 +1,4 @@
-# Tests of this film and its tools, which a new film (tools/new-film) does not have
+# Tests of this film and its tools, which a new film does not have
 odraz_test(trace adaptive_test 5 subject)
 odraz_test(trace adaptive_faults_test 4 engine)
 odraz_test(sound note_test 2 recording)
@@ -21,7 +21,7 @@ endif()
 if(TARGET solving)
     odraz_test(tools/radiosity regions_test 1 solving)
     odraz_test(tools/radiosity solution_test 3 solving)
-    # These read what was exported by another reader
+    # These read exported files with independent libraries
     if(TINYOBJ_INCLUDE)
         odraz_test(tools/radiosity atlas_test 5 measuring exported)
         odraz_test(tools/radiosity pictured_test 5 measuring exported)
@@ -52,8 +52,8 @@ odraz_test(packer pe_test 1 packing)
 target_sources(packer_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests/support/pe_rules.cpp)
 odraz_test(packer report_test 1 reporting)
 
-# The proof of the maths is not run under sanitizers. Here it tests one float of 251; with tools/test --long it tests
-# all, some billions of calls, and the whole film
+# The proof of the maths is not run under sanitizers. Usually it tests every 251st float; tools/test --long tests all
+# floats, in billions of calls, and the whole film
 if(NOT ODRAZ_SANITIZE)
     odraz_program(base maths_exhaustive_test engine)
     set_source_files_properties(base/maths_exhaustive_test.cpp PROPERTIES COMPILE_OPTIONS -O3)

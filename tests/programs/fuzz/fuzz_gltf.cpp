@@ -1,5 +1,5 @@
-// For libFuzzer: whatever a glTF holds, `radiosity solve` refuses it with a line or can work with it. It
-// writes into the current folder.
+// For libFuzzer: whatever a glTF file holds, `radiosity solve` either refuses it with one line or can divide
+// it. Writes into the current folder.
 #include "tests/programs/fuzz/use_mesh.h"
 
 #include <fstream>

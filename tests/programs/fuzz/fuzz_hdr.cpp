@@ -1,5 +1,5 @@
-// For libFuzzer: whatever a picture of the sky holds, `radiosity solve --sky` refuses it with a line or makes
-// a sky and suns from it. It writes into the current folder.
+// For libFuzzer: whatever a picture of the sky holds, `radiosity solve --sky` either refuses it with one line
+// or makes a sky and suns from it. Writes into the current folder.
 #include "tools/common/command_line.h"
 #include "tools/radiosity/read/surroundings.h"
 

@@ -1,6 +1,6 @@
-// For libFuzzer: whatever a model and its materials hold, `radiosity solve` refuses them with a line or can
-// work with them. The input is the OBJ; what follows a byte of 255 becomes m.mtl beside it. It writes into
-// the current folder.
+// For libFuzzer: whatever a model and its materials hold, `radiosity solve` either refuses them with one line
+// or can divide the model. The input is the OBJ file; bytes after a byte of 255 are its materials, m.mtl.
+// Writes into the current folder.
 #include "tests/programs/fuzz/use_mesh.h"
 
 #include <fstream>

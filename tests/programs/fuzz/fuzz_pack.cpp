@@ -1,5 +1,5 @@
-// For libFuzzer: whatever the input is, the packer's readers return a program or throw an error. The
-// first byte of the input chooses the reader.
+// For libFuzzer: whatever the input is, the packer's readers either return a program or throw an error. The
+// first byte of the input selects the reader.
 #include "packer/model/model_parameters.h"
 #include "packer/read/programs.h"
 #include "packer/stub/pe_format.h"
@@ -18,7 +18,7 @@ using namespace pack;
 
 namespace {
 
-// Puts payload header, masks and payload behind `front`, with a correct checksum over everything from
+// Appends `parts` (payload header, masks and payload) to `front`, with a correct checksum of all bytes from
 // `checkedFrom` on.
 Bytes packedAround(const Bytes &front, const Bytes &parts, size_t checkedFrom) {
     Bytes file = front;
@@ -31,7 +31,7 @@ Bytes packedAround(const Bytes &front, const Bytes &parts, size_t checkedFrom) {
     return file;
 }
 
-// Makes the input the header, masks and payload of a file that is otherwise valid.
+// Returns a valid file, except that its payload header, masks and payload are the input.
 Bytes packedElf(const Bytes &input) {
     Front front = {};
     front.segments[2].p_memsz = 0x10000;
@@ -41,7 +41,7 @@ Bytes packedElf(const Bytes &input) {
     return packedAround(before, input, 0);
 }
 
-// The same for Windows, except that headers may be wrong: the reader compares them last.
+// The same for Windows. Here headers may be wrong, too: the reader compares them last.
 Bytes packedPe(const Bytes &input) {
     PeFront front = {};
     front.sections[1].memorySize = 0x10000;
@@ -56,7 +56,7 @@ Bytes packedPe(const Bytes &input) {
 void decodeTwice(Bytes file, const Packed &packed) {
     uint32_t memory = stubMemory(packed.parameters, packed.layout.size);
     std::memcpy(&file[sizeof(Front) + sizeof kStub + offsetof(PayloadHeader, memory)], &memory, 4);
-    file.resize(file.size() + 2000 * 20 + 100); // no bit takes more than 20
+    file.resize(file.size() + 2000 * 20 + 100); // a decoded bit takes at most 20 bits
     Workspace workspace;
     if (decodeWithStub(kElf, file) !=
         decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace))
@@ -96,10 +96,10 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             if (parseParameters(printParameters(parameters)) != parameters) std::abort();
             break;
         }
-        case 4: // as it is, or as the parts of a valid file
+        case 4: // the input is a whole file, or the parts of a valid one
             readPacked(kPe, data[0] < 128 ? input : packedPe(input));
             break;
-        case 5: { // a file that is accepted must keep the rules of Windows
+        case 5: { // an accepted file must keep the rules of Windows
             Program program = readProgram(input, kWindows);
             if (program.span < 1 << 20 && !brokenPeRule(kPe.writePlain(program)).empty()) std::abort();
             break;

@@ -1,5 +1,5 @@
-// For libFuzzer: whatever a file of pictures holds, the reader refuses it with a line or returns pictures of
-// the size that they claim, of numbers that can be compared.
+// For libFuzzer: whatever a file of pictures holds, the reader either refuses it with one line or returns
+// pictures of the stated sizes with finite values.
 #include "tools/common/command_line.h"
 #include "tools/picture/picture_file.h"
 
@@ -21,7 +21,7 @@ static void mustBeSound(const Picture &p) {
     if (!good) std::abort();
 }
 
-// Mends the checksums of a PNG, or no damage would reach the decoder.
+// Corrects the checksums of a PNG: otherwise no damage would reach the decoder.
 static void mendPng(std::string &file) {
     if (!file.starts_with("\x89PNG")) return;
     for (size_t at = 8, size; at + 12 <= file.size(); at += size + 12) {

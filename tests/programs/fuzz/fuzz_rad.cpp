@@ -1,6 +1,6 @@
-// For libFuzzer: whatever a solution's file holds, `radiosity` refuses it with a line or can work with it.
-// The input is the file after its checksum, which is then computed: otherwise no input would pass it. It
-// writes into the current folder.
+// For libFuzzer: whatever a solution's file holds, `radiosity` either refuses it with one line or can export
+// and render it. The input is the file without its checksum, which is computed: no input would have the right
+// one. Writes into the current folder.
 #include "tools/engine/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"

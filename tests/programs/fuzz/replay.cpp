@@ -1,6 +1,6 @@
-// replay SEED...: gives a reader each file, then damaged copies of it, which are the same in every run: cut
-// short, with bytes changed, removed, repeated or taken from another seed. The sanitizers report
-// what the reader does wrong; the input is then in the file `input`.
+// replay SEED...: gives each seed to a reader, then damaged copies of it: cut short, or with bytes changed,
+// removed, repeated or taken from another seed. Every run makes the same copies. The sanitizers report the
+// reader's faults; the file `input` then has the input at fault.
 
 #include <algorithm>
 #include <cstdio>
@@ -13,14 +13,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 namespace {
 
-constexpr int kDamagedCopies = 150; // of each seed
+constexpr int kDamagedCopies = 150; // for each seed
 
 void run(const std::string &input) {
     std::ofstream("input", std::ios::binary) << input;
     LLVMFuzzerTestOneInput((const uint8_t *)input.data(), input.size());
 }
 
-// Changes the text in one to four places. Numbers at the edges of their ranges are likelier to do harm
+// Changes the text in one to four places. Values at the edges of ranges find more faults.
 std::string damaged(std::string text, const std::string &other, std::mt19937 &chance) {
     auto below = [&](size_t n) { return n ? chance() % n : 0; };
     static const uint8_t kEdges[] = {0x00, 0x01, 0x7f, 0x80, 0xff, '0', '-', '/', ' ', '\n'};

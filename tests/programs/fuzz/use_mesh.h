@@ -1,4 +1,4 @@
-// What a fuzzer does with a mesh that was read.
+// Checks and divides a mesh, for fuzzers of its readers.
 #pragma once
 
 #include "tools/radiosity/divide/regions.h"
@@ -11,7 +11,7 @@
 
 namespace odraz::radiosity {
 
-// Checks what readers of a mesh rely on
+// Aborts unless points are finite, indices are valid, and reflectance and emission are in range.
 inline void mustBeSound(const Mesh &mesh) {
     bool good = !mesh.triangles.empty();
     for (const Vec3d &p : mesh.points)
@@ -27,7 +27,8 @@ inline void mustBeSound(const Mesh &mesh) {
     if (!good) std::abort();
 }
 
-// The first reader of a mesh must accept it; `clamp`: pictures are clamped.
+// Divides a mesh into charts, as `solve` does, and samples a picture at its texture coordinates. `clamp`: the
+// picture is clamped, not repeated.
 inline void useMesh(const Mesh &mesh, bool clamp) {
     static auto model = std::make_unique<Model>();
     mustBeSound(mesh);

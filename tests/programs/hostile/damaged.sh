@@ -1,9 +1,9 @@
-# The packed film, cut short and with wrong bytes: it reports that it is damaged, or the system refuses it. It
-# never runs, never hangs, and leaves nothing behind.
+# The packed film, cut short and with wrong bytes, reports that it is damaged, or the system refuses it. It never runs,
+# never hangs, and leaves no files.
 #   damaged.sh BUILD [TRIES] [SEED]
-# The first 656 bytes cannot be guarded: the header that the system and its loader read, and the code of the check
-# itself (packer/README.md). A changed byte there could make the program do anything, so these bytes are only cut off,
-# not changed. tests/programs/packed.sh damages a small program everywhere.
+# The film cannot check its first 656 bytes: the header, which the system and its loader read, and the code of the check
+# itself (packer/README.md). A changed byte there could make the program do anything, so these bytes are not changed;
+# the file is only cut there. tests/programs/packed.sh damages a small program everywhere.
 . "$(dirname "$0")/../common.sh"
 tries=${2:-100} seed=${3:-$((EPOCHSECONDS % 30000))}
 needs_built odraz
@@ -17,10 +17,10 @@ cd "$WORK/in" || exit 1
 broken=$WORK/broken
 check "the film, whole, runs" prints '^odraz' "$film" --version
 
-from() { local span=$(($2 - $1)); at=$(($1 + (RANDOM * 32768 + RANDOM) % span)); } # from A B: sets at, A <= at < B
-write() { dd of="$broken" bs=1 seek="$1" conv=notrunc status=none; }             # write OFFSET: from standard input
+from() { local span=$(($2 - $1)); at=$(($1 + (RANDOM * 32768 + RANDOM) % span)); } # from A B: sets at at random, A <= at < B
+write() { dd of="$broken" bs=1 seek="$1" conv=notrunc status=none; }             # write OFFSET: writes standard input there
 reports_it() { refuses 1 "damaged: get it afresh" "$broken" --dump - --from 20 --to 20.04 --size 16x9; }
-each() { # each COMMAND: damages $broken by the command, $tries times
+each() { # each COMMAND: damages $broken by the command, $tries times; the film must report it each time
     local n
     for ((n = 1; n <= tries; ++n)); do
         cp "$film" "$broken"
@@ -29,7 +29,7 @@ each() { # each COMMAND: damages $broken by the command, $tries times
         reports_it || { echo "try $n of seed $seed: $*, at $at of $size" >&2; return 1; }
     done
 }
-wrong_bytes() { # up to 4096 of them, from anywhere in the file
+wrong_bytes() { # copies up to 4096 bytes from anywhere in the file
     local to
     from $UNGUARDED "$size"
     to=$at
@@ -40,7 +40,7 @@ cut_anywhere() {
     from 660 "$size"
     truncate -s $at "$broken"
 }
-filled_up() { # its end is zeros
+filled_up() { # replaces the file's end by zeros
     from 660 $((size - 100))
     truncate -s $at "$broken"
     truncate -s "$size" "$broken"
@@ -49,7 +49,7 @@ check "wrong bytes, $tries times" each wrong_bytes
 check "cut short" each cut_anywhere
 check "cut short, and zeros in place of the rest" each filled_up
 
-# Cut at the borders of what there is: header, check, stub, pages, last bytes
+# Cut at the borders of the header, the check, the stub and pages, and in the last bytes
 refused_somehow() {
     local status
     truncate -s 0 "$broken"

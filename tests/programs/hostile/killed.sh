@@ -1,14 +1,14 @@
-# A dump that is killed at any moment leaves whole frames, and the one that it was writing as FRAME.PID.part. A killed
-# process cannot clean up; a later dump ignores such a file like any other.
+# A dump that is killed at any moment leaves whole frames, and the frame that it was writing as FRAME.PID.part, since a
+# killed process cannot clean up. A later dump ignores such a file.
 #   killed.sh BUILD [KILLS] [SEED]
 . "$(dirname "$0")/../common.sh"
 kills=${2:-50} seed=${3:-$((EPOCHSECONDS % 30000))}
-odraz=$BUILD/odraz-safe # the same program, which need not unpack itself first
+odraz=$BUILD/odraz-safe # the same program, which starts without unpacking
 unset DISPLAY WAYLAND_DISPLAY
 echo "    seed $seed"
 RANDOM=$seed
 cd "$WORK" || exit 1
-# Ten frames, large enough to be met while they are written
+# Ten frames, large enough to be killed while they are written
 part=(--from 20 --to 20.4 --size 1280x720 --quality draft)
 TIMEFORMAT='%U %S'
 takes=$({ time "$odraz" --dump reference "${part[@]}"; } 2>&1 | awk '{ print int(100 * ($1 + $2)) + 1 }') # of processor time
@@ -31,7 +31,7 @@ killed() { # a dump that has ended before it is killed does not count
         rm -rf dump
         "$odraz" --dump dump "${part[@]}" 2>err &
         pid=$!
-        # At any moment, or, every second time, as soon as anything is there of a certain frame
+        # At a random moment; every second time, as soon as there is a file of a certain frame
         at=$((RANDOM % 10))
         if [ $((n % 2)) = 0 ]; then
             until compgen -G "dump/frame-00050$at.ppm*" >/dev/null || gone $pid; do :; done
@@ -50,7 +50,7 @@ killed() { # a dump that has ended before it is killed does not count
 check "$kills kills: every frame that is there is whole" killed
 echo "    $found frames were there, $parts files *.part were left, $early dumps had ended before"
 
-# A dump that certainly left an unfinished file behind
+# A file as an unfinished dump leaves it
 mkdir -p dump
 echo "half a frame" >dump/frame-000500.ppm.99999.part
 check "a later dump into the same folder" "$odraz" --dump dump "${part[@]}"
@@ -58,7 +58,7 @@ check "... completes it" test "$(ls dump | grep -c 'ppm$')" = "$frames"
 check "... with the same frames" whole
 check "... and leaves unfinished files of other dumps alone" test "$(cat dump/frame-000500.ppm.99999.part)" = "half a frame"
 
-# Two dumps at once, then four, of many small frames: they often write the same frame at the same time
+# Two and four dumps of many small frames at once: they often write the same frame at the same time
 part=(--from 20 --to 24 --size 16x9 --quality draft)
 rm -rf reference
 check "many small frames" "$odraz" --dump reference "${part[@]}"

@@ -1,6 +1,6 @@
-# Odd surroundings: the same picture, or one line. Limits; no /proc, /dev or /sys; setuid; personalities; an empty or a
-# huge environment; folders that are gone, read-only or full; a display that does not exist. Fewer than 4 descriptors
-# or a stack below 64 KB are not tried: the loader and the kernel refuse those.
+# In odd environments the film draws the same picture, or prints one line: limits; no /proc, /dev or /sys; setuid;
+# personalities; empty or huge environment variables; folders that are gone, read-only or full; a display that does not
+# exist. Fewer than 4 descriptors and stacks below 64 KB are not tried: the loader and the kernel refuse them.
 #   surroundings.sh BUILD odraz|odraz-safe
 # (closed descriptors: commandline.sh; missing libraries, old processors, no room: machine.sh; MDWE: machine.sh,
 # packed.sh)
@@ -8,7 +8,7 @@
 name=${2:-odraz-safe}
 odraz=$BUILD/$name
 unset DISPLAY WAYLAND_DISPLAY
-# Descriptors that the caller left open would count, too
+# Close descriptors that the caller left open: they would count
 for fd in /proc/self/fd/*; do fd=${fd##*/}; [ "$fd" -lt 3 ] || [ "$fd" = 255 ] || eval "exec $fd>&-"; done
 chmod 711 "$WORK"
 cd "$WORK" || exit 1
@@ -17,7 +17,7 @@ hall=(--dump - --from 120 --to 120.04 --size 64x36)
 "$odraz" "${plain[@]}" >plain.ppm || exit 1
 "$odraz" "${hall[@]}" >hall.ppm || exit 1
 
-# same plain|hall COMMAND...: runs the command, which ends in the film; the picture is the same, and nothing is printed
+# same plain|hall COMMAND...: runs the film by the command; succeeds if the picture is the same and nothing is printed
 same() {
     local kind=$1
     shift
@@ -26,7 +26,7 @@ same() {
     head -c 300 err >&2
     return 1
 }
-# limited OPTION VALUE COMMAND...: under a limit of the shell's
+# limited OPTION VALUE COMMAND...: runs the command under a limit (ulimit). under OPTION VALUE: sets UNDER to that
 limited() { local limit="ulimit $1 $2"; shift 2; bash -c "$limit"' && exec "$@"' limited "$@"; }
 export -f limited
 under() { local limit="ulimit $1 $2"; shift 2; UNDER=(bash -c "$limit"' && exec "$@"' under); }
@@ -54,7 +54,7 @@ any_room() {
     [ $refused -gt 0 ] && [ $drawn -gt 0 ]
 }
 check "with any limit of memory: the frame, or one line" any_room
-for blocks in 0 1 4; do # of 1024 bytes; a frame has 6,925. The limit is for files, and standard error is one here
+for blocks in 0 1 4; do # 1024 bytes each; a frame has 6,925
     no_room() {
         local line
         rm -rf limit
@@ -65,7 +65,7 @@ for blocks in 0 1 4; do # of 1024 bytes; a frame has 6,925. The limit is for fil
     }
     check "with a limit of $blocks KB for a file" no_room
 done
-# Two seconds of processor time, then the kernel ends it: what is there is whole. All frames would take some 15 s
+# After two seconds of processor time the kernel ends it, with whole frames. All frames would take some 15 s
 timed_out() {
     local frame
     limited -t 2 "$BUILD/odraz-safe" --dump timed --from 20 --to 60 --size 480x270 --quality draft --threads 2 2>err
@@ -74,7 +74,7 @@ timed_out() {
 } 2>/dev/null # which hides the shell's "Killed"
 check "killed at a limit of processor time: frames that are there are whole" timed_out
 
-# --- What it was started with ---
+# --- The environment, folder, signals and personality that it starts with ---
 check "an empty environment" same plain env -i
 check "... for the hall" same hall env -i
 long=$(head -c 120000 /dev/zero | tr '\0' x)
@@ -90,20 +90,20 @@ for display in :99999999 nowhere.invalid:0 / :0.99 unix/:7 "$long"; do
     check "a display that is none: ${display:0:20}" refuses 1 "no X display" env DISPLAY="$display" "$odraz" --window
 done
 
-# --- What only root can arrange ---
+# --- Environments that only root can make ---
 if [ "$(id -u)" != 0 ] || ! unshare --mount true 2>/dev/null; then
     echo "not checked without root: no /proc, full and read-only disks, setuid, another user"
     finish
 fi
-hide() { # hide FOLDER...: sets HIDDEN, which runs a command where these are empty
+hide() { # hide FOLDER...: sets HIDDEN, which runs a command where these folders are empty
     local mounts
     mounts=$(printf 'mount -t tmpfs none %s && ' "$@")
     HIDDEN=(unshare --mount bash -c "$mounts"'exec "$@"' hidden)
 }
 for place in /dev /sys /run /var /proc; do hide $place; check "without $place" same plain "${HIDDEN[@]}"; done
 hide /dev /sys /run /var /proc; check "the hall, without all of these" same hall "${HIDDEN[@]}"
-# on_disk OPTIONS COMMAND: mounts a disk, runs COMMAND, and dumps onto the disk; writes to `report` the exit status and
-# stderr, then the numbers of frames and of parts
+# on_disk OPTIONS COMMAND: mounts a disk, runs COMMAND, and dumps onto the disk. The file `report` gets the exit status,
+# stderr, and the numbers of frames and of unfinished files
 on_disk() {
     unshare --mount bash -c "mkdir -p disk && mount -t tmpfs -o $1 none disk && $2"' && { "$@" 2>err; echo "exit $?"; cat err; ls -R disk | grep -c ppm$; ls -R disk | grep -c part$; true; }' disk \
         "$odraz" --dump disk/d --from 20 --to 20.8 --size 64x36 >report

@@ -1,6 +1,6 @@
-# Command lines of words that are good, bad, extreme, missing, repeated, empty, endless or not even text. Whatever is
-# given, the program ends with status 0, 1 or 2, and leaves no half-written file. When it fails it prints one line on
-# standard error and nothing on standard output; when it succeeds it prints nothing.
+# Random command lines of words that are right, wrong, extreme, missing, repeated, empty, very long or not even text.
+# The program ends with status 0, 1 or 2, and leaves no half-written file. When it fails it prints one line on standard
+# error and nothing on standard output; when it succeeds it prints nothing on standard error.
 #   words.sh BUILD odraz|odraz-safe|pack|radiosity [RUNS] [SEED]
 . "$(dirname "$0")/../common.sh"
 name=${2:-odraz-safe} runs=${3:-100} seed=${4:-$((EPOCHSECONDS % 30000))}
@@ -17,7 +17,7 @@ junk=('' ' ' - -- 0 -1 1e999 -nan inf 99999999999999999999 0x10 +1 .5 1. '٣' '�
     --help= -h ... '*' "'" '"' \\ /dev/null/x none/deeper)
 folders=(d d/ ./e . d/. ž $'\xff' - none/d file /proc "${long:0:300}" "${long:0:5000}")
 files=(a ./b ž $'\xfe' - none/b . file /dev/full /dev/null "${long:0:300}" "${long:0:5000}")
-values() { # values OPTION PLACEHOLDER: sets good to what it may be given, by its name or by its placeholder in --help
+values() { # values OPTION PLACEHOLDER: sets good to values for it, by its name or its placeholder in --help
     case $name$1 in
     odraz*--dump) good=("${folders[@]}") ;;
     odraz*--wav) good=("${files[@]}") ;;
@@ -58,7 +58,7 @@ values() { # values OPTION PLACEHOLDER: sets good to what it may be given, by it
         esac ;;
     esac
 }
-# What each command takes; any other takes all
+# Each command's options; other commands get all options
 declare -A known
 [ "$name" != radiosity ] || for command in generate solve transfer export render; do
     known[$command]=$("$program" $command --help)
@@ -85,13 +85,13 @@ make_words() {
         3) pick "${good[@]-x}"; words+=("$option=$picked") ;;
         4 | 5) pick "${junk[@]}"; words+=("$option" "$picked") ;;
         6 | 7) words+=("$option"); [ ${#good[@]} = 0 ] || { pick "${good[@]}"; words+=("$picked"); } ;;
-        # the first three of each are good
+        # the first three of an option's values are valid
         *) words+=("$option"); [ ${#good[@]} = 0 ] || { pick "${good[@]:0:3}"; words+=("$picked"); } ;;
         esac
     done
     if [ $((RANDOM % 2)) = 0 ]; then words=("${bounds[@]}" "${words[@]}"); else words+=("${bounds[@]}"); fi
 }
-begin() { # sets bounds for the next one
+begin() { # sets bounds for the next command line
     case $name in
     odraz*) bounds=(--size 16x9 --quality draft --from 20 --to 20.04); [ $((RANDOM % 3)) = 0 ] || bounds+=(--dump e) ;;
     pack) pick 'hello.elf -o out' '--test hello' '-d hello -o out' hello.elf fifo '--test fifo' '/dev/zero -o out' 'file -o out'; bounds=($picked) ;;
@@ -101,7 +101,7 @@ begin() { # sets bounds for the next one
     esac
 }
 
-# --- The files that are there ---
+# --- The files that the words name ---
 mkdir "$WORK/given" "$WORK/run"
 echo "a text" >"$WORK/given/file"
 mkfifo "$WORK/given/fifo"
@@ -119,21 +119,21 @@ radiosity)
 esac
 given=$(ls "$WORK/given")
 
-# --- What must hold ---
-complaint() { # prints what is wrong with the run that ended with the status
+# --- Checks ---
+complaint() { # complaint STATUS: prints what is wrong with the last run
     local status=$1 lines
-    [ $name != radiosity ] || sed -i '/^progress: /d' err # what --progress prints
+    [ $name != radiosity ] || sed -i '/^progress: /d' err # lines of --progress
     lines=$(wc -l <err)
     case $status in
     0)
-        # (radiosity lists what it left out of a model, pack how far its search is and that there is no --than yet)
+        # (radiosity prints notes on the model, pack the progress of its search and that there is no file of --than)
         case $name in radiosity) grep -v '^radiosity: ' err ;; pack) grep -vE '^(searching|pack: there is no)' err ;; *) cat err ;; esac |
             sed 's/^/although it succeeded: /' ;;
     1 | 2)
-        # (--doctor lists what is missing, where it is given)
+        # (--doctor prints a list, and exits with 1 if something is missing)
         [ $status = 1 ] && grep -q '^processor: ' out && return
         [ "$lines" = 1 ] && [ -z "$(tail -c 1 err)" ] || echo "$lines lines on standard error"
-        # (pack prints what it found before a file cannot be written)
+        # (pack prints its results before a file cannot be written)
         [ ! -s out ] || [ $name = pack ] || echo "standard output although it failed" ;;
     124 | 137) echo "it did not end" ;;
     *) echo "exit status $status" ;;
@@ -163,7 +163,7 @@ tried() {
         [ "$(ls run)" = "$given" ] || { rm -rf run && cp -a given run; }
     done
     echo "    $succeeded succeeded, $failed failed"
-    [ $succeeded -gt $((runs / 50)) ] && [ $failed -gt $((runs / 50)) ] # else it tries nothing
+    [ $succeeded -gt $((runs / 50)) ] && [ $failed -gt $((runs / 50)) ] # or the words would test little
 }
 check "$runs command lines for $name" tried
 finish

@@ -1,11 +1,11 @@
-# No ordinary test fails for a busy machine: all of them pass three times with four busy loops beside them, and once on
-# one processor.
+# No ordinary test fails for a busy machine: all tests pass three times during four busy loops, and once on one
+# processor.
 #   busy.sh BUILD [CTEST OPTION...]
 . "$(dirname "$0")/../common.sh"
 options=("${@:2}")
-mkdir "$WORK/tests" # a folder of its own, for what ctest writes
+mkdir "$WORK/tests" # a separate folder for ctest's own files
 echo "subdirs(\"$BUILD\")" >"$WORK/tests/CTestTestfile.cmake"
-all_pass() { # all_pass COMMAND...: ctest under the command, with one test more than there are processors
+all_pass() { # all_pass COMMAND...: runs ctest under the command, with one test more at a time than it has processors
     "$@" ctest --test-dir "$WORK/tests" --output-on-failure -j $(($("$@" nproc) + 1)) "${options[@]}" >"$WORK/printed" 2>&1 &&
         grep '^100% tests passed' "$WORK/printed" || { cat "$WORK/printed" >&2; return 1; }
 }
@@ -15,7 +15,7 @@ for _ in 1 2 3 4; do
     loops+=($!)
 done
 PIDS+=("${loops[@]}")
-for round in 1 2 3; do check "four busy loops beside them, round $round" all_pass env; done
+for round in 1 2 3; do check "all tests pass during four busy loops, round $round" all_pass env; done
 kill "${loops[@]}"
-check "on one processor" all_pass taskset -c 0
+check "all tests pass on one processor" all_pass taskset -c 0
 finish

@@ -1,13 +1,13 @@
-# A double-click starts the film that lies in the unpacked archive of tools/release: in Thunar and PCManFM with their
-# default settings, and in Nemo and Caja where these are installed.
+# A double-click starts the film in an unpacked archive of tools/release: in Thunar and PCManFM with their default
+# settings, and in Nemo and Caja where these are installed.
 #
-# By hand, on 2026-11-23, as a user with a system's bus: Nautilus 43.2 starts it; without the x bit it reports that it
-# could not display the file. Dolphin 22.12.3 asks, with and without the x bit, and starts it on "Execute".
+# Tried by hand on 2026-11-23, as a user with a system bus: Nautilus 43.2 starts it; without the x bit it reports that
+# it could not display the file. Dolphin 22.12.3 asks, with and without the x bit, and starts it on "Execute".
 #   bash tests/programs/long/doubleclick.sh BUILD [ARCHIVE.tar.gz]
 . "$(dirname "$0")/../display.sh"
 skip_unless openbox thunar pcmanfm dbus-run-session convert
-export LC_ALL=C # Alt and a letter answer the question, which must be in English
-QUIET=20        # seconds without the film after which one that should not start has not
+export LC_ALL=C # Alt-E answers the question, which must be in English
+QUIET=20        # seconds after which a film that has not started will not start
 archive=${2-}
 if [ -z "$archive" ]; then
     skip_unless zip unzip
@@ -29,7 +29,7 @@ running() { # sets film: the process that runs the file
 }
 windows() { xdotool search --onlyvisible --name . 2>/dev/null | sort; }
 opened() { windows >"$WORK/now"; [ -n "$(comm -13 "$WORK/before" "$WORK/now")" ]; }
-found() { # sets spot, the icon: the middle of the tallest region that differs between selected and not
+found() { # sets spot, the icon's position: the middle of the tallest region that changes when it is selected
     xdotool key Escape
     sleep 0.5
     import -window root "$WORK/folder.png"
@@ -46,10 +46,10 @@ found() { # sets spot, the icon: the middle of the tallest region that differs b
     [ -n "$spot" ]
 }
 clicks() { xdotool mousemove $spot sleep 0.3 click --repeat 2 --delay 120 1; last=$SECONDS; }
-answered() { # the film's window is there; answers one question if it comes first, and repeats a click that was missed
+answered() { # succeeds when the film's window is there; answers a question, and repeats a click without effect
     ! seen || return 0
     running || ! opened || {
-        sleep 1 # once more if the question did not have the keyboard yet
+        sleep 1 # the question may not have the keyboard yet
         ! seen || return 0
         asks=1 last=$SECONDS
         xdotool key alt+e
@@ -70,7 +70,7 @@ clicked() { # sets outcome
     sleep 1
     await eval 'xdotool key Escape; ! running' || outcome+=", which ESC does not end"
 }
-# double_click MANAGER: as a viewer would, with the default settings; sets outcome
+# double_click MANAGER: opens the folder with default settings and double-clicks the film; sets outcome
 double_click() {
     local home=$WORK/$1.$RANDOM group
     mkdir -m 700 "$home"
@@ -82,11 +82,11 @@ double_click() {
     set +m
     clicked
     ! running || kill "$film"
-    # The process group: the manager, its bus, and what they started
+    # The process group has the manager, its bus, and all that they started
     kill -TERM -- "-$group"
     PATIENCE=5 await eval "! kill -0 -- -$group" 2>/dev/null || kill -KILL -- "-$group" 2>/dev/null
 }
-does() { # does OUTCOME MANAGER
+does() { # does OUTCOME MANAGER: succeeds if the double-click has that outcome
     local patience=$PATIENCE
     [[ $1 != *not* ]] || patience=$QUIET
     double_click "$2"

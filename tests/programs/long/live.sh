@@ -1,10 +1,10 @@
-# Live editing: a copy of the house is built, its odraz-debug started, and its sources changed while it plays.
+# Live editing: builds a copy of the house, starts its odraz-debug, and changes the sources while it plays.
 . "$(dirname "$0")/../common.sh"
 . "$SOURCE/tests/programs/display.sh"
 skip_unless git cmake openbox wmctrl convert
 house=$WORK/house
 copy_sources "$house"
-(cd "$house" && git init -q && cp -r intro "$WORK/kept") # its version is looked up at every build
+(cd "$house" && git init -q && cp -r intro "$WORK/kept") # every build looks up its version
 check "configures a copy" cmake -S "$house" -B "$house/build" -G Ninja >/dev/null
 check "builds its $FILM-debug" cmake --build "$house/build" --target "$FILM-debug" >/dev/null
 start_display 800x500
@@ -16,21 +16,21 @@ pcm.!default { type file slave.pcm "nothing" file "$WORK/played" format "raw" }
 pcm.nothing { type null }
 END
 
-# --- The program, and what it reports ---
+# --- The program and its reports ---
 WINDOW="^$FILM-debug "
 starts() { # starts SECONDS OPTION...
     begin "$house/build/$FILM-debug" --size 320x180 --from "$@"
     [ -n "$window" ] && xdotool windowfocus --sync "$window"
 }
-leaves() { press Escape 2>/dev/null; ended "$pid"; } # (its window may be gone before the key is up)
+leaves() { press Escape 2>/dev/null; ended "$pid"; } # (its window may be gone before the key is released)
 leaves_unsaved() { press Escape && comes 'titled "not saved"' && leaves; }
 reported() { grep -q "$1" <(tail -n +$((marked + 1)) "$WORK/err"); }
 mark() { marked=$(wc -l <"$WORK/err"); }
 edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED
 restore() { cp "$WORK/kept/$1" "$house/intro/$1"; }
-# shows COMMAND...: does it, and waits until the picture is that of the new sources
+# shows COMMAND...: runs the command, and waits until the picture of the new sources is shown
 shows() { mark && "$@" && comes 'reported "shown"' && drawn; }
-changes() { # changes NAME FILE SED: another picture comes
+changes() { # changes NAME FILE SED: edits the file, waits for another picture, and keeps it as NAME
     shows edit "$2" "$3" && comes '! same before' && drawn && kept "$1"
 }
 goes_back() { shows restore "$1" && comes 'same before'; }
@@ -42,7 +42,7 @@ fly() {
     xdotool keyup --window "$window" d
     drawn
 }
-unreported() { sleep 5 && drawn; } # a report is over the picture for four seconds
+unreported() { sleep 5 && drawn; } # a report covers the picture for four seconds
 pauses() { press space && comes 'titled paused' && drawn && kept before; }
 
 # --- Sound ---
@@ -85,18 +85,18 @@ check "... and back" goes_back "$table"
 check "it leaves" leaves_unsaved
 check "... and reports nothing else" eval '! grep -v " shown \| error: " "$WORK/err"'
 
-# --- What was edited becomes source ---
+# --- Edits are saved into the sources ---
 film=$house/intro/show/film.keys
-flies() { fly && press k && comes 'titled "key set on row"' && unreported && kept edited; } # and sets a key there
+flies() { fly && press k && comes 'titled "key set on row"' && unreported && kept edited; } # flies, and sets a key
 check "it plays again" starts 20 --mute
 check "it pauses" pauses
-on_row() { # a key that is set there takes the film there
+on_row() { # setting a key moves the film to a row
     press k && comes 'titled "key set on row"' && press ctrl+z && comes 'titled undone' && unreported && kept before
 }
 check "... on a row" on_row
 check "a key is set by hand" flies
 row=$(xdotool getwindowname "$window" | sed -n 's/.* row \([0-9]*\)\.0 .*/\1/p')
-# S without Ctrl flies backwards, and Ctrl may be up first
+# S without Ctrl flies backwards, and Ctrl may be released first
 saves() {
     mark
     xdotool keydown --window "$window" ctrl keydown --window "$window" s keyup --window "$window" ctrl
@@ -113,7 +113,7 @@ check "the film is built of it" cmake --build "$house/build" --target "$FILM-saf
 "$house/build/$FILM-safe" --dump "$WORK/frames" --fps 8 --from "$(awk "BEGIN { print $row / 8 }")" --to "$(awk "BEGIN { print $row / 8 + 0.1 }")" --size 320x180 --quality play
 equal() { convert "$WORK/edited.png" -depth 8 "rgb:$WORK/seen.rgb" && convert "$WORK/frames/frame-$(printf %06d "$row").ppm" -depth 8 "rgb:$WORK/dumped.rgb" && cmp "$WORK/seen.rgb" "$WORK/dumped.rgb"; }
 check "... and dumps the picture that was seen, to the bit" equal
-# (keys_test has files that others write meanwhile)
+# (keys_test tests files that others write meanwhile)
 check "another key" flies
 wmctrl -i -c "$window"
 check "edits are not lost by closing the window" comes 'titled "not saved"'

@@ -1,8 +1,8 @@
-# tools/new-film from beginning to end: a film with a long name is made, built, packed and tested, and nothing in it is
-# called odraz.
+# tools/new-film as a whole: a film with a long name is made, built, packed and tested, and nothing in it is called
+# odraz.
 . "$(dirname "$0")/../common.sh"
 skip_unless git strings zip unzip ffprobe
-name=wunderkmr film=$WORK/film # nine letters: with -safe as many as the packer's stub has room for
+name=wunderkmr film=$WORK/film # nine letters: with -safe the longest name that the packer's stub has room for
 check "a new film is made, packed and tested" prints "^build/$name: [0-9]+ bytes, [0-9]+ left of 65536" "$SOURCE/tools/new-film" "$film" $name --test
 check "... all of its tests pass" grep -q '^100% tests passed' "$WORK/printed"
 check "... of which there are thirty" test "$(ctest --test-dir "$film/build" -N | sed -n 's/Total Tests: //p')" -ge 30
@@ -22,7 +22,7 @@ done
 check "(the film of this house would be found)" eval 'strings -n 4 "$BUILD/odraz-safe" | grep -q odraz'
 check "it names $name-safe where it may not run packed" grep -qa "use $name-safe" "$film/build/$name"
 
-# Its archives have its own texts
+# Its archives have its texts, not those of odraz
 check "archives are made of it" eval '"$film/tools/release" --built --no-capture --poster "$film/tests/golden/film-006.png" >/dev/null'
 check "... of the film alone, with its page and an index, if that is built" test "$(ls "$film/build/release" | wc -l)" = $((2 + 2 * $(ls "$film/build/$name.html" 2>/dev/null | wc -l)))
 tar -C "$WORK" -xzf "$film/build/release/$name-0.1.0.tar.gz"

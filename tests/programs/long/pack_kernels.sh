@@ -1,4 +1,4 @@
-# Packed programs under the distribution's own kernel, in a machine with 5-level paging, by qemu.
+# Packed programs under the distribution's kernel, in a machine of qemu with 5-level paging.
 . "$(dirname "$0")/../common.sh"
 skip_unless gcc qemu-system-x86_64 busybox apt-get dpkg
 pack=$BUILD/pack
@@ -22,7 +22,7 @@ mkdir -p root/{bin,proc,lib64,lib/x86_64-linux-gnu}
 cp /bin/busybox root/bin/
 cp -L /lib64/ld-linux-x86-64.so.2 root/lib64/
 cp -L /lib/x86_64-linux-gnu/{libc.so.6,libdl.so.2} root/lib/x86_64-linux-gnu/
-packs() { # packs OPTION...: a program linked so, one of those that the machine runs
+packs() { # packs OPTION...: packs a program that is linked with these options, for the machine to run
     gcc -O1 -s c.c "$@" -o program && "$pack" program -o "root/bin/packed$1" --loader --fast >/dev/null
 }
 for options in "" -no-pie -static -static-pie; do check "packs a program linked by gcc $options" packs $options; done

@@ -1,12 +1,13 @@
-# Programs of many compilers, packed: they behave as before, and are smaller than xz makes them. The table at the end is
-# that of packer/README.md.
+# Packs programs of many compilers: they behave as before, and are smaller than xz makes them. The table at the end is
+# in packer/README.md.
 . "$(dirname "$0")/../common.sh"
 skip_unless gcc g++ xz
 pack=$BUILD/pack programs=$SOURCE/tests/programs/long/programs
 cd "$WORK" || exit 1
 : >table
 
-# same NAME PROGRAM COMMAND: the program is packed, stripped as it comes; COMMAND runs it as ./run, and prints the same
+# same NAME PROGRAM COMMAND: strips and packs the program; succeeds if COMMAND, which runs ./run, prints the same of
+# both
 same() {
     local name=$1 packed fast small began took
     mkdir -p before after quick
@@ -27,9 +28,9 @@ same() {
         name, file, small, packed, packed / small, took / 1e6, quick, quick / small, fast / 1e6 }' >>table
     [ "$(stat -c %s stripped)" -lt 100000 ] || echo "$small $packed $(noise stripped) $name" >>large
 }
-# noise FILE: bytes in blocks of 4 KB that xz cannot compress, such as curl's manual, which is compressed already
+# noise FILE: prints the bytes in blocks of 4 KB that xz cannot compress, such as curl's manual, which is compressed
 noise() { split -b 4096 --filter='xz -9e | wc -c' "$1" | awk '$1 > 4000 { sum += 4096 } END { print sum + 0 }'; }
-# try NAME PROGRAM COMMAND: the same, if the program is there
+# try NAME PROGRAM COMMAND: checks this if the program is there
 try() {
     [ -x "$2" ] || { echo "not checked: $1"; return; }
     check "$1" same "$@"
@@ -62,6 +63,6 @@ try radiosity "$BUILD/radiosity" './run --help'
 sort -t'|' -k3n table >sorted
 echo '| | file | xz -9e --x86 | packed | of xz | s | fast | of xz | s |'
 cat sorted
-check "programs over 100 KB take .80 of xz at most, without their noise" awk '
+check "programs over 100 KB take at most .80 of xz, not counting noise" awk '
     ($2 - $3) / ($1 - $3) > .8 { print; bad = 1 } END { exit bad || NR < 3 }' large
 finish

@@ -1,5 +1,5 @@
-# The page of tools/ledger pack --html in a browser: it opens, adds up, answers mouse and keys, shows the instructions of
-# objdump, and prints nothing on its console.
+# The page of tools/ledger pack --html in a browser: it opens, adds up, answers mouse and keys, shows the same
+# instructions as objdump, and prints nothing on its console.
 . "$(dirname "$0")/../common.sh"
 skip_unless chromium objdump convert perl
 page=$WORK/film.html
@@ -20,7 +20,7 @@ grep -o 'data-failed="[^"]*"' "$WORK/dom"
 check "... as it should be" grep -q 'data-failed=""' "$WORK/dom"
 check "... in many ways" grep -qE 'data-checked="[3-9][0-9]"' "$WORK/dom"
 check "... silently" silent
-# Instructions without objdump's symbols
+# Compare instructions, without objdump's symbols
 objdump -d -w -z -M intel --no-show-raw-insn "$BUILD/odraz.elf" |
     sed -nE 's/^ *([0-9a-f]+):\t/\1 /; t found; d; :found; s/ *<.*//; s/  +/ /g; s/ $//; p' | sort >"$WORK/by_objdump"
 perl -0ne 'if (/<pre class="instructions">(.*?)<\/pre>/s) { print "$1\n" }' "$WORK/dom" | sort >"$WORK/by_page"
@@ -30,12 +30,12 @@ check "a picture of it" browse --hide-scrollbars --screenshot="$WORK/page.png" "
 check "... has many colours" test "$(convert "$WORK/page.png" -format %k info:)" -gt 500
 check "a narrow window" browse --hide-scrollbars --window-size=500,900 --screenshot="$WORK/narrow.png" "file://$page"
 check "... silently" silent
-# Damaged, it shows an error
+# A damaged page shows an error
 perl -pe 's{(id="tables">.{5000}).}{$1!}' "$page" >"$WORK/damaged.html"
 check "a damaged page" eval 'browse --dump-dom "file://$WORK/damaged.html" >"$WORK/dom"'
 check "... shows that" grep -q 'This page cannot be shown' "$WORK/dom"
 
-# The comment on a change, of the film with itself
+# The comment on a change, comparing the film with itself
 check "a comment on the film" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+0 .* left of 65,536$' env BUILD="$BUILD" "$SOURCE/tools/ledger" pack --text - --than "$BUILD/odraz.json"
 check "... which is as it was" grep -q '^No symbol changed by four bytes or more\.$' "$WORK/printed"
 finish

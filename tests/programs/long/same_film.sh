@@ -1,7 +1,7 @@
-# Sourced by tests that compare two programs of the film, after common.sh. Golden pictures are few, and those of the hall
-# have a tolerance: here it is a picture for each second of the whole film, in draft, play and film, and the music.
+# Sourced after common.sh by tests that compare two programs of the film. Golden pictures are few, and the hall's have a
+# tolerance. Here one picture for each second of the film, in draft, play and film, and the music must be equal.
 
-# same_film A B: pictures and music are equal to the bit
+# same_film A B: succeeds if pictures and music are equal to the bit
 same_film() {
     local quality film
     mkdir "$WORK/of"

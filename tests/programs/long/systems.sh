@@ -19,7 +19,7 @@ declare -A PARTS=(
     [frames]="--dump - --from 20 --to 60 --fps 1/4 --size 320x180"
     [hall]="--dump - --from 120 --to 120.04 --size 160x90"
     [music]="--wav -")
-# draws TO PART COMMAND...
+# draws TO PART COMMAND...: writes the part that the command, the film, draws to TO.PART
 draws() {
     "${@:3}" ${PARTS[$2]} >"$WORK/$1.$2" </dev/null
 }
@@ -30,7 +30,7 @@ same() { # same A B PART
 for part in "${!PARTS[@]}"; do check "here: $part" draws here "$part" env -u DISPLAY "$BUILD/odraz-safe"; done
 for system; do
     root=$WORK/$system
-    # (the packages are all in main)
+    # (all packages are in main)
     debootstrap --variant=minbase --include=libegl1,libgl1-mesa-dri "${SUITES[$system]}" "$root" "$mirror" >"$WORK/log" 2>&1 ||
         { echo "not checked: $system: $(grep -E '^E: ' "$WORK/log" | tail -n 1)"; continue; }
     mount -t proc proc "$root/proc"

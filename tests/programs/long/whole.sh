@@ -1,5 +1,5 @@
-# The film, which is optimised as a whole when it is linked, makes the same pictures and music as its files do when each
-# is optimised alone, as in tools and tests.
+# The film is optimised as a whole when it is linked. It makes the same pictures and music as when each of its files is
+# optimised alone, as in tools and tests.
 . "$(dirname "$0")/../common.sh"
 . "$(dirname "$0")/same_film.sh"
 check "the film is linked file by file" cmake --build "$BUILD" --target odraz-parts.elf

@@ -1,4 +1,4 @@
-// deny PROGRAM...: runs it where one call of the kernel, CALL, is refused.
+// deny PROGRAM...: runs the program, but the kernel refuses the system call CALL (EPERM).
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>

@@ -1,6 +1,6 @@
-# What a page of pack --html holds.
+# Reads a page that pack --html made.
 #   page.pl PAGE ID      prints an element of its data, unpacked: tables, bytes, costs, code
-#   page.pl PAGE sums    checks that its figures add up to the file, and prints bytes, stretches and instructions
+#   page.pl PAGE sums    checks that its figures add up to the file; prints the numbers of bytes, stretches, instructions
 use strict;
 use warnings;
 use Compress::Zlib;
@@ -27,7 +27,7 @@ sub need { my ($there, $what) = @_; print STDERR "    $what\n" and $wrong = 1 un
 sub sum { my $all = 0; $all += $_ for @_; return $all }
 $costs[$_->[0]] = $_->[1] for @{$tables->{high}};
 need(@costs == $tables->{size} && length($bytes) == $tables->{size}, 'not a cost for each byte');
-# Each byte is in one stretch, which costs what its bytes cost
+# Each byte is in one stretch, whose cost is the sum of its bytes' costs
 my $at = 0;
 for (@{$tables->{stretches}}) {
     my ($begin, $size, $units) = @$_;

@@ -1,4 +1,4 @@
-// Uses the page as its readers do, and writes the outcome into <body data-checked data-failed>. Runs in the page.
+// Runs in the page: uses it as readers do, and writes the results into <body data-checked data-failed>.
 (async () => {
     while (!document.body.dataset.ready) await new Promise(done => setTimeout(done, 10));
     const failed = [];

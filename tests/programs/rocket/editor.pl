@@ -1,10 +1,10 @@
-# An editor of GNU Rocket that takes orders, for rocket.sh. It listens on a free port of 127.0.0.1, and prints "port N".
-# A film that connects must send the protocol's greeting; then its messages are printed, a line each: "track NAME",
+# A stand-in for the editor of GNU Rocket, for rocket.sh. It listens on a free port of 127.0.0.1, and prints "port N". A
+# film that connects must send the protocol's greeting; then its messages are printed, one a line: "track NAME",
 # "row N". Orders are lines on standard input:
 #   key NAME ROW VALUE INTERPOLATION   sets a key
 #   row N | pause 0 | pause 1 | save
 #   open FILE                          sends all keys of a document
-#   hang-up
+#   hang-up                            ends the connection
 use strict;
 use warnings;
 use IO::Select;

@@ -1,5 +1,5 @@
-// A browser under test: open('chromium' | 'firefox', url, how Chromium draws) -> { evaluate(text), click(), key(name),
-// resize(w, h), screenshot(file), close(), errors }. Chromium listens on pipes, Firefox on a port of its own
+// A browser under test: open('chromium' | 'firefox', url, Chromium's options for OpenGL) -> { evaluate(text), click(),
+// key(name), resize(w, h), screenshot(file), close(), errors }. Chromium is controlled by pipes, Firefox by a port
 // (Marionette).
 import { spawn } from 'node:child_process'
 import { mkdtempSync, writeFileSync, readFileSync, rmSync } from 'node:fs'
@@ -15,14 +15,14 @@ const chromium = async (url, profile, gl = ['--use-angle=swiftshader', '--enable
     `--window-size=${kWidth},${kHeight}`, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] })
   process.on('exit', () => child.kill())
   const waiting = new Map, errors = []
-  const told = details => details.exception?.description ?? details.text
+  const message = details => details.exception?.description ?? details.text
   let rest = '', id = 0, session
   child.stdio[4].on('data', data => {
     const parts = (rest + data).split('\0')
     rest = parts.pop()
     for (const m of parts.map(p => JSON.parse(p))) {
       if (m.id) waiting.get(m.id)(m)
-      else if (m.method == 'Runtime.exceptionThrown') errors.push(told(m.params.exceptionDetails))
+      else if (m.method == 'Runtime.exceptionThrown') errors.push(message(m.params.exceptionDetails))
       else if (m.method == 'Log.entryAdded' && m.params.entry.level == 'error') errors.push(m.params.entry.text)
       else if (m.method == 'Runtime.consoleAPICalled' && m.params.type == 'error')
         errors.push(m.params.args.map(a => a.value ?? a.description).join(' '))
@@ -42,7 +42,7 @@ const chromium = async (url, profile, gl = ['--use-angle=swiftshader', '--enable
     async evaluate(expression) {
       const how = { expression: `(async () => (${expression}))()`, awaitPromise: true, returnByValue: true }
       const r = await call('Runtime.evaluate', how)
-      if (r.exceptionDetails) throw Error(told(r.exceptionDetails))
+      if (r.exceptionDetails) throw Error(message(r.exceptionDetails))
       return r.result.value
     },
     async click() {
@@ -67,9 +67,9 @@ const firefox = async (url, profile) => {
   const child = spawn('firefox-esr', words, { stdio: ['ignore', 'pipe', 'pipe'] })
   process.on('exit', () => child.kill())
   const errors = []
-  let said = '', port
+  let printed = '', port
   for (const out of [child.stdout, child.stderr]) out.on('data', d => {
-    said += d
+    printed += d
     for (const line of String(d).split('\n'))
       if (/^(JavaScript error|console\.error)/.test(line) && /odraz|blob:/.test(line)) errors.push(line)
   })
@@ -77,7 +77,7 @@ const firefox = async (url, profile) => {
     await later(100)
     try { port = +readFileSync(profile + '/MarionetteActivePort', 'utf8') } catch {}
   }
-  if (!port) throw Error('Firefox does not listen: ' + said)
+  if (!port) throw Error('Firefox does not listen: ' + printed)
   const socket = connect(port, '127.0.0.1'), waiting = new Map
   let rest = Buffer.alloc(0), id = 0
   socket.on('data', data => {
@@ -127,7 +127,7 @@ export const open = async (kind, url, gl) => {
   browser.close = async () => {
     browser.child.kill()
     await ended
-    // Its other processes may still write there
+    // Its other processes may still write into the profile
     try { rmSync(profile, { recursive: true, maxRetries: 20, retryDelay: 100 }) } catch {}
   }
   return browser

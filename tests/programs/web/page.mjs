@@ -1,6 +1,6 @@
-// node page.mjs chromium|firefox PAGE OUT SECONDS...: opens the page as a viewer does. Writes pictures of these
-// seconds, 320x180, as `film` draws them, and the music's hash, into OUT; plays; prints what is wrong. OUT gets the file
-// `plain` if the browser has no relaxed SIMD.
+// node page.mjs chromium|firefox PAGE OUT SECONDS...: opens and plays the page as a viewer does; prints each check. OUT
+// gets the pictures of these seconds, 320x180 in quality `film`, the music's hash, and the file `plain` if the browser
+// has no relaxed SIMD.
 import { once } from 'node:events'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { createServer } from 'node:http'
@@ -37,20 +37,20 @@ try {
   const module = [...type, 10, madd.length + 2, 1, madd.length, ...madd]
   if (!await b.evaluate(`WebAssembly.validate(Uint8Array.of(${module}))`)) writeFileSync(out + '/plain', '')
 
-  // --- Pictures, all of them by a worker that has the hall's light ---
+  // --- Pictures, which one worker with the hall's light draws ---
   await b.evaluate(`(async () => {
     const hall = await new Promise((done, fail) =>
       film.start(d => d.hall ? done(d.hall) : d.wrong && fail(d.wrong), 'solve', film.module, 320, 180))
-    let heard
-    const tracer = film.start(d => heard(d), 'trace', film.module, 320, 180)
-    const asked = (...all) => new Promise(done => {
-      heard = done
+    let answered
+    const tracer = film.start(d => answered(d), 'trace', film.module, 320, 180)
+    const request = (...all) => new Promise(done => {
+      answered = done
       if (all.length) tracer.postMessage(all)
     })
-    await asked()
-    await asked('light', hall)
+    await request()
+    await request('light', hall)
     self.draw = async time => {
-      const { rgba } = await asked('picture', { time, level: 0, width: 0, height: 0 })
+      const { rgba } = await request('picture', { time, level: 0, width: 0, height: 0 })
       return btoa(Array.from(rgba.filter((_, i) => i % 4 != 3), c => String.fromCharCode(c)).join(''))
     }
   })()`)
@@ -59,7 +59,7 @@ try {
     writeFileSync(`${out}/${t}.ppm`, Buffer.concat([Buffer.from('P6\n320 180\n255\n'), rgb]))
   }
 
-  // --- Music: as output/wav.cpp writes it ---
+  // --- Music, written as by output/wav.cpp ---
   writeFileSync(out + '/music.sha256', await b.evaluate(`new Promise(done => {
     const blocks = 164 * 200, size = blocks * 960, to = new DataView(new ArrayBuffer(44 + size))
     const text = 'RIFF    WAVEfmt                     data'
@@ -104,7 +104,7 @@ try {
     hide(false)
     return after - before
   })()`)
-  check('stands while its tab is hidden', stopped == 0, stopped)
+  check('pauses while its tab is hidden', stopped == 0, stopped)
   const s = await b.evaluate('film.state()')
   check('... and goes on', await until(b, `film.state().shown > ${s.shown + 5}`), await b.evaluate('film.state()'))
   const at = () => b.evaluate('film.state().film')
@@ -124,7 +124,7 @@ try {
 }
 await b.close()
 
-// --- From a server, as sites have it: another charset, a policy, a frame that is hidden while it loads ---
+// --- From a server, as on web sites: with another charset, a policy, a frame that is hidden while it loads ---
 const frame = '<iframe id=f src="/?full=0" style="display:none;position:fixed;left:0;top:0;width:1000px;height:500px">'
 const policies = { '/policy': "default-src 'self' 'unsafe-inline'", '/wasm': "default-src 'self' 'unsafe-inline' blob:",
   '/sandbox': 'sandbox allow-scripts' }

@@ -1,5 +1,5 @@
-// node plain.mjs PROGRAM.wasm PLAIN.js OUT SECONDS...: pictures as browsers without relaxed SIMD draw them, 320x180, in
-// `film`. Node 20 is such a browser.
+// node plain.mjs PROGRAM.wasm PLAIN.js OUT SECONDS...: writes pictures, 320x180 in quality `film`, as browsers without
+// relaxed SIMD draw them. Node 20 has no relaxed SIMD either.
 import { readFileSync, writeFileSync } from 'node:fs'
 
 const [program, script, out, ...seconds] = process.argv.slice(2)

@@ -1,5 +1,5 @@
-# The film on Windows, run by Wine, compared with the one on Linux. Frames of every scene, the hall, in-betweens and
-# sound are equal to the byte; refused options and failed outputs give the same line. Most runs use the film that is not
+# The film for Windows, run by Wine, against the film for Linux. Frames of every scene, the hall, in-betweens and sound
+# are equal to the byte; refused options and failed outputs give the same line. Most runs use the film that is not
 # packed, which starts sooner.
 . "$(dirname "$0")/wine.sh"
 linux=$BUILD/odraz-safe windows=$BUILD/odraz-safe.exe
@@ -8,11 +8,11 @@ start_display 640x480
 display=$DISPLAY
 unset DISPLAY
 
-both() { # both OPTION...: writes both standard outputs, out.linux and out.windows; false if a status is not 0
+both() { # both OPTION...: runs both films, into out.linux and out.windows; fails if a status is not 0
     "$linux" "$@" >"$WORK/out.linux" 2>"$WORK/err.linux" </dev/null || { cat "$WORK/err.linux" >&2; return 1; }
     timeout "$PATIENCE" env DISPLAY="$display" "$wine" "$windows" "$@" >"$WORK/out.windows" 2>"$WORK/err.windows" </dev/null || { echo "status $?: $(head -c 300 "$WORK/err.windows")" >&2; return 1; }
 }
-alike() { # alike OPTION...: both outputs are equal and not empty
+alike() { # alike OPTION...: succeeds if both films print the same, and something
     both "$@" && [ -s "$WORK/out.linux" ] && cmp "$WORK/out.linux" "$WORK/out.windows"
 }
 check "--version" alike --version

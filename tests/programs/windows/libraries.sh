@@ -1,11 +1,11 @@
-# The libraries that the film asks for on Windows: five of the system's and no others.
+# On Windows the film asks for five of the system's libraries and no others.
 . "$(dirname "$0")/wine.sh"
 start_display 640x400
 
-# loaded PROGRAM OPTION...: writes the libraries that the program asks for to `asked`
+# loaded PROGRAM OPTION...: runs the program, and writes the libraries that it asks for into the file `asked`
 loaded() {
     WINEDEBUG=-all,+relay timeout "$PATIENCE" "$wine" "$@" </dev/null >/dev/null 2>"$WORK/trace" || return
-    # Calls by the program itself return to its own addresses, below 16 MB
+    # The program's own calls return to its addresses, below 16 MB
     grep -aoE 'Call KERNEL32\.(LoadLibrary|LdrLoadDll)[A-Za-z]*\([0-9a-f]+ L?"[^"]*".* ret=00[0-9a-f]{6}$' "$WORK/trace" | sed 's/^[^"]*"//; s/".*//; s/\.dll$//' | tr A-Z a-z | sort -u >"$WORK/asked"
     [ -s "$WORK/asked" ]
 }

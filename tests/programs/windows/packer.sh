@@ -11,10 +11,10 @@ check "... and that runs" exits 7 "hello, 42" "$wine" "$WORK/plain.exe"
 check "... as --plain makes it" "$pack" "$WORK/hello_windows.elf" -o "$WORK/again.exe" --pe --plain
 check "... to the byte" cmp "$WORK/plain.exe" "$WORK/again.exe"
 
-# Damage (the film has the same code)
+# Damage. (The film has the same checking code)
 broken=$WORK/broken.exe
 total=$(stat -c %s "$exe")
-checked=$((512 + 264 + 300)) # behind headers, imports, and the code that checks and reports
+checked=$((512 + 264 + 300)) # after headers, imports, and the code that checks and reports
 is_refused() { refuses 1 "damaged: get it afresh" "$wine" "$broken" && refuses 2 "$broken: " "$pack" --test "$broken" && refuses 2 "$broken: " "$pack" -d "$broken" -o "$WORK/x"; }
 flipped() {
     local at
@@ -25,7 +25,7 @@ flipped() {
 }
 check "a flipped bit anywhere is refused" flipped
 { cat "$exe"; echo "more bytes"; } >"$broken"
-check "bytes behind its end do not matter" exits 7 "hello, 42" "$wine" "$broken"
+check "bytes after its end do not matter" exits 7 "hello, 42" "$wine" "$broken"
 
 # Without standard error a box shows the message
 start_display 640x480

@@ -1,5 +1,5 @@
-# The film on Windows in a window, shown by Wine: it starts, draws, fills the screen, gets tiny and odd sizes, is moved
-# and minimised, and ends; and on a display of another aspect.
+# The film for Windows in a window, by Wine: it starts, draws, fills a screen of another aspect, gets tiny and odd
+# sizes, is moved and minimised, and ends.
 . "$(dirname "$0")/wine.sh"
 skip_unless openbox wmctrl
 film=$BUILD/odraz.exe
@@ -66,7 +66,7 @@ check "... and below" await is_black 640x69+0+431
 check "... and draws" await is_bright
 check "the close button leaves" leaves wmctrl -i -c "$window"
 
-# Missing things are reported on standard error, or in a box if there is none
+# Missing things are reported on standard error, or in a message box if there is none
 check "an OpenGL that is too old is refused" refuses 1 "no OpenGL 3.3 on this display: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$film"
 check "... one without opengl32.dll, too" refuses 1 "no OpenGL 3.3 on this display: install" env WINEDLLOVERRIDES="opengl32=;$WINEDLLOVERRIDES" "$wine" "$film"
 check "... in a box where there is no standard error, with status 1" \

@@ -4,7 +4,7 @@
 have_wine || { echo "SKIPPED: Wine (wine64) is not installed"; exit 77; }
 unset DISPLAY
 
-# Processes that Wine started end with the test: otherwise its device processes would keep the processor busy
+# Ends the processes that Wine started: otherwise its device processes would keep the processor busy
 end_wine() {
     local status=$?
     "$wine_server" -k
@@ -14,8 +14,8 @@ trap 'end_wine; leave' EXIT
 start_wine || exit 1
 PIDS+=($WINE_PID)
 
-# boxed STATUS NAME COMMAND...: where the command has no standard error a box opens, which Return closes; then it ends
-# with the status
+# boxed STATUS NAME COMMAND...: succeeds if a message box of that name opens, Return closes it, and the command ends
+# with STATUS
 boxed() {
     local status=$1 name=$2
     shift 2
