@@ -2,13 +2,13 @@
 
 namespace odraz {
 
-void *Arena::take(size_t count, size_t each) {
+void *Arena::take(size_t count, size_t bytesEach) {
     size_t start = (used + 63) & ~(size_t)63;
-    if (start > size || count > (size - start) / each) {
+    if (start > size || count > (size - start) / bytesEach) {
         full = true;
         return nullptr;
     }
-    used = start + count * each;
+    used = start + count * bytesEach;
     return base + start;
 }
 

@@ -1,4 +1,5 @@
-// Memory taken once at load and never given back piece by piece. The host provides the block, zeroed.
+// A block of memory that is allocated once, at load, and handed out piece by piece. No piece is ever freed.
+// The host provides the block, zeroed.
 #pragma once
 
 #include <stddef.h>
@@ -10,13 +11,13 @@ struct Arena {
     unsigned char *base;
     size_t size;
     size_t used;
-    bool full = false; // something did not fit. A caller that takes many things may check this once
+    bool full = false; // some take() failed. A caller of many may check this once, at the end
 
-    // `count` zeroed Ts that start on a cache line of their own; null when they do not fit.
+    // Returns `count` zeroed Ts that start on a new cache line; null if they do not fit.
     template <class T> T *take(size_t count) { return (T *)take(count, sizeof(T)); }
 
 private:
-    void *take(size_t count, size_t each);
+    void *take(size_t count, size_t bytesEach);
 };
 
 } // namespace odraz

@@ -1,16 +1,16 @@
 // Eight floats (or eight 32-bit ints, or eight lane masks) in one AVX register, on GCC's vector extensions.
 //
-// Masks are Int8, as comparisons yield them: all bits of a lane are set for true and clear for false. The
-// scalar overloads below let one template serve a single float and eight of them with bit-identical results.
-// Contraction is off in the whole build, so a multiply and an add are fused only where fmadd() stands.
+// Masks are Int8, as comparisons return them: a true lane has all bits set, a false lane has none. With the
+// scalar overloads below, one template computes a single float or eight of them, with bit-identical results.
+// Contraction is off in the whole build, so only fmadd() fuses a multiply and an add.
 #pragma once
 
 #include "base/avx.h"
 
 #include <stdint.h>
 
-// For functions of one or two instructions. Under -Os the compiler would call them, with arguments in memory,
-// which is larger and many times slower.
+// For functions of one or two instructions. Under -Os the compiler would not inline them. A call passes its
+// arguments in memory, which is larger and many times slower.
 #define ODRAZ_INLINE [[gnu::always_inline]] inline
 
 namespace odraz {
@@ -22,12 +22,12 @@ using Uint8 = uint32_t __attribute__((vector_size(32)));
 inline constexpr Int8 kLanes = {0, 1, 2, 3, 4, 5, 6, 7};
 inline constexpr float kInfinity = 1e30f; // finite: the engine is compiled without infinities
 
-ODRAZ_INLINE Float8 broadcast(float x) { return x - Float8{}; } // -0 and NaN survive
+ODRAZ_INLINE Float8 broadcast(float x) { return x - Float8{}; } // keeps -0 and NaN
 ODRAZ_INLINE Int8 broadcast(int32_t x) { return x - Int8{}; }
 
-// --- The same name for one float and for eight ---
+// --- Functions of one float or of eight ---
 
-#ifdef __wasm__ // has it for four alone
+#ifdef __wasm__ // fuses only vectors of four
 ODRAZ_INLINE float fmadd(float a, float b, float c) {
     return wasm::madd(_mm_set1_ps(a), _mm_set1_ps(b), _mm_set1_ps(c))[0];
 }
@@ -45,7 +45,7 @@ ODRAZ_INLINE Float8 abs(Float8 x) { return (Float8)((Int8)x & 0x7fffffff); }
 ODRAZ_INLINE float floor(float x) { return __builtin_floorf(x); }
 ODRAZ_INLINE Float8 floor(Float8 x) { return _mm256_floor_ps(x); }
 
-// To the nearest integer, halves to even.
+// Rounds to the nearest integer, halves to even.
 ODRAZ_INLINE float round(float x) {
     return _mm_cvtss_f32(
         _mm_round_ss(_mm_set_ss(x), _mm_set_ss(x), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
@@ -54,7 +54,7 @@ ODRAZ_INLINE Float8 round(Float8 x) {
     return _mm256_round_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
 }
 
-// When either operand is NaN, the result is the second one, as with the instructions.
+// If an operand is NaN, the result is the second one, as in minps and maxps.
 ODRAZ_INLINE float min(float a, float b) { return a < b ? a : b; }
 ODRAZ_INLINE Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
 ODRAZ_INLINE float max(float a, float b) { return a > b ? a : b; }
@@ -74,13 +74,13 @@ ODRAZ_INLINE Int8 bits(Float8 x) { return (Int8)x; }
 ODRAZ_INLINE constexpr float fromBits(int32_t x) { return __builtin_bit_cast(float, x); }
 ODRAZ_INLINE Float8 fromBits(Int8 x) { return (Float8)x; }
 
-// Towards zero; |x| < 2^31.
+// Rounds towards zero; |x| < 2^31.
 ODRAZ_INLINE int32_t toInt(float x) { return (int32_t)x; }
 ODRAZ_INLINE Int8 toInt(Float8 x) { return (Int8)_mm256_cvttps_epi32(x); }
 ODRAZ_INLINE float toFloat(int32_t x) { return (float)x; }
 ODRAZ_INLINE Float8 toFloat(Int8 x) { return _mm256_cvtepi32_ps((__m256i)x); }
 
-// --- Mixed operands, and functions for lanes alone ---
+// --- Mixed operands, and functions of vectors only ---
 
 ODRAZ_INLINE Float8 fmadd(Float8 a, float b, Float8 c) { return fmadd(a, broadcast(b), c); }
 ODRAZ_INLINE Float8 fmadd(float a, Float8 b, Float8 c) { return fmadd(broadcast(a), b, c); }
@@ -111,7 +111,7 @@ ODRAZ_INLINE float least(Float8 x) {
     return min(m, (Float8)_mm256_permute_ps(m, 0xb1))[0];
 }
 
-// The sum of the lanes, always in the same order.
+// Sums the lanes, always in the same order.
 ODRAZ_INLINE float total(Float8 x) {
     Float8 s = x + (Float8)_mm256_permute2f128_ps(x, x, 1);
     s += (Float8)_mm256_permute_ps(s, 0x4e);
@@ -122,7 +122,7 @@ template <class T> ODRAZ_INLINE T clamp(T x, float lo, float hi) { return min(ma
 ODRAZ_INLINE int clamp(int x, int lo, int hi) { return min(max(x, lo), hi); }
 template <class T> ODRAZ_INLINE T saturate(T x) { return clamp(x, 0.f, 1.f); }
 
-// From a (t = 0) to b (t = 1).
+// Interpolates from a (t = 0) to b (t = 1).
 template <class T, class S> auto lerp(const T &a, const T &b, S t) { return a + (b - a) * t; }
 
 } // namespace odraz

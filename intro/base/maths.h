@@ -5,11 +5,12 @@
 //   acos       -1 <= x <= 1                 absolute 4.5e-7
 //   exp2       -126 <= x <= 127.999         relative 1.5e-7; x outside is clamped to the range
 //   log2       2^-126 <= x < infinity       absolute 1.2e-7 + 1.2e-7 |log2 x|; x below is taken as 2^-126
-//   pow        x >= 0, |y log2 x| <= 126    relative 2.5e-7 (1 + |y log2 x|); pow(0, y > 0) is below 2^-126 y
+//   pow        x >= 0, |y log2 x| <= 126    relative 2.5e-7 (1 + |y log2 x|); pow(0, y > 0) = 2^(-126 min(y,
+//   1))
 //
 // tests/unit/base/maths_exhaustive_test.cpp proves every line against libm in double precision. NaN gives a
-// finite number or NaN, never a trap. sin and cos are reduced after Cody and Waite, with pi/2 in three
-// floats.
+// finite number or NaN, never a trap. sin and cos reduce their argument by the method of Cody and Waite, with
+// pi/2 in three floats.
 #pragma once
 
 #include "base/float8.h"
@@ -72,7 +73,7 @@ inline Float8 log2(Float8 x) {
     return fmadd(p, s, toFloat(e));
 }
 
-// One float takes the way of eight: a second copy of the code would be larger
+// One float is computed as eight: a second copy of the code would cost bytes
 inline float sin(float x) { return sin(broadcast(x))[0]; }
 inline float cos(float x) { return cos(broadcast(x))[0]; }
 inline float exp2(float x) { return exp2(broadcast(x))[0]; }

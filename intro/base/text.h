@@ -1,11 +1,11 @@
-// Builds text without libc, in a fixed buffer. What does not fit is cut off.
+// Builds text without libc, in a fixed buffer. Text that does not fit is cut off.
 #pragma once
 
 #include <stdint.h>
 
 namespace odraz {
 
-// Text of any size: all sizes share one copy of the code.
+// The base of texts of all sizes, which share one copy of the code.
 struct AnyText {
     char *data;
     int capacity; // bytes, including the zero at the end
@@ -15,9 +15,9 @@ struct AnyText {
     AnyText &operator<<(const char *s);
     AnyText &operator<<(int64_t x);
     AnyText &operator<<(int x) { return *this << (int64_t)x; }
-    // At least `digits` digits, zeros in front.
+    // Appends x, padded with zeros to at least `digits` digits.
     AnyText &number(uint64_t x, int digits);
-    // x >= 0 with `places` decimals, rounded.
+    // Appends x >= 0, rounded to `places` decimals.
     AnyText &decimal(double x, int places);
     AnyText &padTo(int column);
 };

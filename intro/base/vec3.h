@@ -1,5 +1,5 @@
-// Three components of anything that adds and multiplies: Vec3 of floats, Vec3x8 of eight points at once.
-// Colours are Vec3 too: x, y, z are linear red, green and blue with sRGB's primaries.
+// Vectors of three components: Vec3 of floats, Vec3x8 of eight points. Colours are Vec3 too: x, y, z are
+// linear red, green and blue with sRGB's primaries.
 #pragma once
 
 #include "base/float8.h"
@@ -46,19 +46,21 @@ template <class T> ODRAZ_INLINE Vec3T<T> fmadd(Vec3T<T> a, T s, Vec3T<T> b) {
 }
 template <class T> ODRAZ_INLINE T length(Vec3T<T> a) { return sqrt(dot(a, a)); }
 
-// Unit length. A vector too short to have a direction gives zero, never NaN.
+// Scales a vector to unit length. Zero and vectors shorter than 1e-15 give zero, never NaN.
 template <class T> ODRAZ_INLINE Vec3T<T> normalize(Vec3T<T> a) {
     T square = dot(a, a);
     return a * select(square > 1e-30f, 1.f / sqrt(max(square, 1e-30f)), T{});
 }
-[[gnu::noinline]] inline Vec3 normalize(const Vec3 &a) { return normalize<float>(a); } // it is large
+[[gnu::noinline]] inline Vec3 normalize(const Vec3 &a) {
+    return normalize<float>(a);
+} // one copy, because it is large
 ODRAZ_INLINE Vec3x8 select(Int8 m, Vec3x8 a, Vec3x8 b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 template <class T> ODRAZ_INLINE T maxComponent(Vec3T<T> a) { return max(a.x, max(a.y, a.z)); }
 template <class T> ODRAZ_INLINE T sumAbs(Vec3T<T> a) { return abs(a.x) + abs(a.y) + abs(a.z); }
 
-// Eight points of a structure of arrays, from index `at` on.
+// Loads eight points from a structure of arrays, from index `at` on.
 template <int N> ODRAZ_INLINE Vec3x8 load(const float (&values)[3][N], int at) {
     return {load(values[0] + at), load(values[1] + at), load(values[2] + at)};
 }
@@ -74,7 +76,7 @@ inline constexpr Mat3 kIdentity = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 template <class T> ODRAZ_INLINE Vec3T<T> operator*(const Mat3 &m, Vec3T<T> p) {
     return {dot(m.u, p), dot(m.v, p), dot(m.w, p)};
 }
-// World = transpose * local.
+// Returns transpose(m) * p: from the local frame to the world.
 template <class T> ODRAZ_INLINE Vec3T<T> transposeTimes(const Mat3 &m, Vec3T<T> p) {
     return {m.u.x * p.x + m.v.x * p.y + m.w.x * p.z, m.u.y * p.x + m.v.y * p.y + m.w.y * p.z,
             m.u.z * p.x + m.v.z * p.y + m.w.z * p.z};

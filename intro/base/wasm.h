@@ -1,8 +1,8 @@
-// The instructions of base/avx.h for WebAssembly: each on the two halves of a register, in 128-bit SIMD and
-// its relaxed part.
+// The instructions of base/avx.h for WebAssembly. Each one computes two halves of 128 bits, with SIMD and
+// relaxed SIMD.
 //
-// A fused multiply-add is one wherever the processor has it (every ARM, x86-64 since 2013); elsewhere, and
-// where a number is not in range or a NaN, an engine may differ from another in the last bit.
+// A multiply-add is fused wherever the processor can fuse it (every ARM, x86-64 since 2013). On other
+// processors, and for NaN and numbers out of range, the results of two browsers may differ.
 #pragma once
 
 #include <stddef.h>
@@ -48,8 +48,8 @@ template <class F> ODRAZ_W F8 both(F8 a, F8 b, const F &f) {
 template <class F> ODRAZ_W F8 both(F8 a, F8 b, F8 c, const F &f) {
     return join((F4)f(low(a), low(b), low(c)), (F4)f(high(a), high(b), high(c)));
 }
-// By functions of <wasm_simd128.h>
-template <class T, class F> ODRAZ_W T each(T a, T b, const F &f) {
+// The same, for functions of <wasm_simd128.h>
+template <class T, class F> ODRAZ_W T bothV128(T a, T b, const F &f) {
     return (T)join((F4)f((v128_t)low(a), (v128_t)low(b)), (F4)f((v128_t)high(a), (v128_t)high(b)));
 }
 template <class T, class P> ODRAZ_W T read(const P *p) {
@@ -70,7 +70,7 @@ ODRAZ_W F4 madd(F4 a, F4 b, F4 c) { return a * b + c; }
 ODRAZ_W F4 blend(F4 a, F4 b, F4 m) { return (F4)wasm_v128_bitselect((v128_t)b, (v128_t)a, (v128_t)m); }
 ODRAZ_W F4 truncated(F4 x) { return (F4)wasm_i32x4_trunc_sat_f32x4((v128_t)x); }
 #endif
-// The smaller and the larger; the second where one is a NaN
+// Minimum and maximum; the second operand if one is NaN
 ODRAZ_W F4 min4(F4 a, F4 b) { return (F4)__builtin_wasm_pmin_f32x4(b, a); }
 ODRAZ_W F4 max4(F4 a, F4 b) { return (F4)__builtin_wasm_pmax_f32x4(b, a); }
 ODRAZ_W int signs(F4 a) { return (int)__builtin_wasm_bitmask_i32x4((I4)a); }
@@ -112,20 +112,20 @@ ODRAZ_W __m256 _mm256_i32gather_ps(const float *p, __m256i at, int) {
     W I8 i = (W I8)at;
     return W F8{p[i[0]], p[i[1]], p[i[2]], p[i[3]], p[i[4]], p[i[5]], p[i[6]], p[i[7]]};
 }
-// Only where the mask is set; the rest stays, but is written again
+// Stores the lanes of the mask, and writes the others back unchanged
 ODRAZ_W void _mm256_maskstore_ps(float *p, __m256i m, __m256 v) {
     W write(p, _mm256_blendv_ps(W read<__m256>(p), v, (__m256)m));
 }
 ODRAZ_W void _mm256_maskstore_epi32(int *p, __m256i m, __m256i v) { _mm256_maskstore_ps((float *)p, m, (__m256)v); }
 
-// --- Lanes in another order ---
+// --- Permutations ---
 ODRAZ_W W F4 half_(__m256 a, __m256 b, int k) {
     return k == 0 ? W low(a) : k == 1 ? W high(a) : k == 2 ? W low(b) : W high(b);
 }
 ODRAZ_W __m256 _mm256_permute2f128_ps(__m256 a, __m256 b, int k) {
     return W join(half_(a, b, k & 3), half_(a, b, k >> 4 & 3));
 }
-// The order is a constant: two bits a lane
+// k is a constant with two bits for each lane
 #define _mm256_permute_ps(a, k) \
     __builtin_shufflevector((__m256)(a), (__m256)(a), (k) & 3, (k) >> 2 & 3, (k) >> 4 & 3, (k) >> 6 & 3, \
                             ((k) & 3) + 4, ((k) >> 2 & 3) + 4, ((k) >> 4 & 3) + 4, ((k) >> 6 & 3) + 4)
@@ -133,7 +133,7 @@ ODRAZ_W __m256 _mm256_permute2f128_ps(__m256 a, __m256 b, int k) {
     __builtin_shufflevector((__m256)(a), (__m256)(b), (k) & 3, (k) >> 2 & 3, ((k) >> 4 & 3) + 8, ((k) >> 6 & 3) + 8, \
                             ((k) & 3) + 4, ((k) >> 2 & 3) + 4, ((k) >> 4 & 3) + 12, ((k) >> 6 & 3) + 12)
 ODRAZ_W __m256i _mm256_permutevar8x32_epi32(__m256i a, __m256i at) {
-    // Offsets of bytes; what lies beyond 15 becomes 0
+    // Offsets of bytes; a swizzle gives 0 for offsets beyond 15
     W I8 bytes = ((W I8)at & 7) * 0x04040404 + 0x03020100;
     auto pick = [&](W F4 which) {
         W B16 w = (W B16)which;
@@ -174,19 +174,19 @@ ODRAZ_W __m256i _mm256_add_epi16(__m256i a, __m256i b) { return (__m256i)((W S16
 ODRAZ_W __m256i _mm256_srai_epi16(__m256i a, int k) { return (__m256i)((W S16)a >> (int16_t)k); }
 ODRAZ_W __m256i _mm256_set1_epi16(short x) { return (__m256i)(x - W S16{}); }
 ODRAZ_W __m256i _mm256_madd_epi16(__m256i a, __m256i b) {
-    return W each(a, b, wasm_i32x4_dot_i16x8);
+    return W bothV128(a, b, wasm_i32x4_dot_i16x8);
 }
-// Without saturation, which we never need
+// Without saturation, which no caller needs
 ODRAZ_W __m256i _mm256_maddubs_epi16(__m256i a, __m256i b) {
     W S16 even = ((W S16)a & 255) * ((W S16)((W S16)b << (int16_t)8) >> (int16_t)8);
     using U16 = uint16_t __attribute__((vector_size(32)));
     return (__m256i)(even + (W S16)((U16)a >> (uint16_t)8) * ((W S16)b >> (int16_t)8));
 }
 ODRAZ_W __m256i _mm256_packus_epi16(__m256i a, __m256i b) {
-    return W each(a, b, wasm_u8x16_narrow_i16x8);
+    return W bothV128(a, b, wasm_u8x16_narrow_i16x8);
 }
 ODRAZ_W __m256i _mm256_shuffle_epi8(__m256i a, __m256i at) {
-    return W each(a, at, wasm_i8x16_swizzle);
+    return W bothV128(a, at, wasm_i8x16_swizzle);
 }
 ODRAZ_W __m256i _mm256_unpacklo_epi8(__m256i a, __m256i b) {
     return (__m256i)W both((__m256)a, (__m256)b, [](W F4 a, W F4 b) {
@@ -208,10 +208,10 @@ ODRAZ_W __m256i _mm256_cvtepu16_epi32(__m128i a) {
 }
 
 ODRAZ_W __m256i _mm256_packs_epi32(__m256i a, __m256i b) {
-    return W each(a, b, wasm_i16x8_narrow_i32x4);
+    return W bothV128(a, b, wasm_i16x8_narrow_i32x4);
 }
 
-// --- Four at a time ---
+// --- Vectors of 128 bits ---
 ODRAZ_W __m128 _mm_set_ss(float x) { return __m128{x, 0, 0, 0}; }
 ODRAZ_W float _mm_cvtss_f32(__m128 a) { return a[0]; }
 ODRAZ_W __m128 _mm_round_ss(__m128, __m128 b, int) { return __m128{__builtin_rintf(b[0]), 0, 0, 0}; }
@@ -242,7 +242,7 @@ ODRAZ_W void _mm_storeu_si32(void *p, __m128i v) { W write((char *)p, ((W I4)v)[
 ODRAZ_W __m128i _mm_cvtsi32_si128(int x) { return (__m128i)W I4{x, 0, 0, 0}; }
 ODRAZ_W __m128i _mm_insert_epi32(__m128i a, int x, int k) { W I4 v = (W I4)a; v[k] = x; return (__m128i)v; }
 ODRAZ_W int _mm_extract_epi32(__m128i a, int k) { return ((W I4)a)[k]; }
-ODRAZ_W unsigned _mm_getcsr() { return 0; } // denormal numbers are always numbers here
+ODRAZ_W unsigned _mm_getcsr() { return 0; } // WebAssembly never flushes denormal numbers to zero
 ODRAZ_W void _mm_setcsr(unsigned) {}
 #undef W
 // clang-format on
