@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-// A picture as it was traced, and its time.
+// A traced picture, and its time.
 struct Slot {
     Traced traced;
     const Shot *shot;
@@ -23,16 +23,16 @@ struct Intro {
     Workers *workers;
     Film film;
     Tracer tracer;
-    int width, height; // of the pictures
+    int width, height; // size of the pictures
     Frame frame;       // for in-betweens, and for letters
-    uint8_t *fewer;    // a picture before it is scaled up
+    uint8_t *unscaled; // a picture before it is scaled up
     ToneCurve curve;
     Glare glare;
     Slot slots[kSlots];
-    // false: there is only slot 0, with the frame above and the film's scene
+    // If false, there is only slot 0, which uses the frame above and the film's scene
     bool pairs;
-    Between between;        // what in-betweens need
-    uint8_t *made[kPlaces]; // in-betweens as they are shown; the first one is frame.rgba
+    Between between;                // working memory for in-betweens
+    uint8_t *made[kBetweenBuffers]; // finished in-betweens; the first one is frame.rgba
 };
 
 struct Sound {

@@ -22,7 +22,7 @@ bool needsHall(double from, double to) {
 size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
     size_t pixels = ((size_t)s.width + 7) * (size_t)s.height, bytes = 0;
     if (s.pairs)
-        bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 22) + (kPlaces - 1) * pixels * 4 + 8192;
+        bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 22) + (kBetweenBuffers - 1) * pixels * 4 + 8192;
     bytes += glareBytes(s.width, s.height);
     return bytes + pixels * 20 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
            (hall ? sizeof(Hall) + kRoomBytes : 0);
@@ -35,7 +35,7 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
     Hall *hall = gl ? arena.take<Hall>(1) : nullptr;
     intro->pairs = s.pairs;
     intro->width = s.width, intro->height = s.height;
-    intro->fewer = arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin);
+    intro->unscaled = arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin);
     for (Slot &slot : intro->slots) {
         if (!s.pairs) break;
         Traced &t = slot.traced;
@@ -45,7 +45,7 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
         t.frame.owners = arena.take<int32_t>((size_t)t.frame.stride * (size_t)s.height + 8);
     }
     if (s.pairs) makeBetween(intro->between, arena, workers.count);
-    for (int k = 1; s.pairs && k < kPlaces; ++k)
+    for (int k = 1; s.pairs && k < kBetweenBuffers; ++k)
         intro->made[k] =
             arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin) + kPictureMargin;
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
@@ -92,16 +92,16 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
         });
         now.scene().letter(now.input, view, frame);
     }
-    bool fewer = frame.width != intro.width || frame.height != intro.height;
-    frame.rgba = fewer ? intro.fewer + kPictureMargin : rgba;
+    bool scaled = frame.width != intro.width || frame.height != intro.height;
+    frame.rgba = scaled ? intro.unscaled + kPictureMargin : rgba;
     spreadGlare(intro.glare, frame, *intro.workers);
-    // A fade looks even when it is squared, because the eye quickly notices the first light. The noise
-    // changes with time: noise that stood still would look like a veil. A moment that is rounded down
-    // keeps its own
+    // Square the fade, so that it looks even: the eye quickly notices the first light. The noise changes with
+    // time, because constant noise would look like a veil. 0.01 is added so that a time that was rounded down
+    // gets the same noise
     auto seed = (uint32_t)(seconds * 240 + 0.01);
     develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, seed, &intro.glare,
             kFilmLook);
-    if (fewer)
+    if (scaled)
         enlarge(frame.rgba, frame.width, frame.height, rgba, intro.width, intro.height, *intro.workers);
     return {intro.width, intro.height, rgba};
 }
@@ -123,24 +123,24 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, 
     return finish(intro, posed, now.view, seconds, now.scene->exposure, now.frame, now.frame.rgba);
 }
 
-Picture between(Intro &intro, int earlier, int later, double share, int place) {
+Picture between(Intro &intro, int earlier, int later, double share, int buffer) {
     const Slot *a = &intro.slots[earlier], *b = &intro.slots[later];
     Frame &frame = intro.frame;
     resize(frame, b->traced.frame.width, b->traced.frame.height);
     Traced now = {frame, intro.film.scene, {}};
-    double apart = b->seconds - a->seconds, seconds = a->seconds + apart * share;
+    double gap = b->seconds - a->seconds, seconds = a->seconds + gap * share;
     Posed posed = poseAt(intro.film, seconds);
     now.view = posed.view(frame.width, frame.height);
-    // Beside a cut, the picture of its own shot is used for both
+    // Next to a cut, use the picture of the same shot twice
     if (a->shot != posed.shot) a = b;
     if (b->shot != posed.shot) b = a;
     const Quality &quality = b->quality;
     if (min(frame.width, frame.height) > 1)
         traceBetween(intro.between, intro.tracer, *intro.workers,
-                     {a->traced, b->traced, (float)share, (float)(apart * 60)}, now, quality);
+                     {a->traced, b->traced, (float)share, (float)(gap * 60)}, now, quality);
     else
         traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, frame);
-    return finish(intro, posed, now.view, seconds, now.scene->exposure, frame, intro.made[place]);
+    return finish(intro, posed, now.view, seconds, now.scene->exposure, frame, intro.made[buffer]);
 }
 
 int64_t samplesTaken(const Intro &intro) { return tracedSamples(intro.tracer); }
@@ -157,7 +157,7 @@ void seekSound(Sound &s, int block) { seekBlock(s.mixer, block); }
 
 void soundBlock(Sound &s, float *stereo) { renderBlock(s.mixer, stereo); }
 
-const char *outgrown(const Intro &intro) {
+const char *exceededLimit(const Intro &intro) {
     for (const Slot &slot : intro.slots)
         if (slot.traced.scene && slot.traced.scene->overflow) return slot.traced.scene->overflow;
     return intro.film.scene->overflow;

@@ -1,4 +1,4 @@
-// The shipped program: look at the machine, read the options, play or dump.
+// The shipped program: reads the options, and plays or dumps the film.
 #include "base/maths.h"
 #include "doctor.h"
 #include "host/clock.h"
@@ -17,19 +17,19 @@ using namespace odraz;
 
 namespace {
 
-// What both ways to show the film need.
+// What playing and dumping need.
 struct Prepared {
     Workers workers;
     IntroSettings settings;
-    bool hall;  // some of its scenes play there
-    bool music; // it is played with sound
+    bool hall;  // whether some scenes play in the hall
+    bool music; // whether the film is played with sound
     char processor[49];
     Arena arena;
     Intro *intro;
 };
 
-// Opens the window, if it is not open yet; returns an exit status. Without --size, pictures are as large as
-// the window, up to the largest that can be scaled up.
+// Opens the window, if it is not open yet. Without --size, sets the size of the pictures to the window's, but
+// at most to the largest that can be scaled up. Returns an exit status.
 int openScreen(Options &o) {
     FilmWindow &window = theEarly.window;
     if (!theEarly.opened) {
@@ -38,15 +38,15 @@ int openScreen(Options &o) {
             return showError(wrong);
     }
     if (o.sized) return 0;
-    Area area = areaOf(window, o.width, o.height);
-    int width = clamp(area.width, 16, kMostEnlarged);
-    o.height = max(area.height * width / max(area.width, 1), 9);
+    Viewport viewport = viewportOf(window, o.width, o.height);
+    int width = clamp(viewport.width, 16, kMostEnlarged);
+    o.height = max(viewport.height * width / max(viewport.width, 1), 9);
     o.width = width;
     return 0;
 }
 
-// Starts threads and takes memory; returns an exit status. What a dump lacks is reported to the script that
-// runs it, not in a window.
+// Starts threads and allocates memory. Returns an exit status. Errors of a dump are not shown in a window,
+// because a script may have started it.
 int prepare(const Options &o, Prepared &f) {
     auto report = o.dump ? printError : showError;
     int count = o.threads ? o.threads : cpuCount();
@@ -56,9 +56,9 @@ int prepare(const Options &o, Prepared &f) {
         return report(m.data);
     }
     // In-betweens also need the frames before the first and after the last
-    double beside = o.live ? 1 / 60.0 : 0;
+    double margin = o.live ? 1 / 60.0 : 0;
     bool any = !o.dump || firstFrame(o.from, o.fps) < firstFrame(o.to, o.fps);
-    f.hall = any && needsHall(seconds(o.from) - beside, seconds(o.to) + beside);
+    f.hall = any && needsHall(seconds(o.from) - margin, seconds(o.to) + margin);
     f.music = !o.dump && !o.mute;
     f.settings = {o.width, o.height};
     f.settings.pairs = o.live || !o.dump;
@@ -83,7 +83,7 @@ int dumpFilm(const Options &o, Prepared &f, bool stdoutClosed) {
     return dump(*f.intro, o, stdoutClosed);
 }
 
-// The window shows how far loading is.
+// Loads the film while the window shows the progress, and plays it.
 int playFilm(const Options &o, Prepared &f, int64_t began) {
     FilmWindow &window = theEarly.window;
     const char *wrong = load(f.intro, f.settings, f.arena, f.workers, f.hall ? &window.gl : nullptr,
@@ -114,5 +114,5 @@ int run(int argc, char **argv, bool stdoutClosed) {
 
 } // namespace
 
-// Compiled for the newer processor; start/start.cpp has checked it.
+// Compiled for x86-64-v3; start/start.cpp has checked the processor.
 int odrazRun(int argc, char **argv, int closed) { return run(argc, argv, closed & 2); }

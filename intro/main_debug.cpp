@@ -45,22 +45,22 @@ namespace {
 struct Maker {
     double time = 0;
     bool paused = false, flying = false, sought = false;
-    // Requested: keys of the camera, the tracks, steps back and on, saving
+    // Requests: to set or remove a key of the camera, write the tracks, undo, redo, save, leave
     bool sets = false, removes = false, writes = false, undoes = false, redoes = false, saves = false,
          leaves = false;
-    std::string message; // the result, drawn over the picture for a while
+    std::string message; // the result of a request, drawn over the picture for a while
     double messageUntil = 0;
     bool warned = false, closes = false;
     CameraKey camera = {};
     int quality = (int)QualityName::Play;
     double mouseX = 0, mouseY = 0;
-    std::set<int> chords; // keys that were pressed with Ctrl, which may be up before them
+    std::set<int> chords; // keys that were pressed with Ctrl; Ctrl may be released first
 };
 
 Maker theMaker; // GLFW's callbacks reach it
 Music theMusic;
 
-// The first move away from the script starts at the scripted camera.
+// Pauses, and lets the maker fly; the first flight starts at the scripted camera.
 void takeOver(Maker &m) {
     if (!m.flying) m.camera = cameraAt(m.time);
     m.flying = m.paused = true;
@@ -81,8 +81,8 @@ void onKey(GLFWwindow *, int key, int, int action, int mods) {
         return;
     }
     double step = (mods & GLFW_MOD_SHIFT ? kRowsPerBar : kRowsPerBar / 4) / kRowsPerSecond;
-    auto seek = [&](int way) {
-        m.time = stepBy(m.time, step, way, duration());
+    auto seek = [&](int direction) {
+        m.time = stepBy(m.time, step, direction, duration());
         m.sought = true;
     };
     if (mods & GLFW_MOD_CONTROL) {
@@ -128,9 +128,9 @@ void fly(GLFWwindow *window, Maker &m, float seconds, bool mayLook) {
     auto held = [&](int key) {
         return glfwGetKey(window, key) == GLFW_PRESS && !m.chords.count(key) ? 1.f : 0.f;
     };
-    float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),
+    float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), sideways = held(GLFW_KEY_D) - held(GLFW_KEY_A),
           up = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
-    if (held(GLFW_KEY_LEFT_CONTROL) + held(GLFW_KEY_RIGHT_CONTROL) > 0) ahead = aside = up = 0;
+    if (held(GLFW_KEY_LEFT_CONTROL) + held(GLFW_KEY_RIGHT_CONTROL) > 0) ahead = sideways = up = 0;
     double x, y;
     glfwGetCursorPos(window, &x, &y);
     float dx = (float)(x - m.mouseX), dy = (float)(y - m.mouseY);
@@ -138,7 +138,7 @@ void fly(GLFWwindow *window, Maker &m, float seconds, bool mayLook) {
     m.mouseY = y;
     bool looking =
         mayLook && glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && (dx != 0 || dy != 0);
-    if (ahead == 0 && aside == 0 && up == 0 && !looking) return;
+    if (ahead == 0 && sideways == 0 && up == 0 && !looking) return;
     takeOver(m);
 
     // Turn about the eye, keeping the distance to the target
@@ -151,8 +151,8 @@ void fly(GLFWwindow *window, Maker &m, float seconds, bool mayLook) {
     }
     Vec3 forward = {std::cos(pitch) * std::sin(yaw), std::sin(pitch), -std::cos(pitch) * std::cos(yaw)};
     Vec3 right = normalize(cross(forward, Vec3{0, 1, 0}));
-    float way = 2.5f * seconds;
-    m.camera.eye += forward * (ahead * way) + right * (aside * way) + Vec3{0, up * way, 0};
+    float step = 2.5f * seconds;
+    m.camera.eye += forward * (ahead * step) + right * (sideways * step) + Vec3{0, up * step, 0};
     m.camera.target = m.camera.eye + forward * distance;
 }
 
@@ -161,13 +161,14 @@ int fail(const char *line) {
     return 1;
 }
 
-// When paused or sought, the clock follows us; otherwise we follow it. After its end the film begins again.
+// While paused, or after a seek, sets the clock to m.time; otherwise sets m.time by the clock. After its end
+// the film begins again.
 void keepTime(Maker &m) {
     int64_t moment = nanoseconds();
     FilmClock &clock = theMusic.clock;
     clock.watch(moment, processorNanoseconds());
     theMusic.playback.pause(m.paused);
-    m.time = std::fmin(m.time, duration()); // which may have changed
+    m.time = std::fmin(m.time, duration()); // the duration may have changed
     if (!m.paused && !m.sought) {
         double time = std::fmin(clock.at(moment), duration());
         m.time = looped(loopBetween(0, duration(), duration()), time);
@@ -177,8 +178,8 @@ void keepTime(Maker &m) {
     m.sought = false;
 }
 
-// Loads the film, while the window shows how far it is. Returns null, or what is missing; m.closes if it was
-// left.
+// Loads the film, while the window shows the progress. Returns null, or what is missing; sets m.closes if the
+// maker leaves.
 const char *loadFilm(Stage &stage, Screen &screen, uint64_t solvers, Maker &m) {
     std::vector<uint8_t> black((size_t)screen.width * (size_t)screen.height * 4);
     const char *line = needsHall(0, duration()) ? "solving the hall: some seconds" : "loading";
@@ -195,7 +196,7 @@ const char *loadFilm(Stage &stage, Screen &screen, uint64_t solvers, Maker &m) {
     return m.closes ? nullptr : problem;
 }
 
-// The title: where and how fast we are.
+// Sets the window's title: scene, time, quality and the seconds that the last picture took.
 void setTitle(const Screen &s, const Maker &m, double passed, const std::string &more) {
     char title[200];
     std::snprintf(title, sizeof title, FILM_NAME "-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms  %s",
@@ -205,12 +206,13 @@ void setTitle(const Screen &s, const Maker &m, double passed, const std::string 
     glfwSetWindowTitle(s.window, title);
 }
 
-// Writes the tracks where the maker's editor will look for them, but not over what somebody else has written.
+// Writes the tracks into the current folder, for an editor. Never overwrites a file that somebody else has
+// written. Returns a message.
 std::string writeTracks(Edits &edits) try {
-    static std::filesystem::file_time_type ours; // when we wrote it
+    static std::filesystem::file_time_type ours; // when this program wrote it
     const std::string file = FILM_NAME ".rocket";
     if (std::filesystem::exists(file) && std::filesystem::last_write_time(file) != ours)
-        return file + " is there already: move it away";
+        return file + " already exists: move it away";
     std::string message = edits.writeDocument(file);
     ours = std::filesystem::last_write_time(file);
     return message;
@@ -218,7 +220,7 @@ std::string writeTracks(Edits &edits) try {
     return e.what();
 }
 
-// What was asked for by keys and by the editor.
+// Carries out the requests of the keys and of the editor.
 void edit(Maker &m, Edits &edits, std::string &message) {
     Edits::Requests asked = edits.update(glfwGetTime(), m.time * kRowsPerSecond);
     if (!asked.message.empty()) fail(asked.message.c_str());
@@ -273,31 +275,9 @@ void help() {
         "build/seen.");
 }
 
-} // namespace
-
-int main(int argc, char **argv) {
-    std::string build = std::filesystem::read_symlink("/proc/self/exe").parent_path(), message;
-    Options o;
-    DebugOptions own;
-    Message wrong;
-    Stage stage(build + "/live/live.so");
-    if (!stage.problem().empty()) return fail((stage.problem() + ": build it again").c_str());
-    if (std::string line = takeOptions(argc, argv, own); !line.empty()) return fail(line.c_str()), 2;
-    if (!parseOptions(argc, argv, duration(), o, wrong)) return fail(wrong.data), 2;
-    if (o.help) return help(), 0;
-    if (own.shown) return recordShown(o, own.shown);
+// Shows the film in a window until the maker leaves. Returns an exit status.
+int run(const Options &o, Stage &stage, Follower &follower, Edits &edits, std::string &message) {
     static const int never = 0;
-    Follower follower(build, stage, [&](const std::string &word, const std::string &line) {
-        message = word;
-        if (!line.empty()) fail(line.c_str());
-    });
-    Edits edits(stage, follower.showFolder(), own.host, own.port);
-    if (own.tracks) try {
-            std::puts(edits.writeDocument(own.tracks).c_str());
-            return 0;
-        } catch (const std::runtime_error &e) {
-            return fail(e.what());
-        }
     Screen screen = {};
     if (const char *missing = open(screen, o.width, o.height)) return fail(missing);
     glfwSetKeyCallback(screen.window, onKey);
@@ -327,9 +307,10 @@ int main(int argc, char **argv) {
         fly(screen.window, m, (float)passed, !panel.grabs());
         Picture p =
             panel.picture(stage.intro(), {m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr});
-        Picture above = p; // the time line
+        Picture above = p; // the part above the time line
         if (panel.visible() && panel.timeLine().area.height) above.height = panel.timeLine().area.y;
-        follower.drawState(above, outgrown(stage.intro()), glfwGetTime() < m.messageUntil ? m.message : "");
+        follower.drawState(above, exceededLimit(stage.intro()),
+                           glfwGetTime() < m.messageUntil ? m.message : "");
         show(screen, p);
         follower.wait();
         setTitle(screen, m, passed, message);
@@ -338,4 +319,31 @@ int main(int argc, char **argv) {
     stage.giveUp();
     glfwTerminate();
     return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    std::string build = std::filesystem::read_symlink("/proc/self/exe").parent_path(), message;
+    Options o;
+    DebugOptions own;
+    Message wrong;
+    Stage stage(build + "/live/live.so");
+    if (!stage.problem().empty()) return fail((stage.problem() + ": build it again").c_str());
+    if (std::string line = takeOptions(argc, argv, own); !line.empty()) return fail(line.c_str()), 2;
+    if (!parseOptions(argc, argv, duration(), o, wrong)) return fail(wrong.data), 2;
+    if (o.help) return help(), 0;
+    if (own.shown) return recordShown(o, own.shown);
+    Follower follower(build, stage, [&](const std::string &word, const std::string &line) {
+        message = word;
+        if (!line.empty()) fail(line.c_str());
+    });
+    Edits edits(stage, follower.showFolder(), own.host, own.port);
+    if (own.tracks) try {
+            std::puts(edits.writeDocument(own.tracks).c_str());
+            return 0;
+        } catch (const std::runtime_error &e) {
+            return fail(e.what());
+        }
+    return run(o, stage, follower, edits, message);
 }

@@ -1,8 +1,8 @@
-// The film as a page: what its scripts (host/web/) call, with numbers and addresses alone.
+// The film as a page: the functions that its scripts (host/web/) call. They pass only numbers and addresses.
 //
-// Every worker has an instance of this program, in a memory of its own: those that trace pictures, the one
-// that solves the hall's light, whose memory is then copied to these, and the one that makes music. The page
-// has an instance, too, for the film's clock and its player.
+// Each worker has an instance of this program, with separate memory: the workers that trace pictures, the one
+// that solves the hall's light, whose memory is then copied to the tracing ones, and the one that makes
+// music. The page has another instance, for the film's clock and its player.
 #include "host/web/gl.h"
 #include "inside.h"
 #include "output/output.h"
@@ -24,7 +24,7 @@ FilmClock theClock;
 Statistics theStatistics;
 char thePrinted[4096];
 
-// Fresh memory, which is zero; null if there is none.
+// Returns new memory, zeroed; null if there is not enough.
 unsigned char *grow(size_t bytes) {
     size_t pages = (bytes + 65535) >> 16, was = __builtin_wasm_memory_grow(0, pages);
     return was == ~(size_t)0 ? nullptr : (unsigned char *)(was << 16);
@@ -36,7 +36,7 @@ int64_t nanosecondsOf(double milliseconds) { return (int64_t)(milliseconds * 1e6
 
 // --- Pictures ---
 
-// Null, or a line that says what is missing.
+// Returns null, or a line that says what is missing.
 EXPORT(load) const char *loadFilm(int width, int height, int hall) {
     IntroSettings settings = {width, height};
     size_t bytes = memoryNeeded(settings, 1, hall);
@@ -60,7 +60,7 @@ EXPORT(samples) int samplesOf() { return (int)samplesTaken(*theIntro); }
 
 // --- Music ---
 
-// The next `blocks` of music, 0 .. 200: left and right in turn.
+// Returns the next `blocks` of music, 0 .. 200: samples of the left and the right side alternate.
 EXPORT(sound) float *music(int blocks) {
     static float out[200 * 2 * kSoundBlock];
     for (int i = 0; i < blocks; ++i) soundBlock(*theSound, out + (size_t)i * 2 * kSoundBlock);
@@ -76,40 +76,40 @@ EXPORT(seek) int seek(int block) {
     return theSound != nullptr;
 }
 
-// --- The page's own: the film, its clock, and the plan ---
+// --- The page's instance: the film's clock and its player ---
 
 EXPORT(duration) double durationOf() { return duration(); }
 
-// Times are seconds of the film, and milliseconds of the page's clock.
+// `seconds` are the film's time, `now` is in milliseconds of the page's clock.
 EXPORT(start) void start(double seconds, double now) { theClock.start(seconds, nanosecondsOf(now)); }
 EXPORT(correct) void correct(double seconds, double now) { theClock.correct(seconds, nanosecondsOf(now)); }
 EXPORT(at) double at(double now) { return theClock.at(nanosecondsOf(now)); }
 
-// What the page knows of the film.
 namespace {
 struct PageFilm {
-    Can hall; // whether its light is solved
+    Traceable hall; // Now if the hall's light is solved
     bool goesOn(double time) const { return time < duration(); }
     int sceneOf(double time) const { return sceneAt(time); }
     double startOf(double time) const { return shotStart(time); }
     Pace paceOf(int scene) const { return pageOf(odraz::paceOf(scene)); }
-    Can can(double time) const { return needsHall(time, time + 1e-3) ? hall : Can::Now; }
+    Traceable traceable(double time) const { return needsHall(time, time + 1e-3) ? hall : Traceable::Now; }
 } theFilm;
-Queue theQueue; // apart from the rest, which is not zero at the start
+Queue theQueue; // not in thePlayer, so that it is zero at the start and takes no bytes
 PagePlayer<PageFilm> thePlayer = {&theFilm, &theQueue, 1};
 } // namespace
 
-// How many workers trace pictures.
+// Returns the number of workers that trace pictures.
 EXPORT(workers) int workersOf(int cores) { return pageWorkers(cores); }
-// Begins, or begins elsewhere: pictures that were planned before are forgotten.
+// Begins, or seeks: all pictures planned before are forgotten.
 EXPORT(begin) void begin(double from, int width, int height, int workers) {
     thePlayer.workers = workers;
     thePlayer.begin(from, width, height);
     theStatistics.sixtieth = 0;
 }
-EXPORT(hall) void hall(int can) { theFilm.hall = (Can)can; }
-EXPORT(can) int can(double seconds) { return (int)theFilm.can(seconds); }
-// The picture that an idle worker traces next, if the film is at `now` seconds; null: none yet.
+EXPORT(hall) void hall(int traceable) { theFilm.hall = (Traceable)traceable; }
+EXPORT(can) int can(double seconds) { return (int)theFilm.traceable(seconds); }
+// Returns the picture that an idle worker traces next when the film is at `now` seconds: its time, level,
+// width and height. Null: none yet.
 EXPORT(plan) const double *plan(double now) {
     static double planned[4];
     if (!thePlayer.next(now)) return nullptr;
@@ -118,18 +118,19 @@ EXPORT(plan) const double *plan(double now) {
     planned[2] = size.width, planned[3] = size.height;
     return planned;
 }
-// It was traced, in seconds.
+// Accepts such a picture, which was traced in `trace` seconds.
 EXPORT(traced) void traced(double time, float trace, float samples, int width) {
     thePlayer.traced({{}, time, trace, 0, samples, {width, 0}, 0});
 }
 EXPORT(ready) float ready() { return thePlayer.ready(); }
-// The picture to show at this refresh, by its time, if the film is at `now` seconds; -1: none.
+// Returns the time of the picture to show at this refresh, when the film is at `now` seconds; -1: none.
 EXPORT(due) double due(double now) {
     Queue::Action action;
     while ((action = theQueue.action(now + thePlayer.kNearest)) == Queue::kSkip) theQueue.remove();
     return action == Queue::kShow ? theQueue.first().time : -1;
 }
-// It came on the screen that many seconds of the film behind its beginning, and took `present` milliseconds.
+// Reports that this picture was shown, `at` seconds of the film after its beginning, in `present`
+// milliseconds.
 EXPORT(shown) void shown(double at, double present) {
     theStatistics.add(theQueue.first(), at, nanosecondsOf(present));
     theQueue.remove();

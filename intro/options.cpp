@@ -15,7 +15,7 @@ namespace {
     return *a == *b;
 }
 
-// Digits up to a limit; false when there are none or too many.
+// Reads an integer from 0 up to a limit. Returns false if there are no digits or the number is larger.
 bool readInteger(const char *&p, int64_t limit, int64_t &value) {
     const char *start = p;
     for (value = 0; *p >= '0' && *p <= '9'; ++p) {
@@ -25,7 +25,7 @@ bool readInteger(const char *&p, int64_t limit, int64_t &value) {
     return p != start;
 }
 
-// Digits with at most `places` more after a point.
+// Reads a decimal number with at most `places` digits after the point.
 bool readDecimal(const char *&p, int64_t limit, int places, Decimal &d) {
     if (!readInteger(p, limit, d.value)) return false;
     d.scale = 1;
@@ -52,7 +52,7 @@ bool readRate(const char *p, Rate &fps) {
            fps.numerator <= fps.denominator * 1000;
 }
 
-// A number from 1 up to a limit.
+// Reads a number from 1 up to a limit.
 bool readCount(const char *&p, int limit, int &count) {
     int64_t n;
     if (!readInteger(p, limit, n)) return false;
@@ -61,7 +61,7 @@ bool readCount(const char *&p, int limit, int &count) {
 }
 
 bool readQuality(const char *p, Options &o) {
-    // As when the film is played: traced frames are of quality `play`
+    // `live`, as when the film is played: traced frames have quality `play`
     o.live = same(p, "live");
     if (o.live) p = "play";
     for (const Quality &q : kQualities)
@@ -74,10 +74,10 @@ bool readQuality(const char *p, Options &o) {
 
 struct Option {
     char name[10];
-    char value[7]; // what follows it, for the help; "" if nothing does
-    // what the value must be: printed when it is wrong, and the start of the help
+    char value[7]; // its value's name in the help; "" if it has no value
+    // What the value must be: printed if it is wrong, and at the start of the option's help
     const char *expects;
-    const char *helpTail; // the rest of the help
+    const char *helpTail; // the rest of its help
     bool (*read)(const char *p, Options &o);
 };
 
@@ -164,7 +164,7 @@ bool parseOptions(int argc, const char *const *argv, double duration, Options &o
 }
 
 int64_t firstFrame(Decimal time, Rate fps) {
-    // Below 10^11 * 10^6 over 10^6 * 10^6: exact in 64 bits
+    // Exact in 64 bits: `top` is at most 10^11 * 10^6, `bottom` 10^6 * 10^6
     int64_t top = time.value * fps.numerator, bottom = time.scale * fps.denominator;
     return (top + bottom - 1) / bottom;
 }

@@ -6,7 +6,7 @@
 
 namespace odraz {
 
-// A number of seconds as it was written: value / scale, scale a power of ten up to 10^6.
+// A number of seconds, exactly as written: value / scale. `scale` is a power of ten up to 10^6.
 struct Decimal {
     int64_t value, scale;
 };
@@ -26,32 +26,32 @@ struct Options {
     bool sized = false;                       // whether --size was given
     int threads = 0;                          // 0: as many as there are processors
     QualityName quality = QualityName::Count; // Count: not given
-    bool live = false;                        // every other frame is made from those beside it
+    bool live = false;                        // whether every other frame is made from its neighbours
     Decimal from = {0, 1}, to = {0, 0};       // scale 0: not given
     Rate fps = {25, 1};
 
-    // The quality that was given, or another if none was.
+    // Returns the quality that was given, or `otherwise` if none was.
     const Quality &qualityOr(QualityName otherwise) const {
         return kQualities[(int)(quality == QualityName::Count ? otherwise : quality)];
     }
 };
 
-// Whether an output is standard output: "-".
+// Returns whether an output is standard output: "-".
 bool isStdout(const char *path);
 
 using Message = Text<256>;
 
 // Reads the arguments after the program's name. If they are wrong, returns false and sets `wrong` to a line
-// that says what is wrong and what would be right.
+// that says what is wrong and what is expected. `duration`: seconds of the film.
 bool parseOptions(int argc, const char *const *argv, double duration, Options &options, AnyText &wrong);
 
-// The number of the first frame at or after a time: the smallest n with n / fps >= time.
+// Returns the number of the first frame at or after a time: the smallest n with n / fps >= time.
 int64_t firstFrame(Decimal time, Rate fps);
 
-// The time that frame n shows, in seconds.
+// Returns the time of frame n, in seconds.
 double frameTime(int64_t n, Rate fps);
 
-// What --help prints.
+// Writes the text of --help.
 void writeHelp(AnyText &text);
 
 } // namespace odraz

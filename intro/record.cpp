@@ -20,27 +20,29 @@ namespace odraz {
 
 namespace {
 
-struct Row {
-    Made made;
+struct ShownPicture {
+    FinishedPicture made;
     double at;
     bool between() const { return made.trace == 0; }
 };
 
-void addRow(void *rows, const Made &made, double at) { ((std::vector<Row> *)rows)->push_back({made, at}); }
+void addRow(void *rows, const FinishedPicture &made, double at) {
+    ((std::vector<ShownPicture> *)rows)->push_back({made, at});
+}
 
-std::string listOf(std::vector<Row> rows) {
-    // An in-between needs the traced ones on both sides, and has the level and size of the later one
+std::string listOf(std::vector<ShownPicture> rows) {
+    // An in-between needs the traced pictures on both sides, and has the level and size of the later one
     while (!rows.empty() && rows.back().between()) rows.pop_back();
-    // Where the machine stalled, the film's clock was set back after a picture was shown
+    // Make times ascend: if the machine stalled, the film's clock was set back after a picture was shown
     double next = INFINITY;
     for (size_t i = rows.size(); i--;)
         if (rows[i].at >= 0) next = rows[i].at = std::min(rows[i].at, next);
     std::string text = "at,time,kind,level,width,height\n";
     for (size_t i = 0; i < rows.size(); ++i) {
-        const Row &row = rows[i];
+        const ShownPicture &row = rows[i];
         size_t later = i;
         while (rows[later].between()) ++later;
-        const Made &traced = rows[later].made;
+        const FinishedPicture &traced = rows[later].made;
         char line[160];
         std::snprintf(line, sizeof line, "%.6f,%.6f,%s,%.4f,%d,%d\n", row.at, row.made.time,
                       row.between() ? "between" : "traced", (double)traced.level, traced.size.width,
@@ -89,7 +91,7 @@ int recordShown(const Options &o, const char *to) {
     if (const char *wrong =
             load(intro, settings, arena, workers, hall ? &window.gl : nullptr, {showLoading, &window, 0}))
         return printError(wrong);
-    std::vector<Row> rows;
+    std::vector<ShownPicture> rows;
     Recorder recorder = {addRow, &rows};
     if (int status = play(*intro, o.mute ? nullptr : loadSound(arena), o, window, &leave, began, &recorder))
         return status;

@@ -5,8 +5,8 @@
 namespace odraz {
 
 bool cpuSuffices() {
-    // AVX2 and BMI are in leaf 7, the rest in leaves 1 and 0x80000001; the kernel must save the wide
-    // registers
+    // AVX2 and BMI are in leaf 7, the other features in leaves 1 and 0x80000001. The kernel must save the
+    // wide registers
     unsigned a, b, c, d;
     constexpr unsigned kLeaf1 =
         bit_FMA | bit_AVX | bit_F16C | bit_MOVBE | bit_OSXSAVE | bit_POPCNT | bit_SSE4_2;
@@ -23,14 +23,14 @@ void cpuName(char name[49]) {
     unsigned words[12] = {};
     for (unsigned i = 0; i < 3; ++i)
         __get_cpuid(0x80000002 + i, words + 4 * i, words + 4 * i + 1, words + 4 * i + 2, words + 4 * i + 3);
-    // Leave out trademarks in parentheses, the clock rate, and blanks that repeat
+    // Leave out trademarks in parentheses, the clock rate and repeated blanks
     const char *from = (const char *)words;
     int size = 0;
-    bool aside = false;
+    bool inParentheses = false;
     for (int i = 0; i < 48 && from[i] && from[i] != '@'; ++i) {
-        aside |= from[i] == '(';
-        if (!aside && (from[i] != ' ' || (size && name[size - 1] != ' '))) name[size++] = from[i];
-        aside &= from[i] != ')';
+        inParentheses |= from[i] == '(';
+        if (!inParentheses && (from[i] != ' ' || (size && name[size - 1] != ' '))) name[size++] = from[i];
+        inParentheses &= from[i] != ')';
     }
     while (size && name[size - 1] == ' ') --size;
     name[size] = 0;

@@ -3,11 +3,11 @@
 
 namespace odraz {
 
-// Whether processor and kernel offer what the film is compiled for: x86-64-v3 (AVX2, FMA, BMI, F16C, MOVBE).
-// Runs on any x86-64.
+// Returns whether processor and kernel support x86-64-v3 (AVX2, FMA, BMI, F16C, MOVBE), for which the film is
+// compiled. Runs on any x86-64.
 bool cpuSuffices();
 
-// Its name without trademarks and clock rate, at most 48 characters and a zero.
+// Writes the processor's name without trademarks and clock rate: at most 48 characters and a zero.
 void cpuName(char name[49]);
 
 } // namespace odraz

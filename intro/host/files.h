@@ -1,22 +1,22 @@
-// Writes files so that they are either complete or absent.
+// Files: each one is written completely or not at all.
 #pragma once
 
 #include <stddef.h>
 
 namespace odraz {
 
-// Each returns null, or what went wrong in a few words ("no space left on the device").
+// Functions that return a text return null, or what went wrong ("no space left on the device").
 const char *writeAll(int descriptor, const void *data, size_t size);
 
-// Writes a file beside `path`, under a name that is not in use (path + ".NUMBER.part"), and then renames it
-// to `path`. If that fails, the file is removed. A pipe or a device is written to directly.
+// Writes a file next to `path`, under an unused name (path + ".NUMBER.part"), and then renames it to `path`.
+// If that fails, the file is removed. A pipe or a device is written to directly.
 const char *writeFile(const char *path, const void *data, size_t size);
 
 const char *makeDirectory(const char *path); // no error if it exists already
 
 bool isTerminal(int descriptor);
 
-// Size of the running program's file, 0 if unknown.
+// Returns the size of the running program's file in bytes; 0 if unknown.
 long ownSize();
 
 } // namespace odraz

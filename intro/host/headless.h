@@ -6,8 +6,8 @@
 namespace odraz {
 
 // Makes a core context of OpenGL 3.3 current on this thread and fills the table. Mesa renders in software
-// unless the environment says otherwise (LIBGL_ALWAYS_SOFTWARE=0). Returns null, or a line that says what is
-// missing and what to do.
+// unless the environment has LIBGL_ALWAYS_SOFTWARE=0. Returns null, or a line that says what is missing and
+// what to do.
 const char *openHeadlessGl(Gl &gl);
 
 } // namespace odraz

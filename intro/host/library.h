@@ -1,5 +1,5 @@
-// Shared libraries, opened by name when they are needed, so that a missing one gives a readable line instead
-// of a loader's error.
+// Opens shared libraries by name when they are needed. So a missing library gives a readable line instead of
+// an error of the loader.
 #pragma once
 
 #include "base/gl.h"
@@ -8,22 +8,23 @@
 
 namespace odraz {
 
-// Fills table[] with functions of the library `soname`. `names` holds their names one after the other, each
-// ending with a zero, and an empty name at the end. Returns null, or the name of what is missing: the library
-// or a function.
+// Fills table[] with functions of the library `soname`. `names` is the list of their names: each name ends
+// with a zero, and the list ends with an empty name. Returns null, or the name of the library or function
+// that is missing.
 const char *loadFunctions(const char *soname, const char *names, void **table);
 
-// The name that follows in such a list.
+// Returns the next name of such a list.
 inline const char *nextName(const char *name) {
     while (*name++) {
     }
     return name;
 }
 
-// The same, where `find` looks up a function by its name.
+// Fills table[] with the functions that `find` returns for these names. Returns null, or the name of a
+// missing function.
 const char *findFunctions(void *(*find)(const char *), const char *names, void **table);
 
-// Fills the table of OpenGL; `find` looks up a function of the current context.
+// Fills the table of OpenGL with what `find` returns in the current context; returns as findFunctions() does.
 const char *findGl(void *(*find)(const char *), Gl &gl);
 
 // For tables written as lists: #define LIST(F) F(first) F(second)

@@ -1,4 +1,4 @@
-// The viewer's window, with a context of OpenGL 3.3. The film's picture is scaled to it with its aspect kept.
+// The viewer's window, with a context of OpenGL 3.3. Pictures are scaled to it, and keep their aspect.
 #pragma once
 
 #include "base/gl.h"
@@ -12,35 +12,35 @@ struct WindowState; // the system's own
 struct FilmWindow {
     WindowState *state;
     Gl gl;             // current on the thread that opened the window
-    int width, height; // as the system last reported it; another thread sets it
-    int stands;        // 1: the film does, from one press of the space bar to the next; likewise
+    int width, height; // the last size that the system reported; another thread sets it
+    int paused;        // 1: the viewer has paused the film by the space bar; another thread sets it
     GLuint picture, framebuffer;
     int64_t loadingShown; // when loading was last shown, in nanoseconds()
 };
 
-// Opens a window, full screen or of width x height, and makes its context current. ESC, Alt-F4 and the
-// close button set *leave, on another thread, whatever the rest of the program is doing. The process ends
-// with status 0 at most a tenth of a second later. Returns null, or a line that says what is missing and
-// what to do.
+// Opens a window, full screen or of width x height pixels, and makes its context current. ESC, Alt-F4 and the
+// close button set *leave, on another thread, even while this one is busy. The process ends with status 0 at
+// most a tenth of a second later. Returns null, or a line that says what is missing and what to do.
 const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave);
 
 // Releases the context from this thread, so that the thread can use another one.
 void leaveContext(FilmWindow &window);
 
-// Shows what was drawn.
+// Shows the back buffer, at the display's next vertical sync.
 void swapBuffers(FilmWindow &window);
 
-// The largest rectangle of an aspect in the middle of the window, where pictures of width x height are shown.
-struct Area {
+// The rectangle of the window in which a picture of width x height is shown: the largest one of this aspect,
+// in the middle.
+struct Viewport {
     int x, y, width, height;
 };
-Area areaOf(const FilmWindow &window, int width, int height);
+Viewport viewportOf(const FilmWindow &window, int width, int height);
 
-// Shows a picture of width x height RGBA bytes, top row first. The size stays the same from call to call.
+// Shows a picture of width x height RGBA pixels, top row first. All calls must have the same size.
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height);
 
-// Shows how far loading is, 0 .. 1; `window` is a FilmWindow. It may be called often: it draws at most 30
-// times a second, and at the end.
+// Shows the progress of loading, 0 .. 1; `window` is a FilmWindow. It may be called often: it draws at most
+// 30 times a second, and at the end.
 void showLoading(float done, void *window);
 
 } // namespace odraz

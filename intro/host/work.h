@@ -1,20 +1,19 @@
-// Work that several threads share and take piece by piece. How they wait for it and for each other depends on
-// the system.
+// Work that several threads share, piece by piece. How threads wait depends on the system.
 #pragma once
 
 #include "base/parallel.h"
 
 namespace odraz {
 
-// A worker takes pieces until none is left, so a quick one takes more.
+// In its turn a worker runs pieces until none is left, so a quick worker runs more of them.
 struct Work {
     void (*body)(const void *, int, int, int);
     const void *context;
     const int *abort;
-    int count, size; // of all the work, and of a piece
-    int next;        // the first piece not yet taken
-    int busy;        // turns not yet done, without the caller's
-    int idNext;      // hands out worker numbers
+    int count, size; // number of items, and of items in a piece
+    int next;        // first item that no worker has taken yet
+    int busy;        // turns that have not ended, without the caller's
+    int lastWorker;  // number of the last worker
 
     void begin(const Workers &workers, int all, int piece, void (*f)(const void *, int, int, int),
                const void *data) {
@@ -27,9 +26,9 @@ struct Work {
         busy = workers.count - 1;
     }
 
-    int newWorker() { return __atomic_add_fetch(&idNext, 1, __ATOMIC_RELAXED); }
+    int newWorker() { return __atomic_add_fetch(&lastWorker, 1, __ATOMIC_RELAXED); }
 
-    void take(int worker) {
+    void runPieces(int worker) {
         while (!__atomic_load_n(abort, __ATOMIC_RELAXED)) {
             int first = __atomic_fetch_add(&next, size, __ATOMIC_RELAXED), end = first + size;
             if (first >= count) return;
@@ -37,8 +36,8 @@ struct Work {
         }
     }
 
-    // Ends a turn; true for the last one.
-    bool done() { return __atomic_sub_fetch(&busy, 1, __ATOMIC_ACQ_REL) == 0; }
+    // Ends a turn; returns true for the last one.
+    bool endTurn() { return __atomic_sub_fetch(&busy, 1, __ATOMIC_ACQ_REL) == 0; }
 };
 
 } // namespace odraz

@@ -29,9 +29,9 @@ void Pool::work() {
             if (over) return;
             seen = round;
         }
-        job.take(worker);
+        job.runPieces(worker);
         std::lock_guard lock(mutex); // run() must not miss the last notification
-        if (job.done()) ends.notify_one();
+        if (job.endTurn()) ends.notify_one();
     }
 }
 
@@ -42,7 +42,7 @@ void Pool::run(int count, int size, void (*body)(const void *, int, int, int), c
         ++round;
     }
     begins.notify_all();
-    job.take(0);
+    job.runPieces(0);
     std::unique_lock lock(mutex);
     ends.wait(lock, [&] { return job.busy == 0; });
 }

@@ -18,10 +18,10 @@
     FILM(CameraKey, cameraAt, (double seconds), (seconds)) \
     FILM(Picture, picture, (Intro &intro, int slot, double seconds, const Quality &quality, const CameraKey *camera, \
          TracedSize traced), (intro, slot, seconds, quality, camera, traced)) \
-    FILM(Picture, between, (Intro &intro, int earlier, int later, double share, int place), \
-         (intro, earlier, later, share, place)) \
+    FILM(Picture, between, (Intro &intro, int earlier, int later, double share, int buffer), \
+         (intro, earlier, later, share, buffer)) \
     FILM(int64_t, samplesTaken, (const Intro &intro), (intro)) \
-    FILM(const char *, outgrown, (const Intro &intro), (intro)) \
+    FILM(const char *, exceededLimit, (const Intro &intro), (intro)) \
     FILM(size_t, soundMemory, (), ()) \
     FILM(Sound *, loadSound, (Arena &arena), (arena)) \
     SOUND(void, seekSound, (Sound &first, int block), (sound, block)) \

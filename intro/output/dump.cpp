@@ -12,8 +12,8 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
     if (!toStdout)
         if (const char *wrong = makeDirectory(o.dump)) return cannotWrite(o.dump, wrong);
     const Quality &quality = o.qualityOr(QualityName::Film);
-    // With --quality live, as when the film is played, even frames are traced, into the two slots in turn;
-    // odd ones are made from the two beside them
+    // With --quality live, as when the film is played, even frames are traced, into the two slots in turn.
+    // Odd frames are made from their two neighbours
     auto slotOf = [&](int64_t n) { return o.live ? (int)(n >> 1 & 1) : 0; };
     int64_t traced = -1;
     Picture later = {};
@@ -24,13 +24,13 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
 
     int64_t first = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps);
     for (int64_t n = first; n < end; ++n) {
-        bool made = o.live && n & 1;
-        if (made) trace(n - 1);
-        trace(n + made);
-        Picture p = made ? between(intro, slotOf(n - 1), slotOf(n + 1)) : later;
-        if (const char *limit = outgrown(intro))
+        bool inBetween = o.live && n & 1;
+        if (inBetween) trace(n - 1);
+        trace(n + inBetween);
+        Picture p = inBetween ? between(intro, slotOf(n - 1), slotOf(n + 1)) : later;
+        if (const char *limit = exceededLimit(intro))
             return cannotWrite("a scene that outgrew a limit; raise in scene.h", limit);
-        // Pack it in place as a PPM: the header in front, three bytes of every four behind it
+        // Turn it into a PPM in place: a header, then three bytes of every four
         Text<32> header;
         header << "P6\n" << p.width << ' ' << p.height << "\n255\n";
         size_t pixels = (size_t)p.width * (size_t)p.height;
@@ -41,7 +41,7 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
             for (size_t c = 0; c < 3; ++c) *to++ = p.rgba[4 * i + c];
         size_t size = (size_t)(to - file);
 
-        Text<4200> path; // a name that is too long is reported, never cut off
+        Text<4200> path; // longer than any path, so that one that is too long is reported, not cut off
         path << o.dump;
         if (!toStdout) (path << "/frame-").number((uint64_t)n, 6) << ".ppm";
         if (int status = writeOutput(path.data, file, size)) return status;

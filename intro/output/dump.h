@@ -6,7 +6,7 @@
 
 namespace odraz {
 
-// Writes the frames that the options select; returns an exit status. `stdoutClosed`: standard output was
+// Writes the frames that the options select. Returns an exit status. `stdoutClosed`: standard output was
 // closed at the start.
 int dump(Intro &intro, const Options &options, bool stdoutClosed);
 

@@ -6,7 +6,7 @@
 
 namespace odraz {
 
-constexpr int kLongestName = 150; // characters; of longer names only the end is printed
+constexpr int kLongestName = 150; // characters
 
 int cannotWrite(const char *what, const char *why) {
     // Print only the end of a long name, so that the line has room for the reason

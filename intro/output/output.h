@@ -1,21 +1,21 @@
-// What all writers share: whether an output can be written at all, writing it, and saying why it was not.
+// Functions that all writers share: they check an output, write it, and report why it cannot be written.
 //
-// An output is a path, or "-" for standard output. Every function here returns an exit status: 0, or that of
-// a failure, which has then been reported in one line on standard error.
+// An output is a path, or "-" for standard output. Every function here returns an exit status: 0, or the
+// status of a failure, which it has reported in one line on standard error.
 #pragma once
 
 #include <stddef.h>
 
 namespace odraz {
 
-// Complains that `what` cannot be written, and why; returns 1.
+// Reports that `what` cannot be written, and why. Returns 1.
 int cannotWrite(const char *what, const char *why);
 
-// Checks whether an output can be written. Standard output can if it was not closed at the start and is no
-// terminal; a path always passes.
+// Checks whether an output can be written. Standard output passes if it was not closed at the start and is no
+// terminal. A path always passes.
 int checkOutput(const char *to, bool stdoutClosed);
 
-// Writes a whole file, or to standard output.
+// Writes a whole file, or all of `data` to standard output.
 int writeOutput(const char *to, const void *data, size_t size);
 
 } // namespace odraz

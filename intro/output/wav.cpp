@@ -23,13 +23,13 @@ struct Header {
 };
 static_assert(sizeof(Header) == 44);
 
-constexpr size_t kSlack = 4 * kSoundBlock; // bytes before and after what is written
+constexpr size_t kSlack = 4 * kSoundBlock; // bytes of a block: room before and after the part to write
 
 } // namespace
 
 int writeWav(const Options &o, bool stdoutClosed) {
     if (int status = checkOutput(o.wav, stdoutClosed)) return status;
-    // As with frames, a time means the first sample at or after it
+    // As for frames, a time means the first sample at or after it
     int from = (int)firstFrame(o.from, {kSoundRate, 1}), to = (int)firstFrame(o.to, {kSoundRate, 1});
     size_t size = (size_t)(to - from) * 4, bytes = soundMemory() + kSlack + size + kSlack;
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
@@ -37,8 +37,8 @@ int writeWav(const Options &o, bool stdoutClosed) {
     Sound *sound = loadSound(arena);
     uint8_t *first = arena.take<uint8_t>(kSlack + size) + kSlack;
 
-    // Render from the film's start, whatever part is wanted. Blocks may begin before that part and end after
-    // it: kSlack has room for that
+    // Render from the film's start, and keep the part to write. Its first block may begin before it, and its
+    // last block may end after it, in kSlack
     for (int at = 0; at < to; at += kSoundBlock) {
         float block[2 * kSoundBlock];
         soundBlock(*sound, block);

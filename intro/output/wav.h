@@ -5,8 +5,8 @@
 
 namespace odraz {
 
-// Writes the music of the interval that the options select as a WAV file: 48 kHz, two channels of 16 bits,
-// dithered. Returns an exit status. A sample depends on its time alone, so separately written parts join.
+// Writes the music between --from and --to as a WAV file: 48 kHz, two channels of 16 bits, dithered. Returns
+// an exit status. A sample depends only on its time, so parts that are written separately join without a gap.
 // `stdoutClosed`: standard output was closed at the start.
 int writeWav(const Options &options, bool stdoutClosed);
 

@@ -9,17 +9,17 @@ void FilmClock::start(double time, int64_t now) {
 }
 
 void FilmClock::correct(double time, int64_t now) {
-    double off = time - at(now);
-    // Correct it by at most a hundredth of the time that passed: so it never stands still, however often
-    // this is called
-    double most = (double)(now - lastCorrected) * 1e-11;
+    double error = time - at(now);
+    // Correct by at most a hundredth of the elapsed time, so that the clock never stops, however often this
+    // is called
+    double limit = (double)(now - lastCorrected) * 1e-11;
     lastCorrected = now;
-    double far = (off < 0 ? -off : off) * 1e3;
-    ++offsets[far < kOffsets - 1 ? (int)far : kOffsets - 1];
-    if (!(off >= -kMostOff && off <= kMostOff)) return;
-    if (most > 5e-5) most = 5e-5;
-    off = off < -most ? -most : off > most ? most : off;
-    __atomic_sub_fetch(&zero, (int64_t)(off * 1e9), __ATOMIC_RELAXED);
+    double milliseconds = (error < 0 ? -error : error) * 1e3;
+    ++errors[milliseconds < kErrors - 1 ? (int)milliseconds : kErrors - 1];
+    if (!(error >= -kMostError && error <= kMostError)) return;
+    if (limit > 5e-5) limit = 5e-5;
+    error = error < -limit ? -limit : error > limit ? limit : error;
+    __atomic_sub_fetch(&zero, (int64_t)(error * 1e9), __ATOMIC_RELAXED);
 }
 
 void FilmClock::watch(int64_t now, int64_t processor) {

@@ -1,5 +1,5 @@
-// The time of the film as it is played. It runs with the system's clock, and is corrected by the position
-// that the sound device reports, by at most 1 % of the time that passes, which is not seen. It never goes
+// The clock of the film as it is played. It runs with the system's clock, and is corrected by the position
+// that the sound device reports: by at most 1 % of the elapsed time, which no viewer sees. It never goes
 // back.
 #pragma once
 
@@ -9,33 +9,34 @@ namespace odraz {
 
 class FilmClock {
 public:
-    // The film's time, in seconds, at a moment (nanoseconds of the system's clock); unset until started.
+    // Returns the film's time, in seconds, at a moment of the system's clock, in nanoseconds. It is undefined
+    // before start().
     double at(int64_t now) const { return (double)(now - __atomic_load_n(&zero, __ATOMIC_RELAXED)) * 1e-9; }
     bool started() const { return __atomic_load_n(&running, __ATOMIC_ACQUIRE); }
 
     // Sets the film's time: at the start, and when the viewer seeks.
     void start(double time, int64_t now);
-    // The device reports that this time of the film is heard now. A report that is more than kMostOff
-    // seconds off is ignored.
+    // Corrects the clock: `time` is the film's time that is heard now, as the device reports it. An error of
+    // more than kMostError seconds is ignored.
     void correct(double time, int64_t now);
     // Must be called once a picture, with the processor time that the process has used. If the process was
-    // stopped since the last call (much time passed, and it did almost nothing), the film goes on where it
-    // stopped.
+    // stopped since the last call (much time has passed, but little of it on the processor), the film
+    // continues from where it stopped.
     void watch(int64_t now, int64_t processor);
-    // How often watch() was called: after a gap in its own calls the sound waits for the next one.
+    // The number of calls of watch(). After a gap in its own calls the sound waits for the next one.
     unsigned watched() const { return __atomic_load_n(&watches, __ATOMIC_ACQUIRE); }
 
-    // A histogram of the clock's error against the sound: entry N counts errors of N milliseconds, the last
-    // one also all larger ones.
-    static constexpr int kOffsets = 250;
-    int offsets[kOffsets];
+    // A histogram of the clock's errors: entry N counts errors of N milliseconds, the last entry also all
+    // larger ones.
+    static constexpr int kErrors = 250;
+    int errors[kErrors];
 
-    static constexpr double kMostOff = 0.25;
-    static constexpr int64_t kGap =
-        250000000; // nanoseconds; a longer gap may mean that the process was stopped
+    static constexpr double kMostError = 0.25;
+    // Nanoseconds between two calls; after a longer gap the process may have been stopped.
+    static constexpr int64_t kGap = 250000000;
 
 private:
-    int64_t zero; // the moment of the film's first picture
+    int64_t zero; // moment of the film's beginning
     int64_t lastCorrected, lastWatch, lastProcessor;
     unsigned watches;
     bool running;

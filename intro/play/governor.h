@@ -1,14 +1,14 @@
 // The governor decides how each picture of the film is traced, so that playback keeps up on any machine.
 //
-// In: how long the last picture took to trace and the in-betweens before it to make, in seconds, and the
-// limits of the scene (Pace). Out: the quality and size of the next traced picture, its time in the film, and
-// the number of in-betweens before it. It reads no clock: the same input always gives the same decisions.
+// Input: the scene's limits (Pace), and the seconds that tracing the last picture and making the in-betweens
+// before it took. Output: the quality and size of the next traced picture, its time in the film, and the
+// number of in-betweens before it. It reads no clock: the same input always gives the same decisions.
 //
 // Two quantities are controlled:
 //
 //   coarseness   How much detail a traced picture gives up: 0 is `film`, 1 `play`, 2 `draft`. Values between
 //                them blend two qualities. Above 2 the quality stays `draft`, and fewer pixels are traced
-//                and scaled up. It moves a little with every traced picture, so that no step is seen.
+//                and scaled up. It changes a little with every traced picture, so that no step is visible.
 //   cadence      Which sixtieths of a second are traced, and how many in-betweens are made between two:
 //
 //                          traced         in-betweens   shown a second
@@ -19,9 +19,9 @@
 //                kThirty   every fourth   1             30
 //
 // Tracing fewer pictures leaves more time for each, but in-betweens are less exact than traced pictures,
-// especially in fast scenes. So the governor estimates the error of every cadence: that of the coarseness at
-// which this machine keeps up with it, plus a penalty that the scene sets. The least error wins. If even the
-// coarsest pictures take too long, pictures are dropped.
+// especially in fast scenes. So the governor estimates the error of every cadence: the error of the
+// coarseness at which this machine keeps up, plus a penalty that the scene sets. The cadence with the least
+// error wins. If even the coarsest pictures take too long, pictures are dropped.
 #pragma once
 
 #include "base/maths.h"
@@ -29,13 +29,13 @@
 
 namespace odraz {
 
-// Without in-betweens a cadence is its traced pictures alone.
+// Without in-betweens (kBetweens = false) a cadence has only its traced pictures.
 template <bool kBetweens> struct GovernorOf {
     static constexpr bool kMakesBetweens = kBetweens;
     enum Cadence { kSixty, kPairs, kFours, kSixes, kThirty };
     static constexpr int kGap[kCadences] = {1, 2, 4, 6, 4}; // sixtieths between two traced pictures
     static constexpr int kInBetweens[kCadences] = {0, kBetweens, 3 * kBetweens, 5 * kBetweens, kBetweens};
-    static_assert(kInBetweens[kSixes] <= kPlaces);
+    static_assert(kInBetweens[kSixes] <= kBetweenBuffers);
 
     static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
     static constexpr int kSteps = sizeof kRange / sizeof *kRange - 1; // the coarseness of `draft`
@@ -46,48 +46,47 @@ template <bool kBetweens> struct GovernorOf {
     // The share of the time from one traced picture to the next that tracing it and making the in-betweens
     // before it may take. The rest is for showing them, and for pictures that take longer than the average.
     static constexpr float kShare = 0.87f;
-    // The weight of a new time in its average. A smaller weight would follow a costly scene too late, a
-    // larger one would follow noise.
+    // The weight of a new time in its average. With a smaller weight, the average follows a costly scene too
+    // late; with a larger one, it follows noise.
     static constexpr float kWeight = 0.25f;
-    // A time counts as at most this many times the average. A longer one is a hiccup of the system, and does
-    // not predict the next.
+    // A time counts as at most this many times the average: a longer one is a hiccup of the system.
     static constexpr float kMostTimes = 4;
-    // While no in-betweens are made, the average of making one moves towards kGuess times that of tracing,
-    // the usual ratio: by kForget of the difference with each picture, so that it is forgotten within a
-    // second.
+    // While no in-betweens are made, the average of making one moves towards kGuess times the average of
+    // tracing, the usual ratio. With each picture it moves by kForget of the difference, so that old times
+    // are forgotten within a second.
     static constexpr float kForget = 0.03f, kGuess = 0.5f;
 
     // --- How coarseness moves ---
 
     // The excess of a picture is its time divided by its budget, minus 1. For each sixtieth of a second,
-    // coarseness moves by kGain times the excess, which is limited: upwards to kMostExcess (from `play` to
-    // `draft` in a seventh of a second), downwards to kLeastExcess, since viewers notice a late picture
-    // more than a coarse one. Beyond kAlarm it moves up by a whole step at once.
+    // coarseness moves by kGain times the excess. The excess is limited to kMostExcess upwards (from `play`
+    // to `draft` in a seventh of a second) and to kLeastExcess downwards, because viewers notice a late
+    // picture more than a coarse one. Beyond kAlarm coarseness moves up by a whole step at once.
     static constexpr float kGain = 0.12f, kLeastExcess = -0.5f, kMostExcess = 1, kAlarm = 1.5f;
-    // While fewer pixels are traced than shown, an excess up to kDeadBand does not count, so that the size of
-    // pictures does not swing.
+    // While fewer pixels are traced than shown, an excess within kDeadBand counts as 0, so that the size of
+    // pictures does not oscillate.
     static constexpr float kDeadBand = 0.06f;
 
     // --- Fewer pixels ---
 
-    // The share of the width that a step of coarseness gives up. Tracing then takes about half the time.
+    // A step of coarseness gives up this share of the width. Tracing then takes about half the time.
     static constexpr float kShrink = 0.35f;
-    static constexpr int kWidthStep = 16; // reduced widths are multiples of it, in pixels
-    // Scaling up blurs the whole picture, so less than this part of a step is not worth it.
+    static constexpr int kWidthStep = 16; // pixels; reduced widths are multiples of it
+    // Less than this part of a step is not given up, because scaling up blurs the whole picture.
     static constexpr float kLeastShrink = 0.06f;
-    // Any quality better than `draft` takes samples within pixels, which multiplies the time by this. All
-    // pixels are traced again only if there is time for that.
+    // Every quality better than `draft` takes samples within pixels, which multiplies the time by this. All
+    // pixels are traced again only if there is time for these samples.
     static constexpr float kInsideCost = 1.28f;
 
     // --- How the cadence is chosen ---
 
-    // Squared error is multiplied by 2 to this power with each step of coarseness: 7.5 dB, the mean over the
-    // scenes of the film.
+    // With each step of coarseness the squared error grows by 2^kGrowth: 7.5 dB, the mean over the scenes of
+    // the film.
     static constexpr float kGrowth = 2.5f;
-    // Another cadence is taken once its error has been less than this share of the present one's for kWait
+    // The cadence changes once another one's error has been less than kMargin times its own for kWait
     // sixtieths of a second. After the first picture of a scene any lower error is enough, at once. Later
-    // than kSettled sixtieths into a scene, each change multiplies the share by kMargin again, so that the
-    // cadence cannot swing.
+    // than kSettled sixtieths into a scene, each change multiplies the margin by kMargin again, so that the
+    // cadence cannot oscillate.
     static constexpr float kMargin = 0.65f;
     static constexpr int kWait = 20, kSettled = 90;
 
@@ -105,13 +104,13 @@ template <bool kBetweens> struct GovernorOf {
 
     Cadence cadence = kPairs;
     float coarseness = kPlay; // kFinest .. coarsest()
-    // Average seconds that tracing a picture and making an in-between take, scaled to the present coarseness
+    // Average seconds to trace a picture and to make an in-between, scaled to the present coarseness
     float tracing = 0.05f, making = 0.02f;
-    float weight = 1;     // of the next time in them: after a cut 1, 1/2, 1/3, then kWeight
+    float weight = 1;     // weight of the next time in these averages: 1, 1/2, 1/3 after a cut, then kWeight
     int waited = kWait;   // sixtieths for which another cadence has been better
-    float margin = 1;     // another cadence is taken below this share of the present one's error
+    float margin = 1;     // another cadence must have less than this share of the present one's error
     int played = 0;       // sixtieths of this scene
-    bool reduced = false; // whether fewer pixels are traced than shown: coarseness is at least `draft`
+    bool reduced = false; // whether fewer pixels are traced than shown; coarseness is then at least `draft`
     int scene = -1;
 
     // Seconds of the film from one traced picture to the next.
@@ -121,12 +120,12 @@ template <bool kBetweens> struct GovernorOf {
     // Seconds that this work may take in a cadence.
     float budget(int c) const { return kShare * (float)kSixtieth * (float)kGap[c]; }
 
-    // How many steps beyond `draft` pixels can be given up, down to the scene's least width.
+    // The number of steps beyond `draft`, down to the scene's least width.
     float pixelSteps() const {
         return width ? max(1 - (float)pace.leastWidth / (float)width, 0.f) / kShrink : 0;
     }
     float coarsest() const { return kSteps + pixelSteps(); }
-    // Whether quality is used up, and pixels are left to give up.
+    // Whether the quality is `draft` already, but the size can still shrink.
     bool mustReduce() const { return coarseness >= kSteps && coarsest() > kSteps; }
 
     // --- Output: how to make the next pictures ---
@@ -144,24 +143,24 @@ template <bool kBetweens> struct GovernorOf {
         if (w < width) w &= -kWidthStep;
         return {w, width ? (w * height + width / 2) / width : 0};
     }
-    // The sixtieths from a picture to the next one, in-betweens included.
-    int apart() const { return kGap[cadence] / (kInBetweens[cadence] + 1); }
-    // The number of in-betweens between two traced pictures that are `gap` sixtieths apart: before a cut the
-    // gap may be shorter than planned. None after a hiccup, when it is far longer.
+    // The sixtieths from one picture to the next, in-betweens included.
+    int spacing() const { return kGap[cadence] / (kInBetweens[cadence] + 1); }
+    // The number of in-betweens for two traced pictures that are `gap` sixtieths apart. Before a cut the gap
+    // may be shorter than planned. After a hiccup it is far longer, and there are none.
     int between(int gap) const {
-        return gap > 2 * kGap[cadence] ? 0 : min(kInBetweens[cadence], (gap - 1) / apart());
+        return gap > 2 * kGap[cadence] ? 0 : min(kInBetweens[cadence], (gap - 1) / spacing());
     }
-    // The film's time of the picture to trace next, in seconds, if the last one is that of `time` and the
-    // film is at `now`. It and all in-betweens before it must be ready when they are due. If they cannot be,
-    // whole sixtieths are dropped: a picture between two refreshes of the screen would only wait for the
-    // second. Each of several `workers` takes that many times longer than all together.
+    // Returns the film's time of the picture to trace next, in seconds. The last one had `time`, and the film
+    // is at `now`. The picture and all in-betweens before it must be ready when they are due. If they cannot
+    // be, whole sixtieths are dropped: a picture between two refreshes of the screen would only wait for the
+    // second one. One of several `workers` takes `workers` times longer than all of them together.
     double next(double time, double now, int workers = 1) const {
         int count = kInBetweens[cadence];
-        // How far ahead the picture must be for its first in-between to be in time, and for the last one; if
-        // there are none, for itself
+        // Seconds that the picture must be ahead, for its first in-between and for its last one to be in
+        // time; for the picture itself if there are none
         float first = tracing * (float)workers, last = work();
-        float each = (float)(apart() * kSixtieth);
-        if (count) first += making + (float)count * each, last += each;
+        float interval = (float)(spacing() * kSixtieth);
+        if (count) first += making + (float)count * interval, last += interval;
         double soonest = now + max(first, last) - kTolerance;
         for (time += step(); time < soonest;) time += kSixtieth;
         return time;
@@ -169,7 +168,7 @@ template <bool kBetweens> struct GovernorOf {
 
     // --- Input: the scene, and the times that pictures took ---
 
-    // The next picture to trace is of this scene.
+    // Prepares for a picture of this scene.
     void enter(int next, const Pace &nextPace) {
         if (scene == next) return;
         pace = nextPace;
@@ -182,7 +181,8 @@ template <bool kBetweens> struct GovernorOf {
         margin = 1;
     }
 
-    // The last picture took `trace` seconds to trace, and each of the `count` in-betweens before it `make`.
+    // Learns that the last picture took `trace` seconds, and each of the `count` in-betweens before it
+    // `make`.
     void spent(float trace, float make, int count) {
         auto follow = [&](float &average, float time) {
             average += (min(time, kMostTimes * average) - average) * weight;
@@ -198,10 +198,10 @@ template <bool kBetweens> struct GovernorOf {
         if (reduced) excess -= clamp(excess, -kDeadBand, kDeadBand);
         float move = clamp(excess, kLeastExcess, kMostExcess) * kGain * (float)kGap[cadence];
         if (excess > kAlarm && coarseness + 1 < coarsest()) move = 1;
-        // Back to all pixels where there is time for samples within them
+        // Return to all pixels if there is time for samples within them
         reduced &= coarseness > kSteps ||
                    tracing * kInsideCost + (float)kInBetweens[cadence] * making > budget(cadence);
-        become(clamp(coarseness + move, reduced ? kSteps : kFinest, coarsest()));
+        setCoarseness(clamp(coarseness + move, reduced ? kSteps : kFinest, coarsest()));
         reduced |= mustReduce();
 
         choose();
@@ -212,22 +212,22 @@ template <bool kBetweens> struct GovernorOf {
 
     // The coarseness at which a cadence would meet its budget on this machine.
     float expected(int c) const {
-        float times = tracing / max(budget(c) - (float)kInBetweens[c] * making, 1e-4f);
-        return max(coarseness + log2(times) * pace.halving, kFinest);
+        float ratio = tracing / max(budget(c) - (float)kInBetweens[c] * making, 1e-4f);
+        return max(coarseness + log2(ratio) * pace.halving, kFinest);
     }
-    // The squared error of a cadence, in units of that of `play`. Beyond the coarsest, where pictures would
-    // be dropped, it grows twice as fast.
+    // The squared error of a cadence, in units of the error of `play`. Beyond coarsest(), where pictures
+    // would be dropped, it grows twice as fast.
     float error(int c) const {
         float e = expected(c);
         return exp2((e - kPlay + max(e - coarsest(), 0.f)) * kGrowth) + pace.penalty[c];
     }
-    // Takes the cadence of the least error, once that has been clearly less for a while.
+    // Changes to the cadence of the least error, once that has been clearly less for a while.
     void choose() {
         Cadence best = cadence;
         float least = error(cadence) * margin;
         for (int c = 0; c < kCadences; ++c) {
-            float its = error(c);
-            if (its < least) least = its, best = (Cadence)c;
+            float e = error(c);
+            if (e < least) least = e, best = (Cadence)c;
         }
         played += kGap[cadence];
         waited = best == cadence ? 0 : waited + kGap[cadence];
@@ -236,13 +236,13 @@ template <bool kBetweens> struct GovernorOf {
         cadence = best, waited = 0;
         if (!reduced) return;
         // The new cadence may have time for all pixels
-        become(clamp(expected(cadence), kFinest, coarsest()));
+        setCoarseness(clamp(expected(cadence), kFinest, coarsest()));
         reduced = mustReduce();
     }
-    // Changes the coarseness, and the average of tracing with it.
-    void become(float coarser) {
-        tracing *= exp2((coarseness - coarser) / pace.halving);
-        coarseness = coarser;
+    // Changes the coarseness, and scales the average time of tracing to it.
+    void setCoarseness(float value) {
+        tracing *= exp2((coarseness - value) / pace.halving);
+        coarseness = value;
     }
 };
 using Governor = GovernorOf<true>;

@@ -1,15 +1,15 @@
-// The player's decisions where several workers trace pictures, each one on its own and for itself, as the
-// page's do. The page and tools/measure/seen play by them.
+// The player's decisions for several workers, each of which traces whole pictures, as on the page. The page
+// and tools/measure/seen use them.
 #pragma once
 
 #include "play/schedule.h"
 
 namespace odraz {
 
-// A scene's limits there. A browser takes twice the time of the film, and too few pictures look worse than
-// too few pixels. No in-betweens are made: each takes two thirds of the time of a traced picture, and every
-// worker would trace a picture of its neighbour again. So all pictures are traced, 60 a second, or 30:
-// without in-betweens the governor's pairs.
+// Returns a scene's limits for the page. A browser takes twice the time of the film, and too few pictures
+// look worse than too few pixels. No in-betweens are made: one takes two thirds of the time of a traced
+// picture, and needs both neighbours, which other workers hold. So all pictures are traced: 60 a second, or
+// 30, which are the governor's pairs without in-betweens.
 inline Pace pageOf(Pace p) {
     constexpr int kLeastWidth = 480;
     p.leastWidth = min(p.leastWidth, kLeastWidth);
@@ -18,32 +18,33 @@ inline Pace pageOf(Pace p) {
     return p;
 }
 
-// A page has one for every processor, up to that many.
+// A page has one worker for each processor, but no more than this.
 inline constexpr int kMostPageWorkers = 8;
 inline int pageWorkers(int cores) { return min(cores, kMostPageWorkers); }
 
-// Whether a picture can be traced now, later, or never: for want of the hall's light.
-enum class Can { Now, Later, Never };
+// When a picture can be traced. One that needs the hall's light waits for it; if the light cannot be solved,
+// it is never traced.
+enum class Traceable { Now, Later, Never };
 
-// `Film` provides sceneOf(), startOf(), paceOf() and goesOn() as the player of makePictures() does, and `Can
-// can(time)`.
+// `Film` provides sceneOf(), startOf(), paceOf() and goesOn() as the player of makePictures() does, and
+// `Traceable traceable(time)`.
 template <class Film> struct PagePlayer {
-    static constexpr unsigned kMostReady = 8; // pictures that stand ready, besides those being traced
+    static constexpr unsigned kMostReady = 8; // finished pictures that wait to be shown
     static_assert(kMostReady + kMostPageWorkers <= Queue::kRing);
-    // A refresh of the screen shows pictures of up to that many seconds later: it is the one next to their
+    // A refresh of the screen may show a picture this many seconds early: no other refresh is nearer to its
     // time
     static constexpr double kNearest = 0.008;
 
     Film *film;
     Queue *queue;
     int workers;
-    unsigned most = 0; // pictures that are ready or being traced
+    unsigned most = 0; // most pictures that are finished or being traced
     GovernorOf<false> governor = {};
-    double time = 0;                 // the next picture's to trace, or the last one's
-    bool planned = false;            // it is that of the next one
-    unsigned started = 0, ended = 0; // pictures whose tracing has
+    double time = 0;                 // time of the next picture to trace if `planned`, else of the last one
+    bool planned = false;            // whether the next picture's time is decided
+    unsigned started = 0, ended = 0; // number of pictures whose tracing has started, and has ended
 
-    // Plays from there on. What was made before is forgotten, but for what the governor has learned.
+    // Plays from there on. All pictures are forgotten, but not what the governor has learned.
     void begin(double from, int width, int height) {
         governor.width = width, governor.height = height;
         queue->made = queue->shown = started = ended = 0;
@@ -51,26 +52,27 @@ template <class Film> struct PagePlayer {
         time = from, planned = true;
     }
     unsigned waiting() const { return queue->made - queue->shown; }
-    // Whether an idle worker shall trace a picture, if the film is at `now`: that of `time`, with the
-    // governor's level and size.
+    // Decides, when the film is at `now`, whether an idle worker traces another picture. If so, it is the
+    // picture of `time`, with the governor's level and size.
     bool next(double now) {
         for (;; planned = false) {
             if (!planned) time = nextTime(*film, governor, time, now, workers), planned = true;
             if (!film->goesOn(time) || waiting() + started - ended >= most) return false;
-            Can can = film->can(time);
-            if (can == Can::Later) return false;
-            if (can == Can::Now) break;
+            Traceable when = film->traceable(time);
+            if (when == Traceable::Later) return false;
+            if (when == Traceable::Now) break;
         }
         enter(*film, governor, time);
         ++started, planned = false;
         return true;
     }
-    // A worker has traced that picture, in m.trace seconds. Its first one does not count: it takes longer.
-    void traced(const Made &m) {
+    // Accepts a picture that a worker has traced in m.trace seconds. The governor ignores the first one of
+    // each worker, which takes longer.
+    void traced(const FinishedPicture &m) {
         if (ended++ >= (unsigned)workers) governor.spent(m.trace / (float)workers, 0, 0);
         queue->insert(m);
     }
-    // Whether enough pictures are ready to begin: 1.
+    // The share of the pictures that must be finished before the film begins, 0 .. 1.
     float ready() const { return min((float)waiting() / (float)min((int)most, (int)Queue::kAhead), 1.f); }
 };
 

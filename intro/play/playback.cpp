@@ -7,10 +7,10 @@ static_assert(kSoundRate == kDeviceRate);
 namespace {
 
 constexpr int64_t kSecond = 1000000000, kNap = 2000000; // nanoseconds
-// Frames. Sound that is off by more than kLate is left out or waited for; if it is off by more than kFar,
-// the right place is sought. A device that takes everything and does not report what it holds is kept kLead
-// ahead of the film.
-constexpr int64_t kLate = kSoundRate / 50, kFar = kSoundRate, kLead = kSoundRate / 5;
+// In frames. If the sound is off by more than kLate, it skips frames or waits; if it is off by more than
+// kSeek, it seeks. A device that accepts everything and does not report its delay is kept kLead ahead of the
+// film.
+constexpr int64_t kLate = kSoundRate / 50, kSeek = kSoundRate, kLead = kSoundRate / 5;
 constexpr float kFade = 0.5f; // change of the level in a block
 
 } // namespace
@@ -20,7 +20,7 @@ void Playback::prepare(const SoundSource &what, const SoundOutput &where, FilmCl
     output = where;
     clock = &by;
     position = begin = (int64_t)(from * kSoundRate);
-    // From the film's start no seek is needed, and no fade in
+    // The film's start needs neither a seek nor a fade-in
     sought = !begin;
     level = sought;
 }
@@ -36,10 +36,10 @@ void Playback::fill(float to) {
     quiet = 0;
 }
 
-// Makes a block of silence, and moves to a frame of the film, or towards it.
+// Makes a block of silence. Unless `still`, moves to a frame of the film, or towards it.
 void Playback::leap(int64_t frame, bool still) {
     int64_t off = frame - position;
-    if (!still && (!sought || off > kFar || off < -kFar)) {
+    if (!still && (!sought || off > kSeek || off < -kSeek)) {
         position = frame - frame % kSoundBlock;
         source.seek(source.context, position);
         sought = true;
@@ -49,6 +49,7 @@ void Playback::leap(int64_t frame, bool still) {
     quiet += kSoundBlock;
 }
 
+// Treats the device as lost, and lets it be opened again in a second.
 int64_t Playback::lose(int64_t now) {
     opened = false;
     level = 0;
@@ -59,8 +60,7 @@ int64_t Playback::lose(int64_t now) {
 }
 
 int64_t Playback::step(int64_t now) {
-    // After a gap in calls to this function the film's clock may be wrong, until FilmClock::watch() has been
-    // called
+    // After a gap in calls of this function the film's clock may be wrong until FilmClock::watch() is called
     if (lastStep && now - lastStep > FilmClock::kGap) {
         doubt = true;
         watched = clock->watched();
@@ -83,8 +83,8 @@ int64_t Playback::step(int64_t now) {
         return taken ? 0 : kNap;
     }
 
-    // How many frames too late the next block would be heard. Until the film begins it is in time. If it is
-    // unknown what the device holds, the block may be early
+    // Decide whether to leap. `off`: the frames by which the next block would be heard too late. Before the
+    // film begins it is in time. If the device's delay is unknown, the block may be early
     int64_t film = playing ? (int64_t)(clock->at(now) * kSoundRate) : begin;
     int64_t off = playing ? film + held - position : 0;
     bool leaps = still || !sought || off > kLate || off < -(held ? kLate : kLead + kLate);
@@ -102,7 +102,7 @@ int64_t Playback::step(int64_t now) {
     return 0;
 }
 
-// Sets the clock by what is heard, once the device has had enough sound.
+// Starts the clock once the device is full, and corrects it by what is heard.
 void Playback::follow(int64_t now, bool full) {
     held = output.delay();
     if (held < 0) held = 0;

@@ -1,8 +1,8 @@
-// Plays the film's sound ahead of its clock, and sets the clock by what is heard.
+// Plays the film's sound ahead of the film's clock, and corrects the clock by what is heard.
 //
 // A step writes at most one block of 5 ms. Sound that would be heard too late is left out, so that the film
-// never waits; when the film's time leaps, the sound follows to that place. Every leap lies between a fade
-// out and a fade in of 10 ms. A device that is lost is opened again every second.
+// never waits. When the film's time leaps, the sound leaps too. It fades out before each leap and in after
+// it, in 10 ms. A lost device is tried again every second.
 #pragma once
 
 #include "host/sound.h"
@@ -11,24 +11,24 @@
 
 namespace odraz {
 
-// What is played, from some time of the film on.
+// Where the sound comes from.
 struct SoundSource {
-    void (*seek)(void *context, int64_t frame); // the next block begins with this frame of the film
-    void (*render)(void *context, int16_t samples[2 * kSoundBlock]); // ... and moves on
+    void (*seek)(void *context, int64_t frame); // makes the next block begin with this frame of the film
+    void (*render)(void *context, int16_t samples[2 * kSoundBlock]); // writes the next block, and advances
     void *context;
 };
 
 class Playback {
 public:
-    // Called first, on zeroed memory. The source stands at the film's beginning.
+    // Must be called first, on zeroed memory. The source must be at the film's beginning.
     void prepare(const SoundSource &source, const SoundOutput &output, FilmClock &clock, double from);
 
-    // Must be called again and again, on a separate thread; `now` is in nanoseconds(). Returns how long to
-    // sleep, in nanoseconds.
+    // Must be called in a loop, on a separate thread; `now` is in nanoseconds(). Returns the nanoseconds to
+    // sleep before the next call.
     int64_t step(int64_t now);
 
-    // These may be called on any thread. Paused, it fades out; silence() is true once nothing is heard any
-    // more.
+    // These may be called on any thread. The sound fades out when paused. silence() is true once nothing is
+    // heard any more.
     void pause(bool on) { __atomic_store_n(&paused, on, __ATOMIC_RELEASE); }
     bool silence() const { return !__atomic_load_n(&audible, __ATOMIC_ACQUIRE); }
 
@@ -41,14 +41,14 @@ private:
     SoundSource source;
     SoundOutput output;
     FilmClock *clock;
-    int64_t begin;              // frame that the film is played from
-    int64_t position;           // frame that the next block begins with
+    int64_t begin;              // frame from which the film is played
+    int64_t position;           // first frame of the next block
     int64_t held;               // frames that the device had not yet played at the last step
     int64_t quiet;              // frames of silence written since the last sound
-    int64_t openAt, lastStep;   // moments
-    unsigned watched;           // of the clock, when it was last in doubt
+    int64_t openAt, lastStep;   // moments, in nanoseconds
+    unsigned watched;           // clock->watched() at the last gap
     int left;                   // frames of the block that are not written yet
-    float level;                // of the last block's end, 0 .. 1
+    float level;                // loudness at the end of the last block, 0 .. 1
     bool opened, sought, doubt; // doubt: the clock's time may be wrong
     bool paused, audible;
     int16_t block[2 * kSoundBlock];

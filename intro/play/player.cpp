@@ -13,17 +13,16 @@ namespace {
 
 constexpr int64_t kNap = 500000; // nanoseconds
 
-// Zero at the start
 Statistics theStatistics;
 Music theMusic;
 
-// Makes pictures on a thread of its own.
+// Plays the film. It makes the pictures on a separate thread. Zero at the start.
 struct Player {
     Intro *intro;
     const Options *options;
     const int *leave;
     double to;  // seconds of the film
-    bool ended; // no more are made
+    bool ended; // no more pictures are made
     Queue queue;
 
     bool leaves() const { return __atomic_load_n(leave, __ATOMIC_RELAXED); }
@@ -36,7 +35,7 @@ struct Player {
     int sceneOf(double time) const { return sceneAt(time); }
     double startOf(double time) const { return shotStart(time); }
     Pace paceOf(int scene) const { return odraz::paceOf(scene); }
-    void trace(Made &m, int slot, const Governor &governor) {
+    void trace(FinishedPicture &m, int slot, const Governor &governor) {
         m.picture = picture(*intro, slot, m.time,
                             options->quality == QualityName::Count ? governor.quality()
                                                                    : options->qualityOr(QualityName::Play),
@@ -45,10 +44,10 @@ struct Player {
         m.level = governor.level();
         m.samples = (float)samplesTaken(*intro) / (float)(m.size.width * m.size.height);
     }
-    void between(Made &m, int earlier, int later, double share, int place) {
-        m.picture = odraz::between(*intro, earlier, later, share, place);
+    void between(FinishedPicture &m, int earlier, int later, double share, int buffer) {
+        m.picture = odraz::between(*intro, earlier, later, share, buffer);
     }
-    unsigned add(const Made &m) { return queue.add(m); }
+    unsigned add(const FinishedPicture &m) { return queue.add(m); }
     void await(unsigned number) const {
         while (!queue.removed(number) && !leaves()) sleepFor(kNap);
     }
@@ -87,18 +86,18 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     for (double time = from;;) {
         int64_t before = nanoseconds();
         theMusic.clock.watch(before, processorNanoseconds());
-        bool stands = __atomic_load_n(&window.stands, __ATOMIC_RELAXED);
+        bool stands = __atomic_load_n(&window.paused, __ATOMIC_RELAXED);
         theMusic.playback.pause(stands);
         if (stands) theMusic.clock.start(time, before);
         time = theMusic.clock.at(before);
-        if (time < from) time = from; // what is heard first is still on its way
+        if (time < from) time = from; // the first sound is still on its way
         if (time >= to || p.leaves()) break;
         Queue::Action action = p.queue.action(time);
         if (action == Queue::kWait) {
             sleepFor(kNap);
             continue;
         }
-        const Made &m = p.queue.first();
+        const FinishedPicture &m = p.queue.first();
         int64_t presenting = -1;
         if (action == Queue::kShow) {
             present(window, m.picture.rgba, m.picture.width, m.picture.height);

@@ -1,4 +1,4 @@
-// Shows the film while it is being traced, by the clock.
+// Plays the film: one thread traces it ahead of its clock, another one shows it.
 #pragma once
 
 #include "host/window.h"
@@ -8,15 +8,15 @@
 
 namespace odraz {
 
-// For tools: is called with each picture and the time of the film, in seconds, at which it came on the
-// screen, or -1 if it was skipped. The film has none.
+// A callback for tools, which the film does not use. It gets each picture and the time of the film, in
+// seconds, at which it was shown; -1 if it was skipped.
 struct Recorder {
-    void (*record)(void *context, const Made &made, double at);
+    void (*record)(void *context, const FinishedPicture &made, double at);
     void *context;
 };
 
-// Plays until the film ends or *leave is set (by the window's thread, for the viewer); exit status. `sound`
-// is null for silence; `began` is when the program started, in nanoseconds().
+// Plays until the film ends or the window's thread sets *leave. Returns an exit status. `sound`: null for
+// silence. `began`: the moment of the program's start, in nanoseconds(). May be called once in a process.
 int play(Intro &intro, Sound *sound, const Options &options, FilmWindow &window, const int *leave,
          int64_t began, const Recorder *recorder = nullptr);
 

@@ -1,5 +1,5 @@
-// Which pictures are made, in which order, and when each is shown: the player's decisions, without its
-// threads and its clock. The film, its tests and tools/measure/seen all play by them.
+// The player's decisions, without threads and clock: which pictures are made, in which order, and when each
+// is shown. The film, its tests and tools/measure/seen all use them.
 #pragma once
 
 #include "play/governor.h"
@@ -7,100 +7,102 @@
 namespace odraz {
 
 // A finished picture, on its way to the thread that shows it.
-struct Made {
+struct FinishedPicture {
     Picture picture;
-    double time;       // of the film, in seconds
-    float trace, make; // seconds that it took to trace, or to make between two others; the other one is 0
-    float samples;     // per traced pixel
+    double time;       // its time in the film, in seconds
+    float trace, make; // seconds to trace it, or to make it from two others; one of them is 0
+    float samples;     // samples per traced pixel
     TracedSize size;
-    float level; // of its quality (Governor::level), for tools alone
+    float level; // Governor::level() of its quality, for tools
 };
 
-// Made pictures in the order of their times. One thread adds to it, another one shows. Zero at the start.
+// Finished pictures in the order of their times. One thread adds to the queue, another one removes from it.
+// Zero at the start.
 struct Queue {
-    unsigned made, shown; // since the start
+    unsigned made, shown; // number of pictures added and removed since the start
     static constexpr unsigned kRing = 16;
-    Made ring[kRing]; // those not shown yet: at most all slots and places of intro.h, or page_player.h's
-    static_assert(kSlots + kPlaces <= kRing);
+    // Pictures not shown yet: at most all slots and buffers of intro.h, or the pictures of page_player.h
+    FinishedPicture ring[kRing];
+    static_assert(kSlots + kBetweenBuffers <= kRing);
 
     // The film begins when this many are ready.
     static constexpr unsigned kAhead = 3;
 
     unsigned ready() const { return __atomic_load_n(&made, __ATOMIC_ACQUIRE); }
-    const Made &first() const { return ring[shown % kRing]; }
+    const FinishedPicture &first() const { return ring[shown % kRing]; }
     // Returns the number of pictures added since the start.
-    unsigned add(const Made &m) {
+    unsigned add(const FinishedPicture &m) {
         ring[made % kRing] = m;
         __atomic_store_n(&made, made + 1, __ATOMIC_RELEASE);
         return made;
     }
-    // Adds one of several workers', on the thread that shows: before those that are later, or not at all if a
-    // later one has been shown.
-    void insert(const Made &m) {
+    // Inserts a picture by its time, on the thread that removes, for several workers. It is dropped if a
+    // later picture has been shown.
+    void insert(const FinishedPicture &m) {
         if (shown && ring[(shown - 1) % kRing].time > m.time) return;
         unsigned i = made++;
         for (; i != shown && ring[(i - 1) % kRing].time > m.time; --i)
             ring[i % kRing] = ring[(i - 1) % kRing];
         ring[i % kRing] = m;
     }
-    // What to do with the first picture when the film is at `time`. If several are due, all but the last are
-    // skipped.
+    // Decides what to do with the first picture when the film is at `time`. If several are due, all but the
+    // last one are skipped.
     enum Action { kWait, kSkip, kShow };
     Action action(double time) const {
         unsigned waiting = ready() - shown;
         if (!waiting || first().time > time) return kWait;
         return waiting < 2 || ring[(shown + 1) % kRing].time > time ? kShow : kSkip;
     }
-    // Removes the first picture: its slot or place is free.
+    // Removes the first picture: its slot or buffer is free.
     void remove() { __atomic_store_n(&shown, shown + 1, __ATOMIC_RELEASE); }
-    // Whether that many pictures have been removed.
+    // Whether at least `number` pictures have been removed.
     bool removed(unsigned number) const {
         return (int)(__atomic_load_n(&shown, __ATOMIC_ACQUIRE) - number) >= 0;
     }
 };
 
-// The scene and the moment of a picture to trace; `film` is a player as below.
+// Prepares the governor for the scene of a picture to trace. `film` is a player as below.
 template <class Film, class G> void enter(const Film &film, G &governor, double time) {
     int scene = film.sceneOf(time);
     governor.enter(scene, film.paceOf(scene));
 }
-// ... the moment of the next one, behind that of `last`, if the film is at `now`.
+// Returns the time of the next picture to trace, after the one of `last`, when the film is at `now`.
 template <class Film, class G>
 double nextTime(const Film &film, const G &governor, double last, double now, int workers = 1) {
     double time = governor.next(last, now, workers);
-    // A shot's first picture is traced: in-betweens beside a cut are made from one picture alone, or a
-    // cut would wait for the next picture. A gap of two sixtieths is too short to be cut shorter
+    // Trace the first picture of a shot: otherwise in-betweens next to the cut would be made from one picture
+    // only, or the cut would be shown late. A gap of two sixtieths cannot be shortened
     double start = film.startOf(time) - 1e-3;
     if (G::kMakesBetweens && start > last && governor.cadence >= G::kFours)
         for (time = last; time < start;) time += G::kSixtieth;
     return time;
 }
 
-// Makes the film from `time` on, in seconds, ahead of its clock, which is possible because it is scripted.
-// The player provides:
+// Makes the film's pictures from `time` on, in seconds, ahead of the film's clock. That is possible because
+// the film is scripted. The player provides:
 //
-//   bool goesOn(time)               whether the film goes on, with the picture of this time
-//   int64_t now()                   nanoseconds of its clock
-//   double filmAt(now)              the film's time at that moment, in seconds; Governor::kNotBegun
+//   bool goesOn(time)               whether the picture of this time is to be made
+//   int64_t now()                   the moment, in nanoseconds
+//   double filmAt(now)              the film's time at that moment, in seconds, or Governor::kNotBegun
 //   int sceneOf(time); Pace paceOf(scene)
-//   double startOf(time)            when the shot that is shown then begins
-//   trace(made, slot, governor)     traces the picture of made.time in slot 0 or 1, with the governor's
+//   double startOf(time)            the time at which the shot of this time begins
+//   trace(picture, slot, governor)  traces the picture of picture.time in slot 0 or 1, with the governor's
 //                                   quality and size
-//   between(made, earlier, later, share, place)
-//                                   makes the picture of made.time, `share` of the way between those of two
-//                                   slots
-//   unsigned add(made)              Queue::add()
-//   await(number)                   waits until that many pictures have been removed from the queue
+//   between(picture, earlier, later, share, buffer)
+//                                   makes the picture of picture.time, `share` of the way between the
+//                                   pictures of two slots
+//   unsigned add(picture)           Queue::add()
+//   await(number)                   waits until this many pictures have been removed from the queue
 template <class Player, class G> void makePictures(Player &player, G &governor, double time) {
-    // A slot, or a place of in-betweens, is free once this many pictures have been removed
-    unsigned freeAt[2] = {}, placeFreeAt[kPlaces] = {};
-    int place = 0;
+    // A slot, or a buffer of in-betweens, is free once this many pictures have been removed from the queue
+    unsigned freeAt[2] = {}, bufferFreeAt[kBetweenBuffers] = {};
+    int buffer = 0;
     double last = time;
     for (int n = 0; player.goesOn(time); ++n) {
         int slot = n & 1;
         player.await(freeAt[slot]);
         int64_t began = player.now();
-        Made m = {};
+        FinishedPicture m = {};
         m.time = time;
         enter(player, governor, time);
         player.trace(m, slot, governor);
@@ -108,16 +110,16 @@ template <class Player, class G> void makePictures(Player &player, G &governor, 
         int gap = (int)((time - last) / G::kSixtieth + 0.5), count = n ? governor.between(gap) : 0;
         float make = 0;
         for (int i = 1; i <= count; ++i) {
-            player.await(placeFreeAt[place]);
+            player.await(bufferFreeAt[buffer]);
             int64_t begun = player.now();
-            double share = 1 - (double)((count + 1 - i) * governor.apart()) / gap;
-            Made b = {};
+            double share = 1 - (double)((count + 1 - i) * governor.spacing()) / gap;
+            FinishedPicture b = {};
             b.time = last + (time - last) * share;
-            player.between(b, !slot, slot, share, place);
+            player.between(b, !slot, slot, share, buffer);
             b.make = (float)(player.now() - begun) * 1e-9f;
             make += b.make;
-            placeFreeAt[place] = player.add(b);
-            place = (place + 1) % kPlaces;
+            bufferFreeAt[buffer] = player.add(b);
+            buffer = (buffer + 1) % kBetweenBuffers;
         }
         freeAt[slot] = player.add(m);
         if (n) governor.spent(m.trace, make / (float)max(count, 1), count);

@@ -5,7 +5,7 @@
 
 namespace odraz {
 
-// Pictures a second that a viewer should see; a sixtieth of a second without a new one counts as missed.
+// Pictures a second on an ideal screen: a sixtieth of a second without a new picture counts as missed.
 static constexpr int kScreenRate = 60;
 
 double Histogram::quantile(double share) const {
@@ -15,7 +15,7 @@ double Histogram::quantile(double share) const {
     return 0;
 }
 
-void Statistics::add(const Made &m, double at, int64_t present) {
+void Statistics::add(const FinishedPicture &m, double at, int64_t present) {
     SceneStatistics &s = scenes[sceneAt(m.time)];
     if (present >= 0) {
         int64_t before = sixtieth;
@@ -59,9 +59,9 @@ int printStatistics(const Statistics &statistics, const FilmClock &clock, double
         t.padTo(line + 106).decimal(s.width / traced, 0) << '\n';
     }
     int count = 0, median = 0, most = 0, seen = 0;
-    for (int times : clock.offsets) count += times;
-    for (int i = 0; i < FilmClock::kOffsets && count; ++i) {
-        seen += clock.offsets[i];
+    for (int times : clock.errors) count += times;
+    for (int i = 0; i < FilmClock::kErrors && count; ++i) {
+        seen += clock.errors[i];
         if (seen * 2 <= count) median = i + 1;
         if (seen * 20 <= count * 19) most = i + 1;
     }

@@ -1,5 +1,5 @@
-// What --stats prints: for every scene how many pictures were traced, made between others, shown and missed,
-// and how long that took.
+// The statistics of --stats: for every scene the numbers of pictures traced, made between others, shown and
+// missed, and how long they took.
 #pragma once
 
 #include "play/film_clock.h"
@@ -7,7 +7,7 @@
 
 namespace odraz {
 
-// Times in tenths of a millisecond; what took half a second or longer counts as half a second.
+// A histogram of times, in bins of 0.1 ms. The last bin also counts all times of half a second or longer.
 struct Histogram {
     static constexpr int kBins = 5000;
     static constexpr int64_t kBin = 100000; // nanoseconds
@@ -19,28 +19,28 @@ struct Histogram {
         ++bins[bin < kBins ? bin : kBins - 1];
         ++count;
     }
-    // The smallest time, in milliseconds, within which `share` (0 .. 1) of all times lie.
+    // Returns the smallest time, in milliseconds, such that `share` (0 .. 1) of all times are not longer.
     double quantile(double share) const;
 };
 
 struct SceneStatistics {
     int traced, between, shown, missed;
-    double samples, width; // per traced pixel, and traced, in pixels: summed over all traced pictures
+    double samples, width; // samples per traced pixel, traced width in pixels: sums over all traced pictures
     Histogram trace, make, present;
 };
 
 // Zero at the start.
 struct Statistics {
     SceneStatistics scenes[kMaxScenes];
-    int64_t sixtieth; // when the last picture was shown, plus 1
+    int64_t sixtieth; // 1 + the sixtieth of a second in which the last picture was shown
 
-    // A picture came on the screen `at` seconds of the film after it began, and took `present` nanoseconds;
-    // or it was skipped: -1.
-    void add(const Made &m, double at, int64_t present);
+    // Adds a picture that was shown `at` seconds of the film after its beginning. Presenting it took
+    // `present` nanoseconds; -1 if it was skipped.
+    void add(const FinishedPicture &m, double at, int64_t present);
 };
 
-// Prints a row for every scene that was shown, and how far the sound was from the picture; exit status.
-// `untilFirst`: seconds from the program's start to its first picture.
+// Prints a row for every scene that was shown, and the errors between sound and picture. Returns an exit
+// status. `untilFirst`: seconds from the program's start to its first picture.
 int printStatistics(const Statistics &statistics, const FilmClock &clock, double untilFirst);
 
 } // namespace odraz

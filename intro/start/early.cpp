@@ -11,7 +11,7 @@ Early theEarly;
 
 namespace {
 
-// Handles options that need no film, and opens the window if the film will be played.
+// Answers options that need no film, and opens the window if the film will be played.
 void open(int argc, char **argv) {
     if (!cpuSuffices()) return; // main reports it
     Options o;

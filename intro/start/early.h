@@ -1,4 +1,4 @@
-// What runs while the packed program is still being decoded: the window opens, and its bar grows.
+// The part that runs while the rest of the packed program is decoded: it opens the window and draws its bar.
 #pragma once
 
 #include "host/window.h"
@@ -6,21 +6,21 @@
 namespace odraz {
 
 struct Early {
-    int64_t began; // when, in nanoseconds(); 0 if the program was not packed
-    bool opened;   // the window is open; if not, main opens it
+    int64_t began; // the program's start, in nanoseconds(); 0 if it was not packed
+    bool opened;   // whether the window is open; if not, main opens it
     FilmWindow window;
     int viewerLeft;        // set by the window
-    int closedDescriptors; // what prepareDescriptors found
+    int closedDescriptors; // the result of prepareDescriptors()
 };
-extern Early theEarly; // zero at first; not part of what is decoded
+extern Early theEarly; // starts as zero, and is not decoded
 
 inline bool viewerLeft() { return __atomic_load_n(&theEarly.viewerLeft, __ATOMIC_RELAXED) != 0; }
 
-constexpr float kEarlyShare = 0.4f; // of all loading
+constexpr float kEarlyShare = 0.4f; // share of the decoding in all loading
 
 } // namespace odraz
 
-// Called by the packer's stub: first when this function and all that it uses have been decoded (early.ld
-// lists that), then every few milliseconds. `stack`: as the kernel made it. `done` of `size` bytes are
+// The packer's stub calls it as soon as this function and all that it uses (listed in early.ld) are decoded,
+// and then every few milliseconds. `stack` is the kernel's: argc, then argv. `done` of `size` bytes are
 // decoded.
 extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size);

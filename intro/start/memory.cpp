@@ -1,4 +1,5 @@
-// What the compiler calls for copies and clears. In the shipped program only: other programs use libc's.
+// Functions that the compiler calls to copy, clear and compare. Only the shipped program uses them: other
+// programs use libc's.
 #include <stddef.h>
 
 extern "C" {

@@ -1,5 +1,4 @@
-// The first thing that runs, on any x86-64: no code of the film may run before the processor has been
-// checked.
+// Checks the processor. It runs first, on any x86-64, because code of the film needs the check.
 #include "host/cpu.h"
 #include "host/process.h"
 #include "start/early.h"

@@ -90,7 +90,7 @@ press r
 check "... which is the script's view now" comes '! is film && less "$(error)" 0.1'
 echo "somebody's work" >"$FILM.rocket"
 press x
-check "a file of others is not written over" comes 'titled "$FILM.rocket is there already"'
+check "a file of others is not written over" comes 'titled "$FILM.rocket already exists"'
 check "... and is as it was" grep -qx "somebody's work" "$FILM.rocket"
 rm "$FILM.rocket"
 press x

@@ -11,7 +11,7 @@ int showError(const char *line) {
     if (loadXlib(x)) return 1;
     Display *display = x.XOpenDisplay(nullptr);
     if (!display) return 1;
-    // An estimate of the width: the core font "fixed" is six pixels wide
+    // Estimate the width: characters of the core font "fixed" are six pixels wide
     int length = 0;
     while (line[length]) ++length;
     int screen = DefaultScreen(display), width = 6 * length + 48, height = 72;
@@ -27,7 +27,7 @@ int showError(const char *line) {
     GC pen = x.XCreateGC(display, window, 0, nullptr);
     x.XSetForeground(display, pen, WhitePixel(display, screen));
     x.XMapRaised(display, window);
-    // Half a minute at most: a script that runs us on a display must not hang
+    // Wait for at most half a minute: a script that runs us on a display must not hang
     for (;;) {
         x.XFlush(display);
         if (!x.XPending(display) && !sys::waitFor(ConnectionNumber(display), sys::kInput, 30000)) break;

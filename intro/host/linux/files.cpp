@@ -39,7 +39,7 @@ const char *writeAll(int descriptor, const void *data, size_t size) {
     while (size) {
         long n = sys::call(sys::kWrite, descriptor, (long)p, (long)size);
         if (n == -sys::kEintr) continue;
-        if (n == -sys::kEagain) { // a pipe that does not block is full
+        if (n == -sys::kEagain) { // a non-blocking pipe is full
             sys::waitFor(descriptor, sys::kOutput, -1);
             continue;
         }
@@ -51,18 +51,18 @@ const char *writeAll(int descriptor, const void *data, size_t size) {
 }
 
 const char *writeFile(const char *path, const void *data, size_t size) {
-    // An existing pipe or device, neither a file nor a directory, is written to directly
+    // Write directly to an existing pipe or device, which is neither a file nor a directory
     struct stat s;
-    bool stays =
+    bool direct =
         sys::call(sys::kStat, (long)path, (long)&s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
     constexpr long kWriteNew = 0x80041 /* write, create, cloexec */, kOwn = 0x20080 /* exclusive, no links */;
     char part[4096];
     long fd = -sys::kEexist;
-    if (stays) {
+    if (direct) {
         fd = sys::call(sys::kOpen, (long)path, kWriteNew, 0666);
     } else {
-        // Find a name that is not in use, neither by another process that writes the same file nor by a
-        // link or pipe put there
+        // Open an unused name: another process may be writing the same file, or somebody may have put a link
+        // or a pipe there
         size_t length = 0;
         for (; path[length]; ++length) {
             if (length > sizeof part - 32) return "the name is too long";
@@ -81,7 +81,7 @@ const char *writeFile(const char *path, const void *data, size_t size) {
     const char *wrong = writeAll((int)fd, data, size);
     long closed = sys::call(sys::kClose, fd);
     if (!wrong && closed < 0) wrong = reason(closed);
-    if (stays) return wrong;
+    if (direct) return wrong;
     long renamed = wrong ? 0 : sys::call(sys::kRename, (long)part, (long)path);
     if (renamed < 0) wrong = reason(renamed);
     if (wrong) sys::call(sys::kUnlink, (long)part);

@@ -5,9 +5,9 @@
 
 namespace odraz {
 
-// Where standard error is kept while a Quiet exists, otherwise 0. Not the descriptor to write to: that
-// would be 2 at first, and only data that is 0 at first exists when the early part prints an error
-static long theKept;
+// The duplicate of standard error while a Quiet exists, otherwise 0. It cannot start as 2: when the early
+// part prints an error, only data that starts as 0 exists
+static long theStandardError;
 
 const char kMoreMemory[] = "end other programs, or raise ulimit -v";
 
@@ -33,27 +33,27 @@ int printError(const char *line) {
     // Keep it to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';
-    sys::call(sys::kWrite, theKept ? theKept : 2, (long)text, size);
+    sys::call(sys::kWrite, theStandardError ? theStandardError : 2, (long)text, size);
     return 1;
 }
 
 Quiet::Quiet() {
-    long kept = sys::call(sys::kFcntl, 2, 1030 /* F_DUPFD_CLOEXEC */, 3),
+    long duplicate = sys::call(sys::kFcntl, 2, 1030 /* F_DUPFD_CLOEXEC */, 3),
          nothing = sys::call(sys::kOpen, (long)"/dev/null", 0x80002 /* O_RDWR, cloexec */);
-    if (kept >= 0 && nothing >= 0) { // else libraries still print
+    if (duplicate >= 0 && nothing >= 0) { // else libraries still print
         sys::call(sys::kDup2, nothing, 2);
-        theKept = kept;
+        theStandardError = duplicate;
     } else {
-        sys::call(sys::kClose, kept);
+        sys::call(sys::kClose, duplicate);
     }
     sys::call(sys::kClose, nothing);
 }
 
 Quiet::~Quiet() {
-    if (!theKept) return;
-    sys::call(sys::kDup2, theKept, 2);
-    sys::call(sys::kClose, theKept);
-    theKept = 0;
+    if (!theStandardError) return;
+    sys::call(sys::kDup2, theStandardError, 2);
+    sys::call(sys::kClose, theStandardError);
+    theStandardError = 0;
 }
 
 int prepareDescriptors() {
@@ -61,8 +61,8 @@ int prepareDescriptors() {
     for (int fd = 0; fd < 3; ++fd)
         if (sys::call(sys::kFcntl, fd, 1 /* F_GETFD */) == -sys::kEbadf) {
             closed |= 1 << fd;
-            sys::call(sys::kOpen, (long)"/dev/null",
-                      2 /* O_RDWR */); // takes the lowest free number: this one
+            // It gets the lowest free number, which is fd
+            sys::call(sys::kOpen, (long)"/dev/null", 2 /* O_RDWR */);
         }
     uint64_t action[4] = {1 /* SIG_IGN */};
     sys::call(sys::kSigaction, 13 /* SIGPIPE */, (long)action, 0, 8);

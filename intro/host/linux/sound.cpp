@@ -3,7 +3,7 @@
 
 #include "host/library.h"
 
-// These declarations are those of alsa/asoundlib.h, which is not needed to build the film.
+// The declarations of alsa/asoundlib.h, so that this header is not needed to build the film.
 struct _snd_pcm;
 typedef struct _snd_pcm snd_pcm_t;
 typedef long snd_pcm_sframes_t;
@@ -32,7 +32,7 @@ struct Alsa {
 };
 
 Alsa theAlsa;
-snd_pcm_t *thePcm; // belongs to the host: one process has one sound
+snd_pcm_t *thePcm; // belongs to the host: one process has one sound output
 
 constexpr int kAgain = -11;          // EAGAIN
 constexpr unsigned kLatency = 50000; // microseconds of sound that the device may hold
@@ -55,8 +55,8 @@ bool open() {
 int write(const int16_t *samples, int frames) {
     long taken = theAlsa.snd_pcm_writei(thePcm, samples, (unsigned long)frames);
     if (taken >= 0) return (int)taken;
-    // After the device ran dry or was suspended, it can go on. A device that is used without a sound server
-    // returns EAGAIN while it wakes up
+    // A device that ran dry or was suspended can recover. Without a sound server, a device returns EAGAIN
+    // while it wakes up
     if (taken == kAgain || theAlsa.snd_pcm_recover(thePcm, (int)taken, 1) >= 0) return 0;
     theAlsa.snd_pcm_close(thePcm);
     return -1;

@@ -1,7 +1,7 @@
 // System calls, without libc. Results are the kernel's: a negative one is -errno.
 //
-// Everything here is static: these functions also run before the processor has been checked, so no copy of
-// them compiled for a newer one may be linked in.
+// Everything here is static, because these functions also run before the processor has been checked: the
+// linker must not replace them by copies that were compiled for a newer one.
 #pragma once
 
 #include <stddef.h>
@@ -10,7 +10,6 @@
 namespace odraz::sys {
 
 enum Number : long {
-
     kWrite = 1,
     kOpen = 2,
     kClose = 3,
@@ -74,14 +73,14 @@ static inline void *map(size_t bytes, Protection protection) {
 
 enum Ready : short { kInput = 1, kOutput = 4 };
 
-// Waits until a descriptor can be read or written, or the time is up (-1: never). Returns false if it is
-// up.
+// Waits until a descriptor can be read or written, for `milliseconds` at most (-1: no limit). Returns false
+// on a timeout.
 static inline bool waitFor(int descriptor, Ready what, long milliseconds) {
     struct {
         int fd;
         short events, revents;
-    } asked = {descriptor, what, 0};
-    return call(kPoll, (long)&asked, 1, milliseconds) != 0;
+    } request = {descriptor, what, 0};
+    return call(kPoll, (long)&request, 1, milliseconds) != 0;
 }
 
 [[noreturn]] static inline void exit(int status) {

@@ -16,12 +16,12 @@ struct Pthread {
     ODRAZ_PTHREAD(ODRAZ_MEMBER)
 };
 
-// glibc before 2.34 has threads in a library of their own; in later ones that name leads to libc.
+// glibc before 2.34 has a separate library for threads; later versions map its name to libc.
 const char *loadPthread(Pthread &p) {
     return loadFunctions("libpthread.so.0", ODRAZ_PTHREAD(ODRAZ_NAME), (void **)&p);
 }
 
-struct Pool : Work {
+struct ThreadPool : Work {
     int round; // counts rounds; threads sleep on it
 };
 
@@ -29,35 +29,35 @@ void sleepWhile(int *word, int value) { sys::call(sys::kFutex, (long)word, 128 /
 void wake(int *word, int count) { sys::call(sys::kFutex, (long)word, 129 /* WAKE | PRIVATE */, count); }
 
 [[gnu::force_align_arg_pointer]] void *threadMain(void *context) {
-    Pool &pool = *(Pool *)context;
+    ThreadPool &pool = *(ThreadPool *)context;
     int worker = pool.newWorker();
     for (int seen = 0;;) {
         int round;
         while ((round = __atomic_load_n(&pool.round, __ATOMIC_ACQUIRE)) == seen)
             sleepWhile(&pool.round, seen);
         seen = round;
-        pool.take(worker);
-        if (pool.done()) wake(&pool.busy, 1);
+        pool.runPieces(worker);
+        if (pool.endTurn()) wake(&pool.busy, 1);
     }
 }
 
 void run(Workers &workers, int count, int size, void (*body)(const void *, int, int, int),
          const void *context) {
-    Pool &pool = *(Pool *)workers.host;
+    ThreadPool &pool = *(ThreadPool *)workers.host;
     pool.begin(workers, count, size, body, context);
     __atomic_add_fetch(&pool.round, 1, __ATOMIC_RELEASE);
     wake(&pool.round, workers.count);
-    pool.take(0);
+    pool.runPieces(0);
     int left;
     while ((left = __atomic_load_n(&pool.busy, __ATOMIC_ACQUIRE)) > 0) sleepWhile(&pool.busy, left);
 }
 
-Pool thePool; // belongs to the host, not to the engine: one process has one set of threads
+ThreadPool thePool; // belongs to the host, not to the engine: one process has one set of threads
 
 } // namespace
 
 int cpuCount() {
-    // For 8,192 processors, the most that Linux can be built for; the kernel refuses a mask that is too short
+    // Room for 8,192 processors, the most that Linux can be built for: the kernel refuses a shorter mask
     uint64_t mask[128];
     long bytes = sys::call(sys::kGetAffinity, 0, sizeof mask, (long)mask);
     int count = 0;

@@ -26,8 +26,8 @@ struct Glx {
 struct WindowState {
     Xlib x;
     Glx glx;
-    Display *drawing; // belongs to the thread that traces and draws
-    // Belongs to the thread that listens. The window was made on it, so the close button's message comes here
+    Display *drawing; // used by the thread that traces and draws
+    // Used by the thread that listens. The window is made on it, so it gets the message of the close button
     Display *events;
     Window window;
     Atom closeRequest;
@@ -50,13 +50,13 @@ bool isLeaving(WindowState &w, XEvent &event) {
     if (event.type == ClientMessage) return (Atom)event.xclient.data.l[0] == w.closeRequest;
     if (event.type != KeyPress) return false;
     KeySym key = w.x.XLookupKeysym(&event.xkey, 0);
-    if (key == XK_space) __atomic_xor_fetch(&w.film->stands, 1, __ATOMIC_RELAXED);
+    if (key == XK_space) __atomic_xor_fetch(&w.film->paused, 1, __ATOMIC_RELAXED);
     return key == XK_Escape || (key == XK_F4 && (event.xkey.state & Mod1Mask));
 }
 
 [[gnu::force_align_arg_pointer]] void *listen(void *context) {
     WindowState &w = *(WindowState *)context;
-    // Wait for events, waking now and then to hold off the screen saver
+    // Wait for events, and wake up every 20 s to hold off the screen saver
     for (;;) {
         while (w.x.XPending(w.events)) {
             XEvent event;
@@ -67,8 +67,7 @@ bool isLeaving(WindowState &w, XEvent &event) {
             }
             if (isLeaving(w, event)) {
                 __atomic_store_n(w.leave, 1, __ATOMIC_RELAXED);
-                // Let the film end by itself if it can, but do not wait long for a driver that is slow to
-                // answer
+                // Let the film end by itself if it can, but do not wait long for a slow driver
                 sleepFor(80000000);
                 sys::exit(0);
             }
@@ -79,17 +78,17 @@ bool isLeaving(WindowState &w, XEvent &event) {
     }
 }
 
-// Suspends screen savers that support the MIT extension. Without its library, XResetScreenSaver above must
-// do. A display may lack the extension (Xwayland). That is checked first, because Xlib would print an
-// error.
+// Suspends screen savers that support the MIT extension. Without its library, only XResetScreenSaver() above
+// holds them off. A display may lack the extension (Xwayland), and Xlib would then print an error, so it is
+// queried first.
 void suspendScreenSaver(Display *display) {
     struct {
-        Bool (*known)(Display *, int *, int *);
+        Bool (*query)(Display *, int *, int *);
         void (*suspend)(Display *, Bool);
     } saver;
     int events, errors;
     if (!loadFunctions("libXss.so.1", "XScreenSaverQueryExtension\0XScreenSaverSuspend\0", (void **)&saver) &&
-        saver.known(display, &events, &errors))
+        saver.query(display, &events, &errors))
         saver.suspend(display, True);
 }
 
@@ -137,7 +136,7 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
     }
     hidePointer(w);
     x.XMapRaised(w.events, w.window);
-    // Without a window manager, the program must take the keyboard focus itself; wait until the window can
+    // Without a window manager the program must take the keyboard focus itself, once the window is mapped
     if (!hasWindowManager(w)) {
         XEvent event;
         do x.XNextEvent(w.events, &event);
@@ -164,7 +163,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     w.x.XSetErrorHandler(ignoreError);
     w.x.XSetIOErrorHandler(displayGone);
 
-    // A context of OpenGL 3.3 on a window of the listening connection
+    // Choose a format for OpenGL 3.3
     static const int kFormat[] = {GLX_DOUBLEBUFFER, True, GLX_RED_SIZE, 8, GLX_GREEN_SIZE, 8,
                                   GLX_BLUE_SIZE,    8,    None};
     static const int kVersion[] = {
@@ -174,14 +173,15 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     int count = 0, depth = DefaultDepth(w.drawing, DefaultScreen(w.drawing));
     if (depth < 24) return "the screen has too few colours: set it to 24 bits, or use --dump";
     GLXFBConfig *configs = w.glx.glXChooseFBConfig(w.drawing, DefaultScreen(w.drawing), kFormat, &count);
-    // Choose one of the screen's own depth: a deeper visual has alpha, and compositors would show what is
-    // behind the film
+    // Choose a visual of the screen's own depth: a deeper one has alpha, so a compositor would show what is
+    // behind the window
     XVisualInfo *visual = nullptr;
     int chosen = -1;
     while (++chosen < count) {
         visual = w.glx.glXGetVisualFromFBConfig(w.drawing, configs[chosen]);
         if (visual && visual->depth == depth) break;
     }
+    // Make the context and the window, and let the drawing thread use both
     auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)w.glx.glXGetProcAddress(
         (const GLubyte *)"glXCreateContextAttribsARB");
     if (chosen >= count || !createContext) return kNoGl;
@@ -194,8 +194,8 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
         return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name);
     };
     if (findGl(find, window.gl)) return kNoGl;
-    // Swap at the display's vertical sync: pictures do not tear, and come at the display's pace
-    if (auto every = (PFNGLXSWAPINTERVALSGIPROC)find("glXSwapIntervalSGI")) every(1);
+    // Swap at the display's vertical sync, so that pictures do not tear and follow its rate
+    if (auto setInterval = (PFNGLXSWAPINTERVALSGIPROC)find("glXSwapIntervalSGI")) setInterval(1);
     if (startThread(listen, &w))
         return "no thread to listen for keys: raise the limit on processes (ulimit -u)";
     return nullptr;

@@ -18,10 +18,10 @@ namespace odraz {
 
 inline void fillGl(Gl &gl) {
     gl = {};
-#define ODRAZ_WEB_TAKE(name) gl.name = ::name;
-    ODRAZ_WEB_GL(ODRAZ_WEB_TAKE)
-#undef ODRAZ_WEB_TAKE
-    // The worker that solves is ended, and all that it has with it
+#define ODRAZ_WEB_ASSIGN(name) gl.name = ::name;
+    ODRAZ_WEB_GL(ODRAZ_WEB_ASSIGN)
+#undef ODRAZ_WEB_ASSIGN
+    // Nothing need be deleted: the worker that solves is terminated afterwards
     gl.glDeleteFramebuffers = gl.glDeleteRenderbuffers = gl.glDeleteBuffers =
         gl.glDeleteVertexArrays = [](GLsizei, const GLuint *) {};
     gl.glDeleteShader = gl.glDeleteProgram = [](GLuint) {};

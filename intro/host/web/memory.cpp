@@ -1,4 +1,4 @@
-// What the compiler calls, since there is no library.
+// Functions that the compiler calls, because this target has no library.
 #include <stddef.h>
 #include <stdint.h>
 
@@ -11,7 +11,7 @@ void *memcpy(void *__restrict to, const void *__restrict from, size_t n) {
 void *memmove(void *to, const void *from, size_t n) { return __builtin_memmove(to, from, n); }
 void *memset(void *to, int value, size_t n) { return __builtin_memset(to, value, n); }
 
-// Shifts of 128 bits, for sets of lights
+// Shifts of 128 bits, which sets of lights use
 __int128 __ashlti3(__int128 x, int by) {
     uint64_t low = (uint64_t)x, high = (uint64_t)((unsigned __int128)x >> 64);
     if (by >= 64)

@@ -1,11 +1,11 @@
 // Converts calls from System V's convention, in which all our code is compiled, to Microsoft's. Every
-// function of windows.h and of OpenGL's table is a call of one piece of code; that code finds the function
-// by the return address. A function takes at most 12 arguments, and no float after an integer.
+// function of windows.h and of OpenGL's table is a stub that calls odrazCall, which finds the function of
+// Windows by its return address. A function has at most 12 arguments, and no float after an integer.
 #include "host/windows/calls.h"
 
 #include "host/library.h"
 
-odraz::windows::Functions odrazFunctions; // the host's: filled as libraries are opened
+odraz::windows::Functions odrazFunctions; // filled as libraries are opened
 
 #define CALL "    call odrazCall\n    .balign 8\n"
 #define NAMED(name) ".globl " #name "\n" #name ":\n" CALL
@@ -25,7 +25,7 @@ __asm__(".section .text.odrazCalls, \"ax\"\n"
         "    pop %rax\n"
         "    push %rbp\n"
         "    mov %rsp, %rbp\n"
-        // Arguments 12 to 7, 6 and 5; below them is room for the first four
+        // Arguments 12 to 7, then 6 and 5; below them room for the first four
         "    push 56(%rbp)\n"
         "    push 48(%rbp)\n"
         "    push 40(%rbp)\n"

@@ -1,5 +1,4 @@
-// The table through which Windows's functions are called: windows.h names the functions, calls.cpp calls
-// them.
+// The table of Windows's functions: windows.h declares them, calls.cpp calls them.
 #pragma once
 
 #include "base/gl.h"
@@ -10,7 +9,7 @@ namespace odraz::windows {
 #define ODRAZ_ONE(name) +1
 inline constexpr int kGlFunctions = sizeof(Gl) / sizeof(void *);
 
-// A function of Windows for each of ours, in the same order. What is not loaded yet is null.
+// The addresses of Windows's functions, in the order of the stubs; null if not loaded yet.
 struct Functions {
     void *kernel32[ODRAZ_KERNEL32(ODRAZ_ONE)], *user32[ODRAZ_USER32(ODRAZ_ONE)],
         *gdi32[ODRAZ_GDI32(ODRAZ_ONE)], *opengl32[ODRAZ_OPENGL32(ODRAZ_ONE)], *winmm[ODRAZ_WINMM(ODRAZ_ONE)],
@@ -21,7 +20,6 @@ struct Functions {
 
 extern "C" {
 extern odraz::windows::Functions odrazFunctions;
-// The first of the stubs that call the functions in odrazFunctions.gl; each stub takes as many bytes as a
-// pointer.
+// The stubs that call the functions in odrazFunctions.gl. Each stub has the size of a pointer.
 extern char odrazGlCalls[];
 }

@@ -25,8 +25,8 @@ const char *openSurface(Surface &s) {
     return nullptr;
 }
 
-// wglGetProcAddress finds functions newer than OpenGL 1.1, the library has the older ones. Instead of null,
-// some drivers return small numbers.
+// wglGetProcAddress finds functions newer than OpenGL 1.1; the library has the older ones. Some drivers
+// return small numbers instead of null.
 void *glFunction(const char *name) {
     void *found = wglGetProcAddress(name);
     return (uintptr_t)found + 1 > 4 ? found : GetProcAddress(LoadLibraryA("opengl32.dll"), name);
@@ -48,7 +48,7 @@ const char *createContext(Handle dc, Gl &gl) {
     format.flags = 0x25; // draw to a window, support OpenGL, double buffer
     format.colourBits = 24;
     if (!SetPixelFormat(dc, ChoosePixelFormat(dc, &format), &format)) return "a pixel format";
-    // The function that makes a context of a given version is found only with some context current
+    // The function that makes a context of a given version can be found only while a context is current
     if (!wglMakeCurrent(dc, wglCreateContext(dc))) return "OpenGL";
     auto create = (__attribute__((ms_abi)) Handle(*)(Handle, Handle, const int *))glFunction(kContext);
     static const int kVersion[] = {0x2091 /* WGL_CONTEXT_MAJOR_VERSION_ARB */,

@@ -9,26 +9,27 @@ namespace odraz::windows {
 // Loads user32, gdi32 and opengl32. Returns null, or what is missing.
 const char *openGlLibraries();
 
-// On Windows a window belongs to the thread that made it; others send it messages and wait. So a thread that
-// only listens makes it. Its context belongs to the thread that draws.
+// A window and its device context. On Windows a window belongs to the thread that made it; others send it
+// messages and wait. So a thread that only listens makes it. Its OpenGL context belongs to the thread that
+// draws.
 struct Surface {
     const char *kind; // its window class
     uint32_t style;
     int x, y, width, height;
     // Null if there is none
     Handle window = nullptr, dc = nullptr;
-    Handle opened = nullptr; // a semaphore, released when the window is open or could not be opened
+    Handle opened = nullptr; // a semaphore, released once the window is open or has failed to open
 };
 
-// Opens the window and listens, on a thread of its own. Returns null, or what is missing; even after null,
-// `window` may be null. The Surface must not move afterwards.
+// Opens the window and listens, on a new thread. Returns null, or what is missing; even after null, `window`
+// may be null. The Surface must not move afterwards.
 const char *openSurface(Surface &);
 
-// A function of OpenGL or WGL; a context must be current. Null if there is none.
+// Returns a function of OpenGL or WGL, or null; a context must be current.
 void *glFunction(const char *name);
 
-// Makes a core context of OpenGL 3.3 for a window's device, current on this thread, and fills the table of
-// its functions. Returns null, or what is missing.
+// Makes a core context of OpenGL 3.3 for a device context, makes it current on this thread, and fills the
+// table of its functions. Returns null, or what is missing.
 const char *createContext(Handle dc, Gl &gl);
 
 } // namespace odraz::windows

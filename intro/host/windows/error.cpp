@@ -12,7 +12,7 @@ using namespace windows;
 
 namespace {
 
-// A script that runs us must not wait for ever for a box that nobody closes.
+// Ends the process after half a minute: a script that runs us must not wait for a box that nobody closes.
 [[gnu::force_align_arg_pointer]] void *endLater(void *) {
     sleepFor(30000000000);
     endProcess(1);
@@ -24,7 +24,7 @@ int report(const char *line, bool box) {
     // Keep it to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';
-    // Consoles and boxes do not read bytes as UTF-8, so they get UTF-16
+    // Consoles and boxes get UTF-16, because they do not read bytes as UTF-8
     WCHAR wide[513];
     int units = MultiByteToWideChar(kUtf8, 0, text, (int)size, wide, 512);
     wide[units] = 0;
@@ -42,7 +42,7 @@ int report(const char *line, bool box) {
 
 } // namespace
 
-// A script has at least standard output. If that is closed too, a viewer started us, who gets a box.
+// A script has at least standard output. If that is closed too, a viewer has started us and gets a box.
 int printError(const char *line) { return report(line, !GetFileType(standard(1))); }
 
 int showError(const char *line) { return report(line, true); }

@@ -9,11 +9,11 @@ using namespace windows;
 
 namespace {
 
-constexpr int kLongest = 4096; // of a path, in units of UTF-16
+constexpr int kLongest = 4096; // units of UTF-16 in a path, at most
 constexpr uint32_t kWrite = 0x40000000, kShare = 7, kNew = 1, kExisting = 3, kDisk = 1 /* GetFileType */,
                    kDirectory = 16;
 
-// `size`: of the path in units of UTF-16 with its zero; 0 if it did not fit; 1 if it does not matter.
+// `size` is the size of the path in units of UTF-16, with its zero; 0: it did not fit; 1: it does not matter.
 const char *reason(int size = 1) {
     const char *tooLong = "the name is too long";
     switch (GetLastError()) {
@@ -46,7 +46,7 @@ const char *reason(int size = 1) {
     }
 }
 
-// A path as Windows takes it.
+// A path in UTF-16.
 struct WidePath {
     WCHAR units[kLongest];
     int size; // with the zero; 0: it is too long
@@ -79,14 +79,14 @@ const char *writeAll(int descriptor, const void *data, size_t size) {
 }
 
 const char *writeFile(const char *path, const void *data, size_t size) {
-    // An existing pipe or device, neither a file nor a directory, is written to directly
+    // Write directly to an existing pipe or device, which is neither a file nor a directory
     WidePath target(path);
     HANDLE file = CreateFileW(target.units, kWrite, kShare, nullptr, kExisting, 0, nullptr);
-    bool stays = file != kInvalid && GetFileType(file) != kDisk;
+    bool direct = file != kInvalid && GetFileType(file) != kDisk;
     Text<kLongest> part;
-    if (!stays) {
+    if (!direct) {
         CloseHandle(file);
-        // Find a name that is not in use
+        // Open an unused name
         uint32_t id = GetCurrentProcessId(), last = id + 100;
         do {
             part.size = 0;
@@ -98,7 +98,7 @@ const char *writeFile(const char *path, const void *data, size_t size) {
     }
     const char *wrong = writeTo(file, data, size);
     if (!CloseHandle(file) && !wrong) wrong = reason();
-    if (stays) return wrong;
+    if (direct) return wrong;
     WidePath from(part.data);
     // Virus scanners may hold a new file open for a while
     for (int tries = 0; !wrong && !MoveFileExW(from.units, target.units, 1 /* replace */); Sleep(50)) {

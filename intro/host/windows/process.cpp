@@ -35,7 +35,7 @@ const char *jitForbidden() {
 
 bool couldAddress(size_t bytes) { return mayTake(bytes, kReserve, kNothing); }
 
-Quiet::Quiet() {} // on Windows, libraries write nothing there
+Quiet::Quiet() {} // on Windows, libraries write nothing to standard error
 Quiet::~Quiet() {}
 
 int prepareDescriptors() {
@@ -44,11 +44,10 @@ int prepareDescriptors() {
     for (int fd = 0; fd < 3; ++fd)
         if (!GetFileType(to[fd] = standard(fd))) {
             closed |= 1 << fd;
-            SetStdHandle(which(fd), nullptr); // so that no file of ours is taken for it
+            SetStdHandle(which(fd), nullptr); // so that no file of ours becomes it
         }
-    // A program with windows that was started from a console can still write to that console
+    // Attach the console of the parent process. That also replaces pipes and files, which are put back
     static const WCHAR kConsole[] = {'C', 'O', 'N', 'O', 'U', 'T', '$', 0};
-    // (Attaching it also replaces pipes and files; these are put back)
     if (closed & 6 && AttachConsole(~0u /* the parent process's */))
         for (int fd = 1; fd < 3; ++fd) {
             if (closed >> fd & 1) to[fd] = CreateFileW(kConsole, 0xc0000000, 3, nullptr, 3, 0, nullptr);

@@ -1,5 +1,5 @@
-// Plays through waveOut, which every Windows has, from a ring of small buffers, each as long as a block of
-// the film's sound.
+// Plays through waveOut, which every Windows has, from a ring of small buffers. Each holds one block of the
+// film's sound.
 #include "host/sound.h"
 
 #include "host/library.h"
@@ -19,11 +19,11 @@ struct Buffer {
     int16_t samples[2 * kFrames];
 };
 
-HANDLE theDevice; // belongs to the host: one process has one sound
+HANDLE theDevice; // belongs to the host: one process has one sound output
 Buffer theBuffers[kBuffers];
-int theNext;      // buffer to fill
-int64_t theTaken; // frames, since it was opened
-bool theLost;     // the device went away
+int theNext;      // index of the buffer to fill
+int64_t theTaken; // frames accepted since the device was opened
+bool theLost;     // whether the device has gone
 
 void close() {
     waveOutReset(theDevice);

@@ -12,46 +12,46 @@ namespace {
 
 constexpr uint32_t kForever = ~0u;
 
-// A job has as many turns, besides the caller's, as there are other workers. A quick worker may take more
-// than one turn, and then finds nothing left to do.
-struct Pool : Work {
+// As well as the caller's turn, each piece of work has one turn for every other worker. A quick worker may
+// take a second turn, in which it finds nothing left to do.
+struct ThreadPool : Work {
     HANDLE turns, allDone;
 };
 
 void *threadMain(void *context) {
-    Pool &pool = *(Pool *)context;
+    ThreadPool &pool = *(ThreadPool *)context;
     int worker = pool.newWorker();
     for (;;) {
         WaitForSingleObject(pool.turns, kForever);
-        pool.take(worker);
-        if (pool.done()) ReleaseSemaphore(pool.allDone, 1, nullptr);
+        pool.runPieces(worker);
+        if (pool.endTurn()) ReleaseSemaphore(pool.allDone, 1, nullptr);
     }
 }
 
 void run(Workers &workers, int count, int size, void (*body)(const void *, int, int, int),
          const void *context) {
-    Pool &pool = *(Pool *)workers.host;
+    ThreadPool &pool = *(ThreadPool *)workers.host;
     int turns = workers.count - 1;
     pool.begin(workers, count, size, body, context);
     if (turns) ReleaseSemaphore(pool.turns, turns, nullptr);
-    pool.take(0);
+    pool.runPieces(0);
     if (turns) WaitForSingleObject(pool.allDone, kForever);
 }
 
-Pool thePool; // belongs to the host, not to the engine: one process has one set of threads
+ThreadPool thePool; // belongs to the host, not to the engine: one process has one set of threads
 
-struct Start {
+struct ThreadStart {
     void *(*body)(void *);
     void *context;
 };
 
 } // namespace
 
-// Windows starts threads here, in its own convention: rcx points to the Start. The function does not return,
-// so it need not preserve registers. Libraries may have changed how a new thread rounds floats: that is set
-// as it is on Linux.
+// Windows starts threads here, in its own convention: rcx points to the ThreadStart. The function does not
+// return, so it need not preserve registers. It sets mxcsr as on Linux, because libraries may have changed
+// how a new thread rounds floats.
 extern "C" void odrazThread();
-extern "C" [[gnu::used]] void odrazThreadBody(Start &start) {
+extern "C" [[gnu::used]] void odrazThreadBody(ThreadStart &start) {
     start.body(start.context);
     ExitThread(0);
 }
@@ -76,7 +76,8 @@ static const char kNoRoom[] = "room for another thread";
 const char kMoreThreads[] = "end other programs";
 
 const char *startThread(void *(*body)(void *), void *context) {
-    Start *start = (Start *)takeMemory(sizeof(Start)); // a page, for as long as the process lives
+    // A page that is never freed
+    ThreadStart *start = (ThreadStart *)takeMemory(sizeof(ThreadStart));
     if (!start) return kNoRoom;
     *start = {body, context};
     HANDLE thread = CreateThread(nullptr, 0, (void *)odrazThread, start, 0, nullptr);

@@ -28,7 +28,7 @@ constexpr uint64_t kEscape = 27, kSpace = 32;
 
 void leave() {
     __atomic_store_n(theWindow.leave, 1, __ATOMIC_RELAXED);
-    // Let the film end by itself if it can, but do not wait long for a driver that is slow to answer
+    // Let the film end by itself if it can, but do not wait long for a slow driver
     sleepFor(80000000);
     endProcess(0);
 }
@@ -43,7 +43,7 @@ void leave() {
     }
     // The system turns Alt-F4 and the close button into the same message
     if (message == kClose || (message == kKeyDown && a == kEscape)) leave();
-    if (message == kKeyDown && a == kSpace) __atomic_xor_fetch(&film.stands, 1, __ATOMIC_RELAXED);
+    if (message == kKeyDown && a == kSpace) __atomic_xor_fetch(&film.paused, 1, __ATOMIC_RELAXED);
     if (message == kSetCursor && (b & 0xffff) == 1 /* within */) {
         SetCursor(nullptr);
         return 1;
@@ -52,7 +52,7 @@ void leave() {
     return DefWindowProcA(window, message, a, b);
 }
 
-// Asks the desktop not to scale what we draw: on any display since Windows 10, only on the first one before.
+// Asks the desktop not to scale the window: on every display since Windows 10, only on the first one before.
 void beAware() {
     auto aware = (__attribute__((ms_abi)) int (*)(int64_t))GetProcAddress(LoadLibraryA("user32.dll"),
                                                                           "SetProcessDpiAwarenessContext");
@@ -70,7 +70,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     w.leave = leave;
     if (openGlLibraries()) return kNoGl;
     beAware();
-    // Sleep to the millisecond, not to the sixty-fourth of a second of the clock's default
+    // Let Sleep() be exact to 1 ms; the default is a sixty-fourth of a second
     if (!loadFunctions("winmm.dll", ODRAZ_WINMM(ODRAZ_NAME), odrazFunctions.winmm)) timeBeginPeriod(1);
     WindowClass kind = {};
     kind.style = 32; // CS_OWNDC
@@ -89,11 +89,11 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     if (const char *line = openSurface(s)) return line;
     if (!s.dc) return "no display: log in to one, or use --dump";
     SetForegroundWindow(s.window);
-    SetThreadExecutionState(0x80000003); // neither display nor machine sleep while this thread lives
+    SetThreadExecutionState(0x80000003); // keep display and machine awake while this thread lives
     if (createContext(s.dc, window.gl)) return kNoGl;
-    // Swap at the display's vertical sync: pictures do not tear, and come at the display's pace
-    auto every = (__attribute__((ms_abi)) int (*)(int))glFunction("wglSwapIntervalEXT");
-    if (every) every(1);
+    // Swap at the display's vertical sync, so that pictures do not tear and follow its rate
+    auto setInterval = (__attribute__((ms_abi)) int (*)(int))glFunction("wglSwapIntervalEXT");
+    if (setInterval) setInterval(1);
     return nullptr;
 }
 

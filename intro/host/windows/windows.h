@@ -1,9 +1,9 @@
-// The functions of Windows that we use, by library, declared as if they were ours: each name leads to a few
-// instructions (calls.cpp) that convert our calling convention to Windows's and call the library.
+// The functions of Windows that we use, by library, declared in our calling convention: each is a stub in
+// calls.cpp that converts the convention to Windows's and calls the library.
 //
-// Their types are spelled out here, because Windows's own header does not suit a compiler for Linux. Texts
-// are UTF-16 if a name ends with W. A function that returns an int returns 0 if it fails, unless stated
-// otherwise.
+// Their types are spelled out here, because a compiler for Linux cannot read Windows's own header. A function
+// whose name ends with W takes texts in UTF-16. A function that returns an int returns 0 if it fails, unless
+// stated otherwise.
 #pragma once
 
 #include <stdint.h>
@@ -13,7 +13,7 @@ namespace odraz::windows {
 typedef void *Handle;
 typedef uint16_t Wide; // a unit of UTF-16
 
-// Loads the functions of kernel32.dll; nothing else of Windows may be called before.
+// Loads the functions of kernel32.dll. It must be called before any other function of Windows.
 void begin();
 
 // The last error, GetLastError
@@ -38,7 +38,7 @@ enum Error : uint32_t {
 constexpr uint32_t kUtf8 = 65001;
 inline const Handle kInvalid = (Handle)-1; // as the handle of a process: this process
 
-// The handle of a standard descriptor, 0 to 2; an invalid one if it is closed.
+// Returns the handle of a standard descriptor, 0 to 2; an invalid handle if it is closed.
 Handle standard(int descriptor);
 
 // clang-format off
@@ -151,7 +151,8 @@ HANDLE CreateWindowExA(uint32_t more, const char *kind, const char *title, uint3
 int64_t DefWindowProcA(HANDLE window, uint32_t message, uint64_t a, uint64_t b);
 int64_t DispatchMessageA(const void *message);
 HANDLE GetDC(HANDLE window);
-int GetMessageA(void *message /* 48 bytes */, HANDLE window, uint32_t first, uint32_t last); // < 0: it fails
+int GetMessageA(void *message /* 48 bytes */, HANDLE window, uint32_t first,
+                uint32_t last); // < 0 if it fails
 int GetSystemMetrics(int which);
 int MessageBoxW(HANDLE window, const WCHAR *text, const WCHAR *title, uint32_t flags);
 uint16_t RegisterClassA(const odraz::windows::WindowClass *);
@@ -167,7 +168,7 @@ HANDLE wglCreateContext(HANDLE dc);
 void *wglGetProcAddress(const char *name);
 int wglMakeCurrent(HANDLE dc, HANDLE context);
 
-// These return an error, or 0
+// These return 0, or an error
 uint32_t timeBeginPeriod(uint32_t milliseconds);
 uint32_t waveOutClose(HANDLE);
 uint32_t waveOutGetPosition(HANDLE, odraz::windows::WaveTime *, uint32_t size);

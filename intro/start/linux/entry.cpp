@@ -1,5 +1,5 @@
-// Where the shipped program starts: no crt1, no libc start-up. ld.so has run libc's own initialisation by
-// now, because the program has an interpreter, so malloc and threads of the libraries work.
+// The entry of the shipped program, without crt1 and libc's start-up. The program has an interpreter, so
+// ld.so has initialised libc by now: malloc and threads of the libraries work.
 #include "host/process.h"
 
 // At entry rsp points to argc. Our functions expect rsp to be 32-aligned at a call.

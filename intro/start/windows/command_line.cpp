@@ -5,22 +5,22 @@
 
 namespace odraz {
 
-static CommandLine theCommandLine;
-static char theText[3 * 32768]; // of the longest command line, in UTF-8
+static Arguments theArguments;
+static char theText[3 * 32768]; // room for the longest command line, in UTF-8
 
-CommandLine &commandLine() {
-    CommandLine &a = theCommandLine;
+Arguments &arguments() {
+    Arguments &a = theArguments;
     if (a.count) return a;
     windows::begin();
     WideCharToMultiByte(windows::kUtf8, 0, GetCommandLineW(), -1, theText, sizeof theText, nullptr, nullptr);
-    // In place: what is written is never longer than what was read
+    // Split in place: `to` never overtakes `from`
     char *from = theText, *to = theText;
     // If the line begins with a blank, the program's own name is empty
     do {
         a.values[a.count++] = to;
         for (bool quoted = false; *from && (quoted || (*from != ' ' && *from != '\t'));) {
-            // Before a quotation mark, two backslashes stand for one; an odd one left over makes the mark an
-            // ordinary character
+            // Before a quotation mark, two backslashes mean one. An odd one makes the mark an ordinary
+            // character
             int slashes = 0;
             while (*from == '\\') ++from, ++slashes;
             bool quote = *from == '"';
@@ -43,7 +43,7 @@ CommandLine &commandLine() {
 
 } // namespace odraz
 
-// Called by the packer's stub in place of odrazEarly, which takes the arguments as they lie on Linux's stack.
+// The packer's stub calls it instead of odrazEarly(), which expects argc and argv as on Linux's stack.
 extern "C" void odrazEarlyWindows(void **, uint32_t done, uint32_t size) {
-    odrazEarly((void **)&odraz::commandLine(), done, size);
+    odrazEarly((void **)&odraz::arguments(), done, size);
 }

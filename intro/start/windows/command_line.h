@@ -1,15 +1,15 @@
-// The command line of Windows, split into the arguments that main() gets on other systems.
+// Splits the command line of Windows into the arguments that main() gets on other systems.
 #pragma once
 
 namespace odraz {
 
-struct CommandLine {
-    long count; // of values, without the null at the end
+struct Arguments {
+    long count; // number of values, without the null at the end
     char *values[512];
 };
 
-// In UTF-8, split as Windows programs do: at blanks that are not quoted. CommandLine for which `values` has
-// no room are left out.
-CommandLine &commandLine();
+// Returns the arguments in UTF-8, split as Windows programs do: at blanks that are not quoted. Arguments
+// beyond the size of `values` are left out.
+Arguments &arguments();
 
 } // namespace odraz

@@ -1,9 +1,10 @@
-// Where the shipped program starts on Windows: as a thread does, except that it has no argument.
+// The entry of the shipped program on Windows. It is called like the body of a thread, but without an
+// argument.
 #include "host/process.h"
 #include "start/windows/command_line.h"
 
-// Our functions expect rsp to be 32-aligned at a call, and floats to round as on Linux, denormal ones too:
-// libraries loaded with the program may have changed that.
+// Our functions expect rsp to be 32-aligned at a call, and the rounding and denormal floats of Linux, which
+// libraries that were loaded with the program may have changed.
 __asm__(".globl _start\n"
         ".type _start, @function\n"
         "_start:\n"
@@ -15,6 +16,6 @@ __asm__(".globl _start\n"
 int odrazMain(int argc, char **argv);
 
 extern "C" [[noreturn]] void odrazStart() {
-    odraz::CommandLine &line = odraz::commandLine();
+    odraz::Arguments &line = odraz::arguments();
     odraz::endProcess(odrazMain((int)line.count, line.values));
 }

@@ -1,3 +1,3 @@
-/* Stands in for kernel32.dll when the film is linked: its two imports. */
+/* Replaces kernel32.dll when the film is linked: the film's two imports. */
 void *LoadLibraryA(const char *name) { return (void *)name; }
 void *GetProcAddress(void *library, const char *name) { return name ? 0 : library; }

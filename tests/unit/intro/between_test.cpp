@@ -160,11 +160,11 @@ TEST(Between, StaysInItsPlace) {
     picture(intro, 1, 30 + 6 * kStep, named(QualityName::Draft));
     std::vector<Bytes> first;
     std::vector<Picture> pictures;
-    for (int k = 0; k < kPlaces; ++k) {
+    for (int k = 0; k < kBetweenBuffers; ++k) {
         pictures.push_back(between(intro, 0, 1, (k + 1) / 6., k));
         first.push_back(bytesOf(pictures.back()));
     }
-    for (size_t k = 0; k < kPlaces; ++k) EXPECT_TRUE(first[k] == bytesOf(pictures[k])) << k;
+    for (size_t k = 0; k < kBetweenBuffers; ++k) EXPECT_TRUE(first[k] == bytesOf(pictures[k])) << k;
 }
 
 // Beside a cut it shows its own shot, and is made from the picture of that shot alone.

@@ -75,12 +75,12 @@ public:
     int sceneOf(double time) const { return sceneAt(time).id; }
     double startOf(double time) const { return time < cut ? 0 : cut; }
     Pace paceOf(int) const { return pace; }
-    void trace(Made &m, int, const Governor &) {
+    void trace(FinishedPicture &m, int, const Governor &) {
         Scene scene = sceneAt(m.time);
         all.push_back({m.time, scene, {}, 0, false, governor.size()});
         spend(traceTime(scene) * pixels(), hiccup(m.time, false));
     }
-    void between(Made &, int, int, double, int) {
+    void between(FinishedPicture &, int, int, double, int) {
         const Decision &later = all.back();
         spend(later.scene.make * pixels(), hiccup(later.time, true));
     }

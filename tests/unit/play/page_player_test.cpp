@@ -20,7 +20,7 @@ struct Film {
     int sceneOf(double time) const { return time > 13; }
     double startOf(double time) const { return time > 13 ? 13 : 0; }
     Pace paceOf(int) const { return pageOf({}); }
-    int64_t cost(const Made &m) const {
+    int64_t cost(const FinishedPicture &m) const {
         double pixels = std::pow((double)m.size.width / 1280, 1.7), unit = sceneOf(m.time) ? 0.06 : 0.03;
         return nanosecondsOf(unit / core * pixels * std::pow(m.level < 1 ? 3 : 2, 1 - m.level));
     }
@@ -38,14 +38,14 @@ struct Native : SimulatedPlayer, Film {
     explicit Native(double core) : SimulatedPlayer(kFrom), Film{core} {}
     std::vector<Decided> all;
 
-    void trace(Made &m, int, const GovernorOf<false> &governor) {
+    void trace(FinishedPicture &m, int, const GovernorOf<false> &governor) {
         m.size = governor.size(), m.level = governor.level();
         all.push_back({m.time, m.level, m.size.width});
         moment += cost(m);
     }
-    void between(Made &, int, int, double, int) { FAIL() << "it has no in-betweens"; }
+    void between(FinishedPicture &, int, int, double, int) { FAIL() << "it has no in-betweens"; }
     // There are two slots: the film begins when both are full
-    unsigned add(const Made &m) {
+    unsigned add(const FinishedPicture &m) {
         int64_t began = begin;
         unsigned count = SimulatedPlayer::add(m);
         begin = count == 2 ? moment : began;
@@ -64,21 +64,21 @@ struct Page : Film {
     std::vector<Decided> all;
     std::vector<double> shown;
 
-    Can can(double time) const { return time >= 8 && time < 9 ? dark : Can::Now; }
-    int64_t tracing(const Made &m) {
+    Traceable traceable(double time) const { return time >= 8 && time < 9 ? dark : Traceable::Now; }
+    int64_t tracing(const FinishedPicture &m) {
         all.push_back({m.time, m.level, m.size.width});
         return cost(m) * (int64_t)workers;
     }
-    int64_t show(const Made &m, double at) {
+    int64_t show(const FinishedPicture &m, double at) {
         EXPECT_LE(m.time, at + 0.0081);
         EXPECT_TRUE(shown.empty() || m.time > shown.back());
         shown.push_back(m.time);
         return 0;
     }
     unsigned workers = 1;
-    Can dark = Can::Now;
+    Traceable dark = Traceable::Now;
 };
-Page page(double core, unsigned workers, Can dark = Can::Now) {
+Page page(double core, unsigned workers, Traceable dark = Traceable::Now) {
     Page film = {{core}, {}, {}, workers, dark};
     Queue queue = {};
     PagePlayer<Page> player = {&film, &queue, (int)workers};
@@ -113,7 +113,7 @@ TEST(PagePlayer, ManyWorkersPlayEvenly) {
 }
 
 TEST(PagePlayer, LeavesOutWhatIsNeverLit) {
-    Page film = page(4, 3, Can::Never);
+    Page film = page(4, 3, Traceable::Never);
     for (const Decided &d : film.all) EXPECT_FALSE(d.time >= 8 && d.time < 9);
     EXPECT_GT(film.shown.back(), 22.9);
 }

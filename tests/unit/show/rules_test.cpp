@@ -90,7 +90,7 @@ TEST(Rules, EveryPictureIsThereWithoutNaN) {
     int dark = 0;
     for (double t = 0; t < duration(); t += kSanitized ? 5 : 1) {
         picture(smallFilm(), 0, t, kQualities[(int)QualityName::Play]);
-        EXPECT_STREQ(outgrown(smallFilm()), nullptr) << t;
+        EXPECT_STREQ(exceededLimit(smallFilm()), nullptr) << t;
         double sum = 0;
         for (float v : planesOf(smallFilm().frame)) {
             ASSERT_TRUE(v >= 0) << t;

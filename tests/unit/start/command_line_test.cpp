@@ -13,9 +13,9 @@ std::string theLine; // in UTF-8, as it is when Windows has converted it
 
 std::string split(const std::string &line) { // the arguments, each with a '|' behind it
     theLine = line;
-    CommandLine &a = commandLine();
+    Arguments &a = arguments();
     a = {};
-    commandLine();
+    arguments();
     EXPECT_EQ(a.values[a.count], nullptr);
     std::string all;
     for (int i = 0; i < a.count; ++i) all += a.values[i] + std::string("|");
@@ -79,6 +79,6 @@ TEST(CommandLine, LeavesOutWhatIsBeyondTheLast) {
     std::string many;
     for (int i = 0; i < 15000; ++i) many += "x ";
     split(many);
-    EXPECT_EQ(commandLine().count, 511);
-    EXPECT_LE((split(""), commandLine().count), 1);
+    EXPECT_EQ(arguments().count, 511);
+    EXPECT_LE((split(""), arguments().count), 1);
 }

@@ -40,18 +40,18 @@ public:
     int sceneOf(double time) const { return sceneAt(time); }
     double startOf(double time) const { return shotStart(time); }
     Pace paceOf(int scene) const { return machine.paceOf(scene); }
-    void trace(Made &m, int, const Governor &governor) {
+    void trace(FinishedPicture &m, int, const Governor &governor) {
         before = traced;
         TracedSize size = governor.size();
         traced = {-1, m.time, false, governor.level(), size.width, size.height};
         make(traced, {traced, traced});
     }
-    void between(Made &m, int, int, double, int) {
+    void between(FinishedPicture &m, int, int, double, int) {
         Shown s = traced;
         s.time = m.time;
         make(s, {before, traced});
     }
-    unsigned add(const Made &m) {
+    unsigned add(const FinishedPicture &m) {
         list.push_back(traced);
         list.back().time = m.time;
         list.back().between = m.time != traced.time;
@@ -108,13 +108,13 @@ public:
     int sceneOf(double time) const { return sceneAt(time); }
     double startOf(double time) const { return shotStart(time); }
     Pace paceOf(int scene) const { return pageOf(machine.paceOf(scene)); }
-    Can can(double) const { return Can::Now; }
-    int64_t tracing(const Made &m) {
+    Traceable traceable(double) const { return Traceable::Now; }
+    int64_t tracing(const FinishedPicture &m) {
         Shown &s = made[m.time] = {-1, m.time, false, m.level, m.size.width, m.size.height};
         Cost cost = costWith(costOf, machine, s, {s, s});
         return nanosecondsOf((cost.serial + cost.parallel) * machine.cores / machine.rate);
     }
-    int64_t show(const Made &m, double at) {
+    int64_t show(const FinishedPicture &m, double at) {
         made[m.time].at = at;
         return nanosecondsOf(presenting(machine) / machine.rate);
     }

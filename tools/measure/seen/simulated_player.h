@@ -25,7 +25,7 @@ public:
     double filmAt(int64_t at) const {
         return begin < 0 ? Governor::kNotBegun : from + (double)(at - begin) * 1e-9;
     }
-    unsigned add(const Made &made) {
+    unsigned add(const FinishedPicture &made) {
         showUntil(moment);
         unsigned count = queue.add(made);
         if (count == Queue::kAhead) begin = moment;
@@ -72,7 +72,7 @@ private:
 //   int64_t show(made, at)    a refresh shows it, at that time of the film; nanoseconds that all workers lose
 template <class Film> void playPage(PagePlayer<Film> &player, double from, double refresh, double nearest) {
     struct Busy {
-        Made made;
+        FinishedPicture made;
         int64_t begun, end;
     };
     std::vector<Busy> busy;
@@ -83,7 +83,7 @@ template <class Film> void playPage(PagePlayer<Film> &player, double from, doubl
         };
         if (begin < 0 && player.ready() == 1) begin = moment;
         while ((int)busy.size() < player.workers && player.next(filmAt())) {
-            Made m = {};
+            FinishedPicture m = {};
             m.time = player.time, m.size = player.governor.size(), m.level = player.governor.level();
             busy.push_back({m, moment, moment + player.film->tracing(m)});
         }
@@ -105,7 +105,7 @@ template <class Film> void playPage(PagePlayer<Film> &player, double from, doubl
             }
         } else {
             moment = first->end;
-            Made m = first->made;
+            FinishedPicture m = first->made;
             m.trace = (float)(moment - first->begun) * 1e-9f;
             busy.erase(first);
             player.traced(m);
