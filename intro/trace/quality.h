@@ -1,6 +1,6 @@
 // The parameters that trade speed for accuracy, and their named settings.
 //
-// A new quality needs an enumerator and a row of kQualities; --quality then knows it, and `tradeoff trace`
+// A new quality needs an enumerator and a row of kQualities; --quality then knows it, and `tradeoff`
 // measures it.
 #pragma once
 

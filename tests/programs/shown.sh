@@ -28,7 +28,7 @@ check "... is judged" eval \
     '[ "$("${players[@]}" --judged 64x36 --at 52 --length 0.05 | cut -d, -f 1-4 | tr "\n" " ")" = "screen,machine,scene,sixtieths 640x360,8,flake,3 640x360,64,flake,3 1280x720,8,flake,3 1280x720,64,flake,3 " ]'
 check "the page's player makes no in-betweens" eval \
     '[ "$("$BUILD/seen" --machine 16 --page 1.6 --summary | cut -d, -f 6 | sort -u | tr "\n" " ")" = "0 between " ]'
-check "--page without a machine" refuses 2 "goes with --machine" "$BUILD/seen" "$list" --page 2
+check "--page without a machine" refuses 2 "--page needs --machine" "$BUILD/seen" "$list" --page 2
 check "several screens are judged on none" refuses 2 "several screens need --judged" "${players[@]}"
 
 check "writes to standard output" \

@@ -10,7 +10,7 @@ scenes=(field) compared=(field)
 if [ "${2-}" = all ]; then
     scenes=(A B field point table flake patches hall odraz credits) compared=(A B field table flake hall)
 fi
-quick=("$tradeoff" trace --width 256)
+quick=("$tradeoff" --width 256)
 check "the tracer's trade-off is measured" \
     eval '"${quick[@]}" $([ ${#scenes[@]} -gt 1 ] || echo --scene field) >"$WORK/csv"'
 check "... as a table, its measures named" \
@@ -57,8 +57,8 @@ check "instructions alone" packed "$WORK/sample"
 check "... all of them" grep -q '^4096,' "$WORK/csv"
 
 check "a knob that is not there" \
-    refuses 2 "there is no knob 'colour'; there are: grid" "$tradeoff" trace --setting play,colour=1
-check "a quality that is not there" refuses 2 "there is no quality 'fine'" "$tradeoff" trace --setting fine
-check "a level that is none" refuses 2 "level" "$tradeoff" trace --setting level=3
+    refuses 2 "unknown knob 'colour': use one of grid" "$tradeoff" --setting play,colour=1
+check "a quality that is not there" refuses 2 "unknown quality 'fine'" "$tradeoff" --setting fine
+check "a level that is none" refuses 2 "level" "$tradeoff" --setting level=3
 check "a number of contexts that cannot be" refuses 2 "a multiple of 4" "$BUILD/bench_pack" --contexts 5 "$WORK/sample"
 finish

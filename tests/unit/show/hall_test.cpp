@@ -1,10 +1,10 @@
 // The film's hall: its form factors against rays, its light over the day, and its bounces.
 #include "show/hall.h"
 #include "show/materials.h"
+#include "tests/support/model_rays.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/single_hemicube.h"
 #include "tests/support/traced_ray.h"
-#include "tools/measure/oracle/model_rays.h"
 
 #include <cmath>
 #include <vector>

@@ -1,9 +1,9 @@
 // Compares the relit hall with solutions made for exactly that light, and its floor's gloss with rays; and
 // tests extremes.
 #include "tests/support/headless_gl.h"
+#include "tests/support/model_rays.h"
 #include "tests/support/open_room.h"
 #include "tests/support/sanitized.h"
-#include "tools/measure/oracle/model_rays.h"
 #include "tools/measure/oracle/transfer.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ SolvedHall &solved() {
 // The floor's gloss.
 struct Floor {
     HeapArena memory{(size_t)64 << 20};
-    Floor() { solved().polish(memory.arena, serial); }
+    Floor() { solved().solveGloss(memory.arena, serial); }
     std::vector<float> seen(const LightVector &light, Vec3 eye, float reflect = 1) const {
         const Glossy &g = solved().hall->gloss;
         relightGlossy(g, light, eye, reflect, 1);

@@ -1,4 +1,4 @@
-// Packs programs, and parts of programs, with some settings of the packer: sizes and speed.
+// bench_pack: measures the packer's compression and speed on a program or a part of one.
 #include "tools/common/clock.h"
 #include "tools/common/command_line.h"
 
@@ -15,21 +15,21 @@ using namespace pack;
 
 namespace {
 
-struct Options {
+struct BenchOptions {
     std::string file, model;
     int contexts = 0, slots = 0; // 0: the model's
     double search = 0;           // seconds
     bool arbitrary = false;
 };
 
-// A mask of two neighbouring fields for each i; once there are no more pairs, of three, and then of four.
+// An arbitrary mask for each i: all pairs of neighbouring fields first, then triples, then fours.
 uint32_t neighbours(int type, uint32_t i) {
     uint32_t first = type ? 0 : kCodeShift, pairs = (type ? kDataBits : kCodeBits) - 1;
     return ((4u << i / pairs) - 1) << (first + i % pairs) & kMayUse[type];
 }
 
-// The first contexts of the model, then arbitrary ones.
-ModelParameters parametersOf(const Options &o) {
+// The contexts of the model, followed by arbitrary ones.
+ModelParameters parametersOf(const BenchOptions &o) {
     ModelParameters model = o.model.empty() ? defaultParameters() : readParameters(o.model),
                     parameters = {o.contexts ? (uint32_t)o.contexts : model.contexts,
                                   o.slots ? (uint32_t)o.slots : model.slotBits,
@@ -44,13 +44,10 @@ ModelParameters parametersOf(const Options &o) {
     return parameters;
 }
 
-// A program, or the instructions that a file consists of.
+// Reads an ELF program, or a file of instructions alone.
 Program programIn(const std::string &path) {
     Bytes file = readBytes(path);
-    if (file.size() > 4 && !std::memcmp(file.data(),
-                                        "\x7f"
-                                        "ELF",
-                                        4)) {
+    if (file.size() > 4 && !std::memcmp(file.data(), "\177ELF", 4)) {
         Program program = common::inFile(path, [&] { return readProgram(file); });
         program.early = kNothingEarly;
         return program;
@@ -65,8 +62,8 @@ Program programIn(const std::string &path) {
     return program;
 }
 
-// Packs the file, decodes it with the stub's code, and prints its row.
-void packFile(const Options &o) {
+// Packs the file, decodes it with the stub's code, and prints the CSV.
+void packFile(const BenchOptions &o) {
     Workspace workspace;
     Program program = programIn(o.file);
     Layout layout = program.layout();
@@ -79,9 +76,9 @@ void packFile(const Options &o) {
     double encoding = common::processorSeconds() - began;
     Bytes packed = kElf.write(program, parameters, e.payload, {});
     began = common::processorSeconds();
-    bool whole = decodeWithStub(kElf, packed) == program.bytes;
+    bool same = decodeWithStub(kElf, packed) == program.bytes;
     double decoding = common::processorSeconds() - began;
-    if (!whole) throw std::runtime_error(o.file + " came back damaged");
+    if (!same) throw std::runtime_error(o.file + ": verification failed: it was decoded to other bytes");
     std::printf("bytes,payload,encode_s,decode_kb_s,memory_mb\n%zu,%zu,%.2f,%.0f,%.1f\n",
                 program.bytes.size(), e.payload.size(), encoding,
                 (double)program.bytes.size() / 1024 / decoding,
@@ -89,16 +86,16 @@ void packFile(const Options &o) {
 }
 
 int run(common::CommandLine &line) {
-    Options o;
-    line.about("Packs a program, or a file of instructions alone. Prints a CSV: sizes and speed.");
-    line.argument("FILE", o.file, "a program that is not packed, like build/odraz-safe, or instructions");
-    line.option("--model", "FILE", o.model, "take its contexts, as of intro/odraz.model");
-    line.option("--contexts", "N", o.contexts, {4, kMostContexts}, "so many contexts, a multiple of 4");
-    line.option("--slots", "BITS", o.slots, {kLeastSlotBits, kMostSlotBits}, "memory: 2^BITS slots");
-    line.flag("--arbitrary", o.arbitrary, "begin with arbitrary contexts, not with those of a model");
+    BenchOptions o;
+    line.about("Packs a program, or a file of instructions alone. Prints sizes and speed as CSV.");
+    line.argument("FILE", o.file, "an unpacked program, such as build/odraz-safe, or instructions");
+    line.option("--model", "FILE", o.model, "use the contexts of this model, such as intro/odraz.model");
+    line.option("--contexts", "N", o.contexts, {4, kMostContexts}, "use N contexts, a multiple of 4");
+    line.option("--slots", "BITS", o.slots, {kLeastSlotBits, kMostSlotBits}, "use 2^BITS slots of memory");
+    line.flag("--arbitrary", o.arbitrary, "start from arbitrary contexts instead of a model's");
     line.option("--search", "SECONDS", o.search, {0, 1e6}, "search for better contexts");
     line.parse();
-    if (o.contexts % 4) line.refuse("--contexts: a multiple of 4");
+    if (o.contexts % 4) line.refuse("--contexts needs a multiple of 4");
     packFile(o);
     return 0;
 }

@@ -1,5 +1,5 @@
-// What transfer costs: each step of start-up, and every frame. Also how accurate the relit hall is over the
-// day.
+// bench_transfer: times the hall's transfer, at start-up and per frame, and measures the error of the relit
+// hall over the day.
 #include "tools/common/clock.h"
 #include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
@@ -13,10 +13,10 @@ namespace odraz::measure {
 
 namespace {
 
-constexpr int kRounds = 5; // how often start-up is measured
+constexpr int kRounds = 5; // of start-up
 
-// Notes when each step of a solution ends, from its progress reports.
-struct Clock {
+// Times the steps of a solution by its progress reports.
+struct StepClock {
     struct Step {
         const char *name;
         float end;
@@ -32,7 +32,7 @@ struct Clock {
 
     Progress progress() {
         return {[](float done, void *p) {
-                    Clock &c = *(Clock *)p;
+                    StepClock &c = *(StepClock *)p;
                     while (c.now < c.steps.size() && done >= c.steps[c.now].end - 1e-4f) {
                         double t = common::processorSeconds();
                         c.steps[c.now++].seconds = t - c.last;
@@ -44,23 +44,23 @@ struct Clock {
 };
 
 // Prints the time of each step of start-up, and returns the solved hall.
-std::unique_ptr<SolvedHall> startUp(const Gl &gl, Workers &workers) {
+std::unique_ptr<SolvedHall> timeStartUp(const Gl &gl, Workers &workers) {
     std::vector<std::pair<std::string, std::vector<double>>> steps;
-    for (const Clock::Step &step : Clock().steps) steps.push_back({step.name, {}});
+    for (const StepClock::Step &step : StepClock().steps) steps.push_back({step.name, {}});
     steps.push_back({"the floor's matrices", {}});
     std::unique_ptr<SolvedHall> solved;
     for (int round = 0; round < kRounds; ++round) {
-        Clock clock;
+        StepClock clock;
         solved =
             std::make_unique<SolvedHall>(kHallSettings, gl, workers, kRoomBytes, nullptr, clock.progress());
-        // The first step begins when its memory is ready
+        // The first step has no report of its start: it takes the rest
         clock.steps[0].seconds = solved->seconds;
         for (size_t i = 1; i < clock.steps.size(); ++i) clock.steps[0].seconds -= clock.steps[i].seconds;
         size_t at = 0;
-        for (const Clock::Step &step : clock.steps) steps[at++].second.push_back(step.seconds);
+        for (const StepClock::Step &step : clock.steps) steps[at++].second.push_back(step.seconds);
         HeapArena memory((size_t)64 << 20);
         double began = common::processorSeconds();
-        solved->polish(memory.arena, workers);
+        solved->solveGloss(memory.arena, workers);
         steps[at].second.push_back(common::processorSeconds() - began);
     }
     const Hall &hall = *solved->hall;
@@ -76,11 +76,11 @@ std::unique_ptr<SolvedHall> startUp(const Gl &gl, Workers &workers) {
     return solved;
 }
 
-void everyPicture(SolvedHall &solved, Workers &workers) {
+void timeRelighting(SolvedHall &solved, Workers &workers) {
     const Hall &hall = *solved.hall;
     TexelPlanes planes(hall.model.texelCount);
     HeapArena memory((size_t)64 << 20);
-    solved.polish(memory.arena, workers);
+    solved.solveGloss(memory.arena, workers);
     std::printf("\n| a picture, ms of one thread | light vector | all texels | the floor's gloss |\n"
                 "|---|---|---|---|\n");
     auto show = [&](const char *name, const HallLight &light) {
@@ -97,7 +97,7 @@ void everyPicture(SolvedHall &solved, Workers &workers) {
     show("door of light, night", {kNight, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
 }
 
-void overTheDay(const Gl &gl, Workers &workers) {
+void printDayErrors(const Gl &gl, Workers &workers) {
     std::printf("\n| hour | | rms of what comes by the lightmap, %% | rms of all light, %% |\n"
                 "|---|---|---|---|\n");
     std::vector<float> all;
@@ -109,15 +109,15 @@ void overTheDay(const Gl &gl, Workers &workers) {
 }
 
 int run(common::CommandLine &line) {
-    line.about(
-        "Times the hall's transfer and measures the error of the relit hall over the day. Prints Markdown.");
+    line.about("Times the hall's transfer, and measures the error of the relit hall over the day. Prints "
+               "tables in\nMarkdown.");
     line.parse();
     Gl gl = openGl();
     Workers workers = allProcessors();
-    std::unique_ptr<SolvedHall> solved = startUp(gl, workers);
-    everyPicture(*solved, workers);
+    std::unique_ptr<SolvedHall> solved = timeStartUp(gl, workers);
+    timeRelighting(*solved, workers);
     solved.reset();
-    overTheDay(gl, workers);
+    printDayErrors(gl, workers);
     return 0;
 }
 

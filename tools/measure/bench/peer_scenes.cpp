@@ -28,7 +28,7 @@ Texture cloud(Rgb low, Rgb high, float scale) {
     return {Pattern::Plaster, 1 / scale, {low, lerp(low, high, 1 / 3.f), lerp(low, high, 2 / 3.f), high}};
 }
 
-// A light that is as bright in the middle of the scene as one of this colour that does not fade.
+// A light that fades with distance and has this colour in the middle of the scene.
 Light light(Vec3 at, Rgb colour, Vec3 middle) { return Light{at, colour * dot(at - middle, at - middle)}; }
 
 } // namespace
@@ -39,7 +39,7 @@ void posePeerA(Scene &scene) {
         float radius;
         Rgb colour;
         float diffuse, reflect, phong;
-        int kind; // 1 glass, 2 noise
+        int kind; // 0 plain, 1 glass, 2 noise
     } const balls[] = {
         {{0, 1, 0}, 1, {0.9f, 0.9f, 0.95f}, 0.15f, 0.75f, 0.6f, 0},
         {{-2.4f, 1, 0.6f}, 1, {1, 0.8f, 0.4f}, 0.25f, 0.65f, 0.6f, 0},
@@ -88,7 +88,7 @@ Vec3d times(Vec3d p, const Turn &t) {
     return q;
 }
 
-// Rotates about a unit axis; for row vectors.
+// A rotation of row vectors about a unit axis.
 Turn rotation(Vec3d axis, double angle) {
     double c = std::cos(angle), s = std::sin(angle), t = 1 - c;
     auto [x, y, z] = axis;
@@ -140,7 +140,7 @@ namespace {
 std::string povColour(const Rgb &c) {
     return common::format("rgb <%g,%g,%g>", (double)c.x, (double)c.y, (double)c.z);
 }
-// Its axes are left-handed.
+// POV-Ray's axes are left-handed.
 std::string povPoint(const Vec3 &p) {
     return common::format("<%.9g,%.9g,%.9g>", (double)p.x, (double)p.y, -(double)p.z);
 }
@@ -160,9 +160,9 @@ std::string povSurface(const Material &m, float ambient) {
                                  (double)m.transmit);
         more = common::format(" interior{ior %g} no_shadow", (double)m.ior);
     }
-    float own = m.emit.x > 0 ? m.emit.x / m.texture.palette[0].x : 0;
+    float emission = m.emit.x > 0 ? m.emit.x / m.texture.palette[0].x : 0;
     return common::format("%s finish{ambient %g diffuse %g phong %g phong_size %g reflection %g}%s",
-                          pigment.c_str(), (double)(m.ior > 0 ? 0 : m.diffuse * ambient + own),
+                          pigment.c_str(), (double)(m.ior > 0 ? 0 : m.diffuse * ambient + emission),
                           (double)m.diffuse, (double)m.specular, (double)m.exponent, (double)m.reflect,
                           more.c_str());
 }
@@ -183,7 +183,7 @@ std::string povOf(bool b) {
                    povColour(scene->sky.low).c_str());
     for (int i = 0; i < scene->lightCount; ++i) {
         const Light &l = scene->lights[i];
-        Vec3 to = l.position - (b ? kMiddleB : kMiddleA); // there it is as bright as one that does not fade
+        Vec3 to = l.position - (b ? kMiddleB : kMiddleA); // equally bright there
         common::append(text, "light_source{%s %s}\n", povPoint(l.position).c_str(),
                        povColour(l.intensity * (1 / dot(to, to))).c_str());
     }
@@ -204,7 +204,7 @@ void poseField(Scene &scene) {
     int matte = scene.add(m);
     m.reflect = 0.4f;
     int shiny = scene.add(m);
-    float pixel = 20 * std::tan(20 * 3.14159265f / 180) / 720; // at the field's distance
+    float pixel = 20 * std::tan(20 * 3.14159265f / 180) / 720; // its width at the field's distance
     for (int i = 0; i < 800; ++i) {
         float x = (float)(i % 40) * 0.31f - 6.1f + 0.0031f * (float)(i % 17),
               y = (float)(i / 40) * 0.345f - 3.3f - 0.0043f * (float)(i % 29);

@@ -13,20 +13,20 @@ namespace odraz::measure {
 
 namespace {
 
-// A number, or a quotient of two
+// Parses a number or a quotient of two numbers
 float number(const std::string &knob, const std::string &text) {
     char *end = nullptr;
     float value = std::strtof(text.c_str(), &end);
     if (*end == '/') value /= std::strtof(end + 1, &end);
-    if (text.empty() || *end) throw common::Refused("'" + text + "' is no value of " + knob);
+    if (text.empty() || *end) throw common::Refused(knob + " needs a number, not '" + text + "'");
     return value;
 }
 
 struct Knob {
     const char *name;
-    int *whole; // one of the two is null
+    int *whole; // either this or `real` is null
     float *real;
-    std::vector<float> values; // all that a whole knob may have; of the others none is negative
+    std::vector<float> values; // the allowed values of `whole`; `real` may have any that is not negative
 };
 
 std::vector<float> upTo(int most) {
@@ -56,7 +56,7 @@ void turn(Quality &q, const std::string &knob, float value) {
         if (knob == k.name) {
             if (k.whole ? std::find(k.values.begin(), k.values.end(), value) == k.values.end()
                         : !(value >= 0 && std::isfinite(value)))
-                throw common::Refused(knob + " cannot have that value; see quality.h");
+                throw common::Refused(knob + " cannot have this value: see intro/trace/quality.h");
             if (k.whole)
                 *k.whole = (int)value;
             else
@@ -65,10 +65,10 @@ void turn(Quality &q, const std::string &knob, float value) {
         }
         known += std::string(" ") + k.name;
     }
-    throw common::Refused("there is no knob '" + knob + "'; there are:" + known);
+    throw common::Refused("unknown knob '" + knob + "': use one of" + known);
 }
 
-// A quality by its name, or the governor's of a level
+// A quality by its name, or the governor's quality at a level
 Quality named(const std::string &name) {
     if (name.rfind("level=", 0) == 0) {
         double level = common::numberOf("level", name.substr(6), {0, Governor::kSteps});
@@ -79,7 +79,7 @@ Quality named(const std::string &name) {
         if (name == q.name) return q;
         known += std::string(" ") + q.name;
     }
-    throw common::Refused("there is no quality '" + name + "'; there are:" + known);
+    throw common::Refused("unknown quality '" + name + "': use one of" + known);
 }
 
 } // namespace
@@ -89,15 +89,16 @@ Quality settingOf(const std::string &words) {
     Quality setting = named(words.substr(0, comma));
     while (comma != std::string::npos) {
         size_t next = words.find_first_of(", ", comma + 1);
-        std::string turned = words.substr(comma + 1, next - comma - 1);
-        size_t is = turned.find('=');
-        if (is == std::string::npos) throw common::Refused("'" + turned + "' is not KNOB=VALUE");
-        std::string knob = turned.substr(0, is);
-        turn(setting, knob, number(knob, turned.substr(is + 1)));
+        std::string change = words.substr(comma + 1, next - comma - 1);
+        size_t equals = change.find('=');
+        if (equals == std::string::npos)
+            throw common::Refused("cannot use '" + change + "': write KNOB=VALUE");
+        std::string knob = change.substr(0, equals);
+        turn(setting, knob, number(knob, change.substr(equals + 1)));
         comma = next;
     }
     if (!setting.grid && (setting.fine > setting.coarse || !setting.fine))
-        throw common::Refused("without a grid, fine and coarse are needed, and fine is at most coarse");
+        throw common::Refused("a setting without a grid needs 1 <= fine <= coarse");
     return setting;
 }
 

@@ -1,6 +1,6 @@
-// Settings of the tracer in words: "play", or "draft,threshold=0.02,cutoff=1/64", which is a quality with
-// some knobs turned, or "level=1.5", which is the governor's between two qualities. Blanks may replace
-// commas.
+// Settings of the tracer as text: a quality ("play"), a quality with changed knobs
+// ("draft,threshold=0.02,cutoff=1/64"), or a level of the governor between two qualities ("level=1.5").
+// Blanks may replace commas.
 #pragma once
 
 #include "trace/quality.h"
@@ -9,7 +9,7 @@
 
 namespace odraz::measure {
 
-// Parses a setting. Knobs are the numbers of Quality, by their names. Throws Refused (command_line.h).
+// Parses a setting. Knobs are the numeric members of Quality, by name. Throws Refused (command_line.h).
 Quality settingOf(const std::string &words);
 
 } // namespace odraz::measure

@@ -28,7 +28,7 @@ SubjectName findSubject(const std::string &name) {
         if (n.name == name) return n;
         known += " " + n.name;
     }
-    throw common::Refused("there is no scene '" + name + "'; there are:" + known);
+    throw common::Refused("unknown scene '" + name + "': use one of" + known);
 }
 
 View poseSubject(const SubjectName &subject, const IntroSettings &settings, const Film &film) {

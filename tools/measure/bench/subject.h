@@ -1,4 +1,5 @@
-// The scenes that tracers are measured on: those shared with other tracers, and those of the film.
+// Subjects: the scenes on which the tracer is measured. Some are shared with other tracers, the others are
+// the film's.
 #pragma once
 
 #include "inside.h"
@@ -14,30 +15,30 @@ struct SubjectName {
     std::string name;
     bool hall;
     std::function<void(Scene &)> pose = {}; // empty: the film poses it
-    const CameraKey *camera = nullptr;      // null: the film's
-    double seconds = 0;                     // into the film, for its scenes
+    const CameraKey *camera = nullptr;      // null: the film's camera
+    double seconds = 0;                     // time in the film, if the film poses it
 };
 
 // All subjects, in the order in which they are measured.
 const std::vector<SubjectName> &subjectNames();
 
-// Throws Refused if there is none of this name.
+// Throws Refused if there is no subject of this name.
 SubjectName findSubject(const std::string &name);
 
 // Poses the subject in the film's scene; returns its view.
 View poseSubject(const SubjectName &subject, const IntroSettings &settings, const Film &film);
 
-// A posed scene with all that tracing it needs. Throws std::runtime_error with a line that gives the reason.
+// A posed scene, ready to be traced. The constructor throws std::runtime_error.
 class Subject {
 public:
     Subject(const SubjectName &name, int width, int height);
 
-    // On one thread. Returns its processor time in milliseconds.
+    // Traces it on one thread. Returns the processor time in milliseconds.
     double trace(const Quality &quality);
     double samplesPerPixel() const;
-    // The picture as eight-bit sRGB, clamped at 1, without the film curve: 3 bytes a pixel.
+    // The traced picture as eight-bit sRGB, clamped at 1, without the film curve: 3 bytes a pixel.
     std::vector<uint8_t> picture() const;
-    // The same with 256 samples in every pixel, box-filtered.
+    // Traces a picture with 256 samples in every pixel, box-filtered, in the same format.
     std::vector<uint8_t> reference();
 
     int width() const { return settings.width; }
@@ -46,7 +47,7 @@ public:
 private:
     IntroSettings settings;
     Workers workers;
-    LoadedFilm film;
+    MeasuredFilm film;
     View view;
 };
 

@@ -1,9 +1,9 @@
-// trace_once: traces one subject once, for programs that count instructions
+// trace_once: does one part of the work on one picture once, so that callgrind can count its instructions
 // (tools/measure/bench/instructions).
 //
-// Under such a program solving the hall takes half an hour. So one run poses the scene and another traces it.
-// Between them a file holds the memory, mapped at the same address; only the program that wrote it can use
-// it.
+// Under callgrind solving the hall takes half an hour. So one run poses the scene, and another, which is
+// counted, traces it. A file keeps the memory between them, mapped at the same address. Only the program that
+// wrote the file can use it.
 #include "tools/common/command_line.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/bench/peer_scenes.h"
@@ -22,40 +22,30 @@ namespace odraz::measure {
 
 namespace {
 
-constexpr char kSceneHelp[] = "A, or another scene of tradeoff trace",
-               kSettingHelp[] = "a quality, or one with knobs turned: draft,threshold=0.02,cutoff=1/64",
-               kKeptHelp[] = "what `pose` kept";
+constexpr char kSceneHelp[] = "A, or another scene of tradeoff",
+               kSettingHelp[] =
+                   "a quality, or a quality with changed knobs: draft,threshold=0.02,cutoff=1/64",
+               kKeptHelp[] = "the file that `pose` wrote";
 
-struct Kept {
-    Intro *intro; // behind this header
+// The head of the file; the arena follows.
+struct KeptScene {
+    Intro *intro; // in the arena
     View view;
     IntroSettings settings;
     char scene[64];
 };
 
-size_t bytesFor(const IntroSettings &settings) { return sizeof(Kept) + memoryNeeded(settings, 1, true); }
-
-void *map(const std::string &file, size_t bytes, bool make) {
-    void *place = (void *)0x200000000000;
+// Maps a file at a fixed address. `make`: a new file of this size.
+KeptScene &map(const std::string &file, size_t bytes, bool make) {
+    void *address = (void *)0x200000000000;
     int from = open(file.c_str(), make ? O_RDWR | O_CREAT | O_TRUNC : O_RDONLY, 0666);
     struct stat is;
     if (from < 0 || (make ? ftruncate(from, (off_t)bytes) : fstat(from, &is)) ||
-        mmap(place, make ? bytes : (size_t)is.st_size, PROT_READ | PROT_WRITE,
-             (make ? MAP_SHARED : MAP_PRIVATE) | MAP_FIXED_NOREPLACE, from, 0) != place)
-        throw common::Refused(file + " cannot be " + (make ? "written" : "read"));
+        mmap(address, make ? bytes : (size_t)is.st_size, PROT_READ | PROT_WRITE,
+             (make ? MAP_SHARED : MAP_PRIVATE) | MAP_FIXED_NOREPLACE, from, 0) != address)
+        throw common::Refused(std::string("cannot ") + (make ? "write " : "read ") + file);
     close(from);
-    return place;
-}
-
-Kept &keep(const std::string &file, const IntroSettings &settings, Workers &workers, bool hall) {
-    size_t bytes = bytesFor(settings);
-    Kept &kept = *(Kept *)map(file, bytes, true);
-    Arena arena = {(unsigned char *)&kept, bytes, sizeof(Kept)};
-    Gl gl = hall ? openGl() : Gl{};
-    kept.settings = settings;
-    if (const char *missing = load(kept.intro, settings, arena, workers, hall ? &gl : nullptr))
-        throw std::runtime_error(missing);
-    return kept;
+    return *(KeptScene *)address;
 }
 
 int pose(common::CommandLine &line) {
@@ -68,17 +58,23 @@ int pose(common::CommandLine &line) {
     line.parse();
     SubjectName subject = findSubject(scene);
     Workers workers = serialWorkers();
-    Kept &kept = keep(file, size, workers, subject.hall);
+    size_t bytes = sizeof(KeptScene) + memoryNeeded(size, 1, true);
+    KeptScene &kept = map(file, bytes, true);
+    Arena arena = {(unsigned char *)&kept, bytes, sizeof(KeptScene)};
+    Gl gl = subject.hall ? openGl() : Gl{};
+    if (const char *missing = load(kept.intro, size, arena, workers, subject.hall ? &gl : nullptr))
+        throw std::runtime_error(missing);
+    kept.settings = size;
     std::snprintf(kept.scene, sizeof kept.scene, "%s", scene.c_str());
     kept.view = poseSubject(subject, size, kept.intro->film);
     return 0;
 }
 
-// What a file keeps, on one thread.
-struct Reopened {
-    Kept &kept;
+// A kept scene, with workers of this process.
+struct ReopenedScene {
+    KeptScene &kept;
     Workers workers = serialWorkers();
-    explicit Reopened(const std::string &file) : kept(*(Kept *)map(file, 0, false)) {
+    explicit ReopenedScene(const std::string &file) : kept(map(file, 0, false)) {
         kept.intro->workers = &workers;
     }
     Intro &intro() { return *kept.intro; }
@@ -92,26 +88,27 @@ std::string fileOf(common::CommandLine &line, const char *about) {
 }
 
 int again(common::CommandLine &line) {
-    Reopened from(fileOf(line, "Poses the scene once more, as every picture does."));
+    ReopenedScene from(fileOf(line, "Poses the kept scene again, as is done for every picture."));
     poseSubject(findSubject(from.kept.scene), from.kept.settings, from.intro().film);
     return 0;
 }
 
 int trace(common::CommandLine &line) {
     std::string file, setting;
-    line.about("Traces the scene.");
+    line.about("Traces the kept scene.");
     line.argument("FILE", file, kKeptHelp);
     line.argument("SETTING", setting, kSettingHelp);
     line.parse();
     Quality quality = settingOf(setting);
-    Reopened from(file);
+    ReopenedScene from(file);
     traceFrame(from.intro().tracer, from.workers, *from.intro().film.scene, from.kept.view, quality,
                from.intro().frame);
     return 0;
 }
 
 int develop(common::CommandLine &line) {
-    Reopened from(fileOf(line, "Develops the scene's picture, which was never traced: it is black."));
+    ReopenedScene from(
+        fileOf(line, "Develops the picture of the kept scene. It was never traced, so it is black."));
     Intro &intro = from.intro();
     spreadGlare(intro.glare, intro.frame, from.workers);
     odraz::develop(intro.curve, intro.frame, from.workers, intro.film.scene->exposure, 0, &intro.glare,
@@ -121,18 +118,18 @@ int develop(common::CommandLine &line) {
 
 int pov(common::CommandLine &line) {
     std::string scene;
-    line.about("Prints a scene as POV-Ray reads it.");
+    line.about("Prints a scene in POV-Ray's language.");
     line.argument("SCENE", scene, "A or B");
     line.parse();
-    if (scene != "A" && scene != "B") line.refuse("POV-Ray's scenes are A and B, not '" + scene + "'");
+    if (scene != "A" && scene != "B") line.refuse("no '" + scene + "' for POV-Ray: use A or B");
     std::fputs(povOf(scene == "B").c_str(), stdout);
     return 0;
 }
 
 int run(common::CommandLine &line) {
-    line.about("Does one part of a picture's work once, for programs that count instructions.");
+    line.about("Does one part of the work on a picture once, so that callgrind can count its instructions.");
     return line.run({{"pose", "keep a posed scene in a file", pose},
-                     {"again", "pose the kept scene once more", again},
+                     {"again", "pose the kept scene again", again},
                      {"trace", "trace the kept scene", trace},
                      {"develop", "develop its picture", develop},
                      {"pov", "print a scene for POV-Ray", pov}});

@@ -1,4 +1,5 @@
-// tradeoff: what settings of the tracer cost, and how near they come to 256 samples a pixel.
+// tradeoff: measures the processor time of settings of the tracer, and their errors against 256 samples a
+// pixel.
 #include "tools/common/statistics.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
@@ -15,13 +16,13 @@ namespace odraz::measure {
 
 namespace {
 
-struct Options {
-    std::vector<std::string> scenes, settings; // none: all; draft, play and film
+struct TradeoffOptions {
+    std::vector<std::string> scenes, settings; // empty: all scenes; draft, play and film
     int width = 1280, rounds = 3;
     std::string references;
 };
 
-// The reference, read from a folder or traced
+// Reads the reference from the folder. If it is not there yet, traces and keeps it
 std::vector<uint8_t> referenceOf(Subject &subject, const std::string &folder, const std::string &name) {
     if (folder.empty()) return subject.reference();
     std::string file = folder + "/" + name + "-" + std::to_string(subject.width());
@@ -34,13 +35,13 @@ std::vector<uint8_t> referenceOf(Subject &subject, const std::string &folder, co
     return traced;
 }
 
-// Traces a scene with all settings in each round, so that a disturbance of the machine affects them alike.
-// Prints a row for each.
-void measure(const std::string &scene, const Options &o) {
+// Traces a scene and prints a row for each setting. Each round tries all settings, so that a disturbance of
+// the machine affects all of them.
+void measure(const std::string &scene, const TradeoffOptions &o) {
     int height = o.width * 9 / 16;
     Subject subject(findSubject(scene), o.width, height);
     std::vector<uint8_t> reference = referenceOf(subject, o.references, scene);
-    pictures::SeenPicture truth = pictures::see(reference, o.width, height);
+    pictures::SeenPicture seenReference = pictures::see(reference, o.width, height);
     std::vector<std::vector<double>> times(o.settings.size());
     for (int round = 1; round <= o.rounds; ++round)
         for (size_t i = 0; i < o.settings.size(); ++i) {
@@ -51,41 +52,36 @@ void measure(const std::string &scene, const Options &o) {
             std::replace(words.begin(), words.end(), ',', ' '); // commas would separate columns
             std::printf("%s,%s,%.3f,%.1f,%.4f,%.2f,%.2f\n", scene.c_str(), words.c_str(),
                         subject.samplesPerPixel(), common::median(times[i]),
-                        pictures::meanFlip(truth, pictures::see(picture, o.width, height)),
+                        pictures::meanFlip(seenReference, pictures::see(picture, o.width, height)),
                         std::min(pictures::linearPsnr(picture, reference), 99.),
                         std::min(pictures::psnr(picture, reference), 99.));
             std::fflush(stdout);
         }
 }
 
-int trace(common::CommandLine &line) {
-    Options o;
-    line.about("Processor time of settings of the tracer, and how far they are from 256 samples a pixel: "
-               "mean FLIP, and\n"
-               "PSNR in linear light and in sRGB. Prints a CSV.");
-    line.option("--scene", "NAME", o.scenes, "only this scene");
+int run(common::CommandLine &line) {
+    TradeoffOptions o;
+    line.about("Measures the processor time of settings of the tracer, and their errors against 256 samples "
+               "a pixel: mean\nFLIP, PSNR in linear light and in sRGB. Prints a CSV.");
+    line.option("--scene", "NAME", o.scenes, "trace this scene (default: all)");
     line.option(
         "--setting", "WORDS", o.settings,
-        "this setting, as play, level=1.5 or draft,threshold=0.02,cutoff=1/64 (default: draft, play, film)");
-    line.option("--width", "PIXELS", o.width, {64, 3840}, "the pictures' width, a multiple of 16");
-    line.option("--rounds", "N", o.rounds, {1, 99}, "the median of so many times is printed");
+        "use this setting: play, level=1.5 or draft,threshold=0.02,cutoff=1/64 (default: draft, play, "
+        "film)");
+    line.option("--width", "PIXELS", o.width, {64, 3840}, "width of the pictures, a multiple of 16");
+    line.option("--rounds", "N", o.rounds, {1, 99}, "print the median time of N rounds");
     line.option("--references", "FOLDER", o.references,
-                "keep the reference pictures there, for further runs of the same commit");
+                "keep the reference pictures there, for other runs of the same commit");
     line.parse();
     o.width = o.width / 16 * 16;
     if (o.settings.empty()) o.settings = {"draft", "play", "film"};
-    for (const std::string &words : o.settings) settingOf(words); // refused before time is spent
+    for (const std::string &words : o.settings) settingOf(words); // refuse wrong ones at once
     for (const std::string &scene : o.scenes) findSubject(scene);
     if (o.scenes.empty())
         for (const SubjectName &subject : subjectNames()) o.scenes.push_back(subject.name);
     std::puts("scene,setting,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db");
     for (const std::string &scene : o.scenes) measure(scene, o);
     return 0;
-}
-
-int run(common::CommandLine &line) {
-    line.about("Tries several settings: what each costs and what it yields.");
-    return line.run({{"trace", "the tracer: processor time against FLIP and PSNR", trace}});
 }
 
 } // namespace

@@ -35,7 +35,7 @@ std::vector<int> hitRows() {
     return rows;
 }
 
-// Sum of the squares of both sides.
+// The sum of squares over both sides.
 static double energy(const Recording &r, int64_t from, int64_t to) {
     double sum = 0;
     for (int64_t i = std::max<int64_t>(from, 0); i < std::min(to, (int64_t)r.size()); ++i)

@@ -15,10 +15,10 @@ Recording readWav(const std::string &path) {
     uint16_t format[8];
     if (file.size() < 44 || file.compare(0, 4, "RIFF") || file.compare(8, 8, "WAVEfmt ") ||
         file.compare(36, 4, "data"))
-        throw common::Refused(path + " is not a WAV with nothing but sound in it");
+        throw common::Refused(path + ": not a plain WAV file: write it with odraz --wav");
     std::memcpy(format, &file[20], sizeof format);
     if (format[0] != 1 || format[1] != 2 || format[7] != 16)
-        throw common::Refused(path + " has not two channels of 16 bits");
+        throw common::Refused(path + ": needs two channels of 16 bits");
     Recording r;
     uint32_t rate;
     std::memcpy(&rate, &file[24], sizeof rate);
@@ -68,10 +68,10 @@ std::vector<double> spectrum(const Recording &r, int64_t from, int size) {
     return energy;
 }
 
-double flux(const Recording &r, int64_t at, int apart) {
+double flux(const Recording &r, int64_t at, int step) {
     constexpr int kSize = 1024;
     std::vector<double> before = spectrum(r, at - kSize, kSize),
-                        after = spectrum(r, at - kSize + apart, kSize);
+                        after = spectrum(r, at - kSize + step, kSize);
     double sum = 0;
     for (double low = 60; low < 16000; low *= 1.2599) {
         double a = 1e-9, b = 1e-9;

@@ -8,7 +8,7 @@
 
 namespace odraz::measure {
 
-LoadedFilm::LoadedFilm(const IntroSettings &settings, Workers &workers, bool hall)
+MeasuredFilm::MeasuredFilm(const IntroSettings &settings, Workers &workers, bool hall)
     : memory(memoryNeeded(settings, workers.count, hall)) {
     Gl gl = hall ? openGl() : Gl{};
     if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
@@ -20,9 +20,6 @@ std::vector<uint8_t> rgbOf(const Picture &p) {
     for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = p.rgba[i / 3 * 4 + i % 3];
     return rgb;
 }
-
-Screening::Screening(IntroSettings settings, double from, double to)
-    : workers(allProcessors()), film(settings, workers, needsHall(from, to)) {}
 
 Quality qualityOf(float level) {
     Governor governor;
@@ -44,7 +41,7 @@ std::vector<Span> shotsOf(const std::string &scene) {
     std::vector<Span> all;
     for (const Span &shot : shots())
         if (scene == kScenes[shot.scene].name) all.push_back(shot);
-    if (all.empty()) throw common::Refused("there is no scene '" + scene + "'");
+    if (all.empty()) throw common::Refused("the film plays no scene '" + scene + "'");
     return all;
 }
 
@@ -56,13 +53,6 @@ std::vector<Span> windowsIn(const Span &span, int count, double length) {
         all.push_back({span.scene, begin, std::min(span.to, begin + length)});
     }
     return all;
-}
-
-void ScreeningOptions::addTo(common::CommandLine &line) {
-    sizeOption(line, "--size", size, "the pictures' size in pixels");
-    std::vector<std::string> names;
-    for (const Quality &q : kQualities) names.push_back(q.name);
-    line.option("--quality", names, quality, "the pictures' quality");
 }
 
 void sizeOption(common::CommandLine &line, const std::string &name, IntroSettings &to,

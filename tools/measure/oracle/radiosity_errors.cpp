@@ -1,4 +1,4 @@
-// radiosity_errors: how far a solution is from path tracing.
+// radiosity_errors: compares a radiosity solution with path tracing.
 #include "tools/common/command_line.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/reference/mesh_reference.h"
@@ -12,11 +12,12 @@ using namespace radiosity;
 static int run(common::CommandLine &line) {
     std::string model, file;
     int probes = 1000, side = 48;
-    line.about("Prints how far a solution of `radiosity solve` is from path tracing, at random places.");
+    line.about(
+        "Prints the errors of a solution of `radiosity solve` against path tracing, at random points.");
     line.argument("MODEL", model, "the model");
     line.argument("SOLUTION", file, "its solution");
-    line.option("--probes", "N", probes, {1, 1000000}, "the number of places");
-    line.option("--side", "N", side, {2, 4096}, "each place has N x N paths, twice");
+    line.option("--probes", "N", probes, {1, 1000000}, "the number of points");
+    line.option("--side", "N", side, {2, 4096}, "two sets of N x N paths at each point");
     line.parse();
     std::vector<std::string> notes;
     Mesh mesh = readModel(model, {}, notes);
@@ -28,8 +29,8 @@ static int run(common::CommandLine &line) {
     auto all = placeMeshProbes(solution, probes);
     tracePaths(mesh, around, all, side, workers);
     MeshErrors e = errorsOf(all);
-    std::printf("%zu places: median %.2f %%, 95 of 100 below %.2f %%, rms %.2f %%, bias %+.2f %% (the paths' "
-                "noise %.2f %%)\n",
+    std::printf("%zu points: median %.2f %%, 95 of 100 below %.2f %%, rms %.2f %%, bias %+.2f %% (noise of "
+                "the paths: %.2f %%)\n",
                 all.size(), e.median, e.worst20, e.rms, e.bias, e.noise);
     return 0;
 }

@@ -10,17 +10,16 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
     double began = common::processorSeconds();
     prepareHall(*hall, *scene);
     if (change) change(hall->radiosity.bases);
-    if (!hall->radiosity.bases.fit())
-        throw std::runtime_error("these are more light bases than the hall may have");
+    if (!hall->radiosity.bases.fit()) throw std::runtime_error("too many light bases for the hall");
     if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, memory.arena, workers, progress))
-        throw std::runtime_error("the hall cannot be solved with these settings");
+        throw std::runtime_error("cannot solve the hall with these settings");
     closeHemicubes(hall->radiosity.hemicubes);
     seconds = common::processorSeconds() - began;
 }
 
-void SolvedHall::polish(Arena &arena, Workers &workers) {
+void SolvedHall::solveGloss(Arena &arena, Workers &workers) {
     if (!findGlossy(hall->gloss, hall->model, hall->radiosity, hall->floor, kGlossExponent, arena, workers))
-        throw std::runtime_error("memory is short");
+        throw std::runtime_error("not enough memory for the floor's gloss");
 }
 
 } // namespace odraz::measure

@@ -1,4 +1,4 @@
-// The film's hall, solved for a tool or a test.
+// The film's hall, solved for a measurement or a test.
 #pragma once
 
 #include "show/hall.h"
@@ -10,7 +10,7 @@
 
 namespace odraz::measure {
 
-// Planes of the texels' red, green and blue, for relight().
+// The red, green and blue planes that relight() writes, a float per texel.
 struct TexelPlanes {
     explicit TexelPlanes(int texels) {
         for (size_t c = 0; c < 3; ++c) {
@@ -18,24 +18,24 @@ struct TexelPlanes {
             plane[c] = values[c].data();
         }
     }
-    TexelPlanes(const TexelPlanes &) = delete; // the pointers are its own
+    TexelPlanes(const TexelPlanes &) = delete; // plane[] points into values[]
     std::vector<float> values[3];
     float *plane[3];
 };
 
-// The hall, solved with some settings. Throws std::runtime_error.
+// The hall, solved with the given settings.
 struct SolvedHall {
-    // `change` may change the light bases before the hall is solved
+    // `change` may change the light bases before the hall is solved. Throws std::runtime_error.
     SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t memory = kRoomBytes,
                const std::function<void(LightBases &)> &change = {}, const Progress &progress = {});
 
-    // Computes the floor's gloss. Throws std::runtime_error if the arena is full.
-    void polish(Arena &arena, Workers &workers);
+    // Computes the glossy transfer of the floor. Throws std::runtime_error if the arena is full.
+    void solveGloss(Arena &arena, Workers &workers);
 
     HeapArena memory;
     std::unique_ptr<Scene> scene;
     std::unique_ptr<Hall> hall;
-    double seconds; // of processor time
+    double seconds; // processor time of solving
 };
 
 } // namespace odraz::measure

@@ -7,7 +7,8 @@ namespace odraz::measure {
 
 namespace {
 
-// The hall, solved for the exact skies and suns of some days: each sky in red, green and blue, then the suns.
+// Solves the hall for the exact skies and suns of some days. Bases: red, green and blue of each sky, then the
+// suns.
 SolvedHall solvedFor(const std::vector<Sky> &skies, const std::vector<Daylight> &days, const Gl &gl,
                      Workers &workers) {
     return SolvedHall(kHallSettings, gl, workers, kRoomBytes, [&](LightBases &l) {
@@ -25,19 +26,19 @@ SolvedHall solvedFor(const std::vector<Sky> &skies, const std::vector<Daylight> 
     });
 }
 
-// The error of the relit hall's planes against the exact ones of a day. The exact sky includes the glow near
-// the sun. The picture draws that glow as part of the sun, whose direct light is `direct`.
-DayError errorOf(const TexelPlanes &got, const TexelPlanes &exact, const float *direct, int texels,
+// The error of the relit planes against the exact planes of a day. The exact sky includes the glow near the
+// sun. The picture draws that glow as part of the sun, whose direct light is `direct`.
+DayError errorOf(const TexelPlanes &relit, const TexelPlanes &exact, const float *direct, int texels,
                  const Daylight &day) {
     Rgb glow = day.sky.near * kNearGlow, alone = day.sunlight - glow;
     double error = 0, base = 0, whole = 0, wholeBase = 0;
     for (size_t c = 0; c < 3; ++c) {
         auto channel = [&](Rgb v) { return (double)(c == 0 ? v.x : c == 1 ? v.y : v.z); };
         for (int t = 0; t < texels; ++t) {
-            double sun = (double)direct[t], g = (double)got.plane[c][t], e = (double)exact.plane[c][t];
+            double sun = (double)direct[t], g = (double)relit.plane[c][t], e = (double)exact.plane[c][t];
             double withSun = g + sun * channel(day.sunlight), truth = e + sun * channel(alone);
             whole += (withSun - truth) * (withSun - truth), wholeBase += truth * truth;
-            // Take out the part that the picture draws with the sun
+            // Remove the glow, which the picture draws with the sun
             e -= sun * channel(glow);
             error += (g - e) * (g - e), base += e * e;
         }
@@ -48,10 +49,10 @@ DayError errorOf(const TexelPlanes &got, const TexelPlanes &exact, const float *
 } // namespace
 
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const Gl &gl, Workers &workers) {
-    constexpr size_t kMost = 10; // skies at once
+    constexpr size_t kMost = 10; // skies of one solution
     SolvedHall relit(kHallSettings, gl, workers);
     const Model &m = relit.hall->model;
-    TexelPlanes got(m.texelCount), exact(m.texelCount);
+    TexelPlanes relitPlanes(m.texelCount), exactPlanes(m.texelCount);
     std::vector<DayError> all;
     for (size_t first = 0; first < hours.size(); first += kMost) {
         std::vector<Sky> skies;
@@ -60,15 +61,16 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, const Gl &gl, W
             days.push_back(daylightAt(hours[i]));
             skies.push_back(days.back().sky);
         }
-        SolvedHall very = solvedFor(skies, days, gl, workers);
+        SolvedHall exact = solvedFor(skies, days, gl, workers);
         for (size_t i = 0; i < days.size(); ++i) {
             LightVector own = {};
-            int sky = 3 * (int)i, sun = very.hall->radiosity.bases.firstSun() + (int)i;
+            int sky = 3 * (int)i, sun = exact.hall->radiosity.bases.firstSun() + (int)i;
             own.bounced[sky] = {1, 0, 0}, own.bounced[sky + 1] = {0, 1, 0}, own.bounced[sky + 2] = {0, 0, 1};
             own.bounced[sun] = days[i].sunlight - days[i].sky.near * kNearGlow;
-            relight(very.hall->radiosity, very.hall->model, own, exact.plane);
-            relight(relit.hall->radiosity, m, lightVector({hours[first + i], {}, {}, 1}), got.plane);
-            all.push_back(errorOf(got, exact, very.hall->radiosity.direct[sun], m.texelCount, days[i]));
+            relight(exact.hall->radiosity, exact.hall->model, own, exactPlanes.plane);
+            relight(relit.hall->radiosity, m, lightVector({hours[first + i], {}, {}, 1}), relitPlanes.plane);
+            all.push_back(
+                errorOf(relitPlanes, exactPlanes, exact.hall->radiosity.direct[sun], m.texelCount, days[i]));
             all.back().hour = hours[first + i];
         }
     }

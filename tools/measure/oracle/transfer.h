@@ -1,4 +1,4 @@
-// Measures the hall's transfer: its light against radiosity solutions made for exactly that light.
+// Measures the error of the hall's transfer: its relit light against radiosity solutions made for that light.
 #pragma once
 
 #include "tools/measure/oracle/reference_hall.h"
@@ -7,11 +7,11 @@
 
 namespace odraz::measure {
 
-// The relit hall's errors over the day. Each reference is solved for the exact sky and sun of its hour, from
-// the same form factors.
+// The errors of the relit hall at one hour. The reference is solved for the exact sky and sun of that hour,
+// from the same form factors.
 struct DayError {
     float hour;
-    double lightmap, whole; // rms, percent: of the light in the lightmap; of all light, the sun's included
+    double lightmap, whole; // rms, percent: of the light in the lightmap; of all light, with the sun's
 };
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const Gl &gl, Workers &workers);
 

@@ -19,12 +19,12 @@ const Shot *shotAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSe
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 double mixLogarithms(double a, double b, double t) { return std::exp(mix(std::log(a), std::log(b), t)); }
-template <class Mix> Cost mixed(const Cost &a, const Cost &b, double t, Mix mix) {
+template <class Mix> PictureCost mixed(const PictureCost &a, const PictureCost &b, double t, Mix mix) {
     return {mix(a.serial, b.serial, t), mix(a.parallel, b.parallel, t)};
 }
 
-// Multiplies the cost at one size by this to have it at another: a power of the number of pixels.
-Cost growth(const std::map<double, Cost> &sizes, double from, double to) {
+// The factor by which the cost grows from one number of pixels to another: a power of their ratio.
+PictureCost growth(const std::map<double, PictureCost> &sizes, double from, double to) {
     auto [fewer, a] = *sizes.begin();
     auto [more, b] = *sizes.rbegin();
     double t = std::log(to / from) / std::log(more / fewer);
@@ -35,42 +35,43 @@ Cost growth(const std::map<double, Cost> &sizes, double from, double to) {
 
 const char kCostsFile[] = ODRAZ_COSTS;
 
-Costs::Costs(const std::string &csv) {
+PictureCosts::PictureCosts(const std::string &csv) {
     forRows(csv, kHead, [&](const std::string &line) {
         double seconds, gap, level, serial, parallel;
-        char behind;
+        char extra;
         int width, height;
         common::need(std::sscanf(line.c_str(), "%lf,%lf,%lf,%d,%d,%lf,%lf%c", &seconds, &gap, &level, &width,
-                                 &height, &serial, &parallel, &behind) == 7,
-                     "it needs the seven values \"" + std::string(kHead) + "\"");
-        common::need(gap == 0 || (gap >= 1 && gap <= 60), "a gap is 0, or 1 to 60 sixtieths");
-        common::need(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
-        common::need(seconds >= 0 && seconds < duration(), "no moment of the film");
-        common::need(width >= 16 && height >= 16, "no size of a picture");
-        common::need(serial > 0 && parallel > 0 && std::isfinite(serial + parallel), "no count");
-        common::need(moments.empty() || seconds >= moments.back().seconds,
-                     "it is earlier than the one before");
+                                 &height, &serial, &parallel, &extra) == 7,
+                     "a row needs the seven values \"" + std::string(kHead) + "\"");
+        common::need(gap == 0 || (gap >= 1 && gap <= 60), "the gap must be 0, or 1 to 60 sixtieths");
+        common::need(level >= 0 && level <= Governor::kSteps, "the level must be 0 to 2");
+        common::need(seconds >= 0 && seconds < duration(), "the time is outside the film");
+        common::need(width >= 16 && height >= 16, "a picture has at least 16 x 16 pixels");
+        common::need(serial > 0 && parallel > 0 && std::isfinite(serial + parallel),
+                     "counts must be positive");
+        common::need(moments.empty() || seconds >= moments.back().seconds, "rows must be in order of time");
         if (moments.empty() || seconds > moments.back().seconds)
             moments.push_back({seconds, shotAt(seconds), {}});
         moments.back().gaps[gap][(float)level][(double)width * height] = {serial * 1e3, parallel * 1e3};
     });
-    for (const Moment &m : moments) {
+    for (const CountedMoment &m : moments) {
         std::string at = "at " + std::to_string(m.seconds) + " s ";
         if (!m.gaps.count(0) || m.gaps.size() < 2)
-            throw common::Refused(at + "a traced picture or an in-between is not counted");
+            throw common::Refused(at + "no traced picture or no in-between was counted");
         for (const auto &[gap, levels] : m.gaps) {
             auto play = levels.find(Governor::kPlay);
             if (play == levels.end() || play->second.size() < 2)
-                throw common::Refused(at + "level 1 is not counted in two sizes");
+                throw common::Refused(at + "level 1 was not counted in two sizes");
         }
     }
 }
 
-Cost Costs::at(const Levels &levels, const Pictured &asked) {
+PictureCost PictureCosts::at(const Levels &levels, const PictureKind &asked) {
     auto counted = [&](const Sizes &sizes) {
         auto [pixels, cost] = *sizes.begin();
-        Cost more = growth(sizes.size() > 1 ? sizes : levels.at(Governor::kPlay), pixels, asked.pixels);
-        return Cost{cost.serial * more.serial, cost.parallel * more.parallel};
+        PictureCost more =
+            growth(sizes.size() > 1 ? sizes : levels.at(Governor::kPlay), pixels, asked.pixels);
+        return PictureCost{cost.serial * more.serial, cost.parallel * more.parallel};
     };
     auto after = levels.lower_bound(asked.level);
     if (after == levels.end()) return counted(levels.rbegin()->second);
@@ -80,7 +81,7 @@ Cost Costs::at(const Levels &levels, const Pictured &asked) {
                  (asked.level - before->first) / (after->first - before->first), mixLogarithms);
 }
 
-Cost Costs::at(const Moment &moment, const Pictured &asked) {
+PictureCost PictureCosts::at(const CountedMoment &moment, const PictureKind &asked) {
     const auto &gaps = moment.gaps;
     if (!asked.gap) return at(gaps.at(0), asked);
     auto after = gaps.lower_bound(asked.gap);
@@ -91,10 +92,10 @@ Cost Costs::at(const Moment &moment, const Pictured &asked) {
                  (asked.gap - before->first) / (after->first - before->first), mix);
 }
 
-Cost Costs::of(const Pictured &asked) const {
+PictureCost PictureCosts::of(const PictureKind &asked) const {
     const Shot *shot = shotAt(asked.seconds);
-    const Moment *before = nullptr, *after = nullptr;
-    for (const Moment &m : moments) {
+    const CountedMoment *before = nullptr, *after = nullptr;
+    for (const CountedMoment &m : moments) {
         if (m.shot != shot) continue;
         if (m.seconds <= asked.seconds) before = &m;
         if (m.seconds >= asked.seconds && !after) after = &m;

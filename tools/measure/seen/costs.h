@@ -1,5 +1,5 @@
-// What making and showing a picture of the film costs, in instructions: counted at some moments, qualities
-// and sizes by tools/measure/seen/costs, and interpolated between them.
+// The cost of making a picture of the film, in instructions. tools/measure/seen/costs counts it at some
+// moments, qualities and sizes; between them it is interpolated.
 #pragma once
 
 #include <map>
@@ -12,48 +12,47 @@ struct Shot;
 
 namespace odraz::measure {
 
-// Instructions of a whole picture: posing and relighting, tracing, glare and development. `parallel` is what
-// threads share; the rest is done by one of them while the others wait.
-struct Cost {
+// Instructions of a whole picture: posing and relighting, tracing, glare and development. Threads share the
+// `parallel` part. One thread does the `serial` part while the others wait.
+struct PictureCost {
     double serial, parallel;
 };
 
-// A picture of the film, by its time, its level of quality (0 film, 1 play, 2 draft) and its number of
-// pixels. It is traced, or made between two of that level.
-struct Pictured {
-    double seconds;
-    float level;
+// The kind of a picture: traced, or made between two traced pictures of the same level.
+struct PictureKind {
+    double seconds; // in the film
+    float level;    // of quality: 0 film, 1 play, 2 draft
     double pixels;
-    double gap; // 0: traced; else the sixtieths of a second from one of these two to the other
+    double gap; // sixtieths of a second between the two traced pictures; 0: it is traced
 };
 
-class Costs {
+class PictureCosts {
 public:
-    // Reads the table, as `costs` writes it: "seconds,gap,level,width,height,serial,parallel", counts in
+    // Parses the table that `costs` writes: "seconds,gap,level,width,height,serial,parallel", counts in
     // thousands. Each moment needs traced pictures and in-betweens, and level 1 in two sizes for each gap.
-    // Throws Refused, with the number of the line that is wrong.
-    explicit Costs(const std::string &csv);
+    // Throws Refused with the number of the wrong line.
+    explicit PictureCosts(const std::string &csv);
 
-    // Linear in time within a shot and in the gap of in-betweens; constant outside the counted range.
-    // The logarithm is linear in the level, constant outside the counted levels, and linear in the logarithm
-    // of pixels. A level counted at one size grows as level 1 does. Throws Refused if no moment of this shot
-    // was counted.
-    Cost of(const Pictured &asked) const;
+    // Interpolates the cost. It is linear in time within a shot, and linear in the gap of in-betweens. Its
+    // logarithm is linear in the level and in the logarithm of pixels. Outside the counted times, gaps and
+    // levels it is constant. A level counted at one size grows as level 1 does. Throws Refused if no moment
+    // of this shot was counted.
+    PictureCost of(const PictureKind &kind) const;
 
 private:
-    using Sizes = std::map<double, Cost>; // by pixels
+    using Sizes = std::map<double, PictureCost>; // by pixels
     using Levels = std::map<float, Sizes>;
-    struct Moment {
+    struct CountedMoment {
         double seconds;
         const Shot *shot;
-        std::map<double, Levels> gaps; // 0: of traced pictures
+        std::map<double, Levels> gaps; // 0: traced pictures
     };
-    static Cost at(const Levels &levels, const Pictured &asked);
-    static Cost at(const Moment &moment, const Pictured &asked);
-    std::vector<Moment> moments; // in order of time
+    static PictureCost at(const Levels &levels, const PictureKind &kind);
+    static PictureCost at(const CountedMoment &moment, const PictureKind &kind);
+    std::vector<CountedMoment> moments; // in order of time
 };
 
-// The repository's table.
+// The path of the repository's table.
 extern const char kCostsFile[];
 
 } // namespace odraz::measure

@@ -1,13 +1,13 @@
-// count_costs: counts the instructions of pictures of the film, and prints rows of costs.csv.
-// tools/measure/seen/costs builds it so that it counts.
+// count_costs: counts the instructions of pictures of the film, and prints rows of costs.csv. Only the build
+// of tools/measure/seen/costs counts.
 #include "tools/measure/detect/screening.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-// Instructions so far: tools/measure/seen/counting/as adds to the first 16, in turn, since adding to one
-// would wait for the last sum
+// Instructions so far. tools/measure/seen/counting/as adds to the first 16 in turn, since one counter would
+// have to wait for its last sum
 extern "C" {
 volatile uint64_t odraz_counted[17];
 }
@@ -24,7 +24,7 @@ uint64_t counted() {
     return sum;
 }
 
-uint64_t parallel; // instructions of work that threads can share
+uint64_t parallel; // instructions that threads can share
 
 Workers oneWorker() {
     Workers workers = serialWorkers();
@@ -37,7 +37,7 @@ Workers oneWorker() {
     return workers;
 }
 
-// Prints the row of a picture that `make` makes.
+// Makes a picture and prints its row.
 template <class Make>
 void count(double seconds, int gap, float level, const IntroSettings &size, const Make &make) {
     parallel = 0;
@@ -48,8 +48,8 @@ void count(double seconds, int gap, float level, const IntroSettings &size, cons
     std::fflush(stdout);
 }
 
-// Moments of every shot, two seconds apart: interpolation between them is off by 7 % (rms), and by 1 % in the
-// mean.
+// Moments of every shot, two seconds apart. Interpolation between them has an error of 7 % (rms) and a mean
+// error of 1 %.
 std::vector<double> moments() {
     std::vector<double> all;
     for (const Span &shot : shots())
@@ -61,14 +61,13 @@ std::vector<double> moments() {
 int run(common::CommandLine &line) {
     std::vector<double> at;
     bool list = false;
-    line.about(
-        "Counts what pictures of the film cost: traced ones, and those half-way between two. Prints rows of\n"
-        "tools/measure/seen/costs.csv.");
+    line.about("Counts the instructions of traced pictures of the film, and of in-betweens. Prints rows of\n"
+               "tools/measure/seen/costs.csv.");
     auto take = [&](const std::string &text) {
         at.push_back(common::numberOf("--at", text, {0, duration()}));
     };
-    line.option("--at", "S", take, "a moment; repeatable");
-    line.flag("--list", list, "only print moments of every shot");
+    line.option("--at", "S", take, "count this moment; repeatable");
+    line.flag("--list", list, "only print the moments to count in every shot");
     line.parse();
     if (list) {
         for (double seconds : moments()) std::printf("%g\n", seconds);
@@ -78,16 +77,16 @@ int run(common::CommandLine &line) {
     for (IntroSettings size : {IntroSettings{480, 270}, IntroSettings{1280, 720}}) {
         bool large = size.width == 1280;
         size.pairs = true;
-        LoadedFilm film(size, workers, true);
+        MeasuredFilm film(size, workers, true);
         Intro &intro = *film.intro;
         for (double seconds : at) {
-            // Between two levels the cost hardly bends, but just before `play` and `draft` it falls: the
-            // smallest squares are those of the better quality until then
+            // Between two levels the cost is nearly linear. At `play` and `draft` it drops, since only there
+            // the smallest squares become larger
             for (float level : {1.f, 2.f, 0.f, 0.99f, 1.99f}) {
                 if (large && level != 1 && level != 2) break;
                 count(seconds, 0, level, size, [&] { picture(intro, 0, seconds, qualityOf(level)); });
             }
-            // The part of an in-between that is traced again depends on gap and level
+            // How much of an in-between is traced again depends on the gap and the level
             for (int gap : {2, 4, 6})
                 for (float level : {1.f, 2.f, 0.f}) {
                     if (large && level != 1) break;
@@ -97,7 +96,7 @@ int run(common::CommandLine &line) {
                 }
         }
     }
-    if (!counted()) throw std::runtime_error("not built to count: run tools/measure/seen/costs");
+    if (!counted()) throw std::runtime_error("this build does not count: run tools/measure/seen/costs");
     return 0;
 }
 

@@ -24,49 +24,50 @@ void forRows(const std::string &csv, const std::string &head,
     for (int number = 1; std::getline(lines, line); ++number) {
         if (!line.empty() && line.back() == '\r') line.pop_back();
         try {
-            if (number == 1 && line != head) throw common::Refused("it must be \"" + head + "\"");
+            if (number == 1 && line != head) throw common::Refused("must be \"" + head + "\"");
             if (number > 1 && !line.empty()) row(line);
         } catch (const common::Refused &why) {
             throw common::Refused("line " + std::to_string(number) + ": " + why.what());
         }
     }
-    if (csv.empty()) throw common::Refused("it is empty");
+    if (csv.empty()) throw common::Refused("the file is empty");
 }
 
-std::string printShown(const std::vector<Shown> &list) {
+std::string printShown(const std::vector<ShownPicture> &list) {
     std::string text = common::format("%s\n", kHead);
-    for (const Shown &s : list)
+    for (const ShownPicture &s : list)
         common::append(text, "%.6f,%.6f,%s,%.4f,%d,%d\n", s.at, s.time, s.between ? "between" : "traced",
                        (double)s.level, s.width, s.height);
     return text;
 }
 
-std::vector<Shown> parseShown(const std::string &csv) {
-    std::vector<Shown> list;
+std::vector<ShownPicture> parseShown(const std::string &csv) {
+    std::vector<ShownPicture> list;
     double lastAt = 0;
     forRows(csv, kHead, [&](const std::string &line) {
-        Shown s = {};
-        char kind[16], behind;
+        ShownPicture s = {};
+        char kind[16], extra;
         double level;
         common::need(std::sscanf(line.c_str(), "%lf,%lf,%15[a-z],%lf,%d,%d%c", &s.at, &s.time, kind, &level,
-                                 &s.width, &s.height, &behind) == 6,
-                     "it needs the six values \"" + std::string(kHead) + "\"");
+                                 &s.width, &s.height, &extra) == 6,
+                     "a row needs the six values \"" + std::string(kHead) + "\"");
         s.between = std::string(kind) == "between";
         s.level = (float)level;
         common::need(s.between || std::string(kind) == "traced",
-                     "a picture is traced or between, not '" + std::string(kind) + "'");
-        common::need(std::isfinite(s.at) && std::isfinite(s.time) && s.time >= 0, "no moment of the film");
-        common::need(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
+                     "the kind must be traced or between, not '" + std::string(kind) + "'");
+        common::need(std::isfinite(s.at) && std::isfinite(s.time) && s.time >= 0,
+                     "the time is outside the film");
+        common::need(level >= 0 && level <= Governor::kSteps, "the level must be 0 to 2");
         common::need(s.width >= 16 && s.height >= 16 && s.width <= kMaxWidth && s.height <= kMaxHeight,
-                     "no size of a picture");
-        common::need(s.at < 0 || s.at >= lastAt, "it came on the screen earlier than the one before");
+                     "a picture cannot have this size");
+        common::need(s.at < 0 || s.at >= lastAt, "it was shown earlier than the row before");
         lastAt = std::max(s.at, lastAt);
         common::need(!s.between || !list.empty(), "an in-between needs a traced picture before it");
         if (!list.empty()) {
-            const Shown &before = list.back();
-            common::need(s.time >= before.time, "it is earlier than the one before");
+            const ShownPicture &before = list.back();
+            common::need(s.time >= before.time, "rows must be in order of time");
             common::need(!before.between || (before.width == s.width && before.height == s.height),
-                         "the in-between before it must have its size");
+                         "the in-between before it must have the same size");
         }
         list.push_back(s);
     });
@@ -77,14 +78,14 @@ std::vector<Shown> parseShown(const std::string &csv) {
 
 double MadeFrom::gap() const { return (later.time - earlier.time) * 60; }
 
-MadeFrom madeFrom(const std::vector<Shown> &list, size_t i) {
+MadeFrom madeFrom(const std::vector<ShownPicture> &list, size_t i) {
     size_t before = i, after = i;
     while (list[before].between) --before;
     while (list[after].between) ++after;
     return {list[before], list[after]};
 }
 
-int onScreenAt(const std::vector<Shown> &list, double seconds) {
+int onScreenAt(const std::vector<ShownPicture> &list, double seconds) {
     int found = -1;
     for (size_t i = 0; i < list.size(); ++i)
         if (list[i].at >= 0 && list[i].at <= seconds) found = (int)i;

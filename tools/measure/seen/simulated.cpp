@@ -14,24 +14,27 @@ namespace {
 
 constexpr double kScreenRate = 60;
 
-// The cost of making a picture, with scaling it up, from the pictures `from`.
-Cost costWith(const CostOf &costOf, const Machine &machine, const Shown &s, const MadeFrom &from) {
-    Cost cost = costOf({s.time, s.level, (double)s.width * s.height, from.gap()});
+// The cost of making a picture, and of scaling it up, from the traced pictures `from`.
+PictureCost costWith(const CostOf &costOf, const SimulatedMachine &machine, const ShownPicture &s,
+                     const MadeFrom &from) {
+    PictureCost cost = costOf({s.time, s.level, (double)s.width * s.height, from.gap()});
     if (s.width < machine.width) cost.parallel += machine.enlarging * machine.width * machine.height;
     return cost;
 }
-double presenting(const Machine &machine) { return machine.presenting * machine.width * machine.height; }
+double presenting(const SimulatedMachine &machine) {
+    return machine.presenting * machine.width * machine.height;
+}
 
 class Simulation : public SimulatedPlayer {
 public:
-    Simulation(const CostOf &costOf, const Machine &machine, double from, double to)
+    Simulation(const CostOf &costOf, const SimulatedMachine &machine, double from, double to)
         : SimulatedPlayer(from), costOf(costOf), machine(machine), to(to) {}
 
-    std::vector<Shown> play() {
+    std::vector<ShownPicture> play() {
         Governor governor;
         governor.width = machine.width, governor.height = machine.height;
         makePictures(*this, governor, from);
-        if (begin < 0) begin = moment; // too short to get ahead of the clock
+        if (begin < 0) begin = moment; // fewer pictures than the player makes before it starts
         showUntil(begin + nanosecondsOf(to - from));
         return list;
     }
@@ -47,7 +50,7 @@ public:
         make(traced, {traced, traced});
     }
     void between(FinishedPicture &m, int, int, double, int) {
-        Shown s = traced;
+        ShownPicture s = traced;
         s.time = m.time;
         make(s, {before, traced});
     }
@@ -61,9 +64,9 @@ public:
 private:
     double core() const { return machine.rate / machine.cores; }
 
-    // Passes the time that a picture takes. Showing others meanwhile takes its share of all cores.
-    void make(const Shown &s, const MadeFrom &madeFrom) {
-        Cost cost = costWith(costOf, machine, s, madeFrom);
+    // Advances the clock by the time of a picture. Pictures shown meanwhile take their share of all cores.
+    void make(const ShownPicture &s, const MadeFrom &madeFrom) {
+        PictureCost cost = costWith(costOf, machine, s, madeFrom);
         int64_t end = moment + nanosecondsOf(cost.serial / core() + cost.parallel / machine.rate);
         for (int already = -1; already != presented;) {
             already = presented;
@@ -76,30 +79,30 @@ private:
         looked += nanosecondsOf(presenting(machine) / core());
         double sixtieths = std::ceil((filmAt(looked) - from) * kScreenRate - 0.5);
         list[number].at = from + (sixtieths + 0.5) / kScreenRate;
-        if (presented++ && list[last].at == list[number].at) list[last].at = -1; // it was never visible
+        if (presented++ && list[last].at == list[number].at) list[last].at = -1; // replaced at once
         last = number;
     }
 
     const CostOf &costOf;
-    Machine machine;
-    double to;                      // seconds of the film
-    std::vector<Shown> list;        // by the numbers of the queue
-    Shown before = {}, traced = {}; // the last two
-    unsigned last = 0;              // the one that was shown last
-    int presented = 0;
+    SimulatedMachine machine;
+    double to;                             // seconds of the film
+    std::vector<ShownPicture> list;        // by the numbers of the queue
+    ShownPicture before = {}, traced = {}; // the last two traced pictures
+    unsigned last = 0;                     // number of the picture that was shown last
+    int presented = 0;                     // pictures shown so far
 };
 
 class PageSimulation {
 public:
-    PageSimulation(const CostOf &costOf, const Machine &machine, double to)
+    PageSimulation(const CostOf &costOf, const SimulatedMachine &machine, double to)
         : costOf(costOf), machine(machine), to(to) {}
 
-    std::vector<Shown> play(double from) {
+    std::vector<ShownPicture> play(double from) {
         Queue queue = {};
         PagePlayer<PageSimulation> player = {this, &queue, machine.workers};
         player.begin(from, machine.width, machine.height);
         playPage(player, from, 1 / kScreenRate, player.kNearest);
-        std::vector<Shown> list;
+        std::vector<ShownPicture> list;
         for (auto &[time, shown] : made) list.push_back(shown);
         return list;
     }
@@ -110,8 +113,8 @@ public:
     Pace paceOf(int scene) const { return pageOf(machine.paceOf(scene)); }
     Traceable traceable(double) const { return Traceable::Now; }
     int64_t tracing(const FinishedPicture &m) {
-        Shown &s = made[m.time] = {-1, m.time, false, m.level, m.size.width, m.size.height};
-        Cost cost = costWith(costOf, machine, s, {s, s});
+        ShownPicture &s = made[m.time] = {-1, m.time, false, m.level, m.size.width, m.size.height};
+        PictureCost cost = costWith(costOf, machine, s, {s, s});
         return nanosecondsOf((cost.serial + cost.parallel) * machine.cores / machine.rate);
     }
     int64_t show(const FinishedPicture &m, double at) {
@@ -121,20 +124,21 @@ public:
 
 private:
     const CostOf &costOf;
-    Machine machine;
-    double to;                    // seconds of the film
-    std::map<double, Shown> made; // by their times
+    SimulatedMachine machine;
+    double to;                           // seconds of the film
+    std::map<double, ShownPicture> made; // by time
 };
 
 } // namespace
 
-std::vector<Shown> simulate(const CostOf &costOf, const Machine &machine, double from, double to) {
+std::vector<ShownPicture> simulate(const CostOf &costOf, const SimulatedMachine &machine, double from,
+                                   double to) {
     if (machine.workers) return PageSimulation(costOf, machine, to).play(from);
     return Simulation(costOf, machine, from, to).play();
 }
 
-std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &costOf,
-                                 const Machine &machine) {
+std::vector<PlayedScene> summary(const std::vector<ShownPicture> &list, const CostOf &costOf,
+                                 const SimulatedMachine &machine) {
     std::vector<PlayedScene> scenes;
     if (list.empty()) return scenes;
     double from = list.front().time, to = list.back().time + 1 / kScreenRate;
@@ -147,13 +151,13 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &c
     }
     for (PlayedScene &scene : scenes) {
         for (size_t i = 0; i < list.size(); ++i) {
-            const Shown &s = list[i];
+            const ShownPicture &s = list[i];
             if (sceneAt(s.time) != scene.scene) continue;
             ++(s.between ? scene.between : scene.traced);
             scene.shown += s.at >= 0;
             scene.level += s.between ? 0 : (double)s.level;
             scene.width += s.between ? 0 : s.width;
-            Cost cost = costWith(costOf, machine, s, madeFrom(list, i));
+            PictureCost cost = costWith(costOf, machine, s, madeFrom(list, i));
             scene.rate += cost.serial + cost.parallel + (s.at >= 0) * presenting(machine);
         }
         scene.rate /= scene.seconds;

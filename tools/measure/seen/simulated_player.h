@@ -1,6 +1,5 @@
-// Players without a machine. Their clocks move only by the time that work is assumed to take:
-// SimulatedPlayer, for makePictures(), whose screen shows each picture when the film is at its time, as
-// play() does, and playPage(), for PagePlayer.
+// Simulated players, whose clocks advance only by the time that work is assumed to take: SimulatedPlayer runs
+// makePictures() and shows each picture at its time, as play() does; playPage() runs a PagePlayer.
 #pragma once
 
 #include "play/page_player.h"
@@ -16,11 +15,11 @@ inline int64_t nanosecondsOf(double seconds) { return std::llround(seconds * 1e9
 
 class SimulatedPlayer {
 public:
-    // `from`: seconds of the film at which it begins.
+    // `from`: the second of the film at which it begins.
     explicit SimulatedPlayer(double from) : from(from) {}
     virtual ~SimulatedPlayer() = default;
 
-    // A part of the interface that makePictures() needs
+    // Part of the interface that makePictures() needs
     int64_t now() const { return moment; }
     double filmAt(int64_t at) const {
         return begin < 0 ? Governor::kNotBegun : from + (double)(at - begin) * 1e-9;
@@ -33,21 +32,21 @@ public:
     }
     void await(unsigned number) {
         while (!queue.removed(number)) {
-            if (begin < 0 || queue.shown == queue.made) throw std::logic_error("the player waits for ever");
+            if (begin < 0 || queue.shown == queue.made) throw std::logic_error("the player waits forever");
             moment = std::max(moment, nextDue());
             showUntil(moment);
         }
     }
 
 protected:
-    // A picture comes on the screen, by its number in the queue. Showing takes time: `looked` may be moved.
+    // Shows the picture with this number in the queue. May advance `looked` by the time that takes.
     virtual void show(unsigned) {}
 
     void showUntil(int64_t until) {
         while (begin >= 0 && queue.shown < queue.made && nextDue() <= until) {
             looked = nextDue();
             Queue::Action action = queue.action(filmAt(looked));
-            if (action == Queue::kWait) ++looked; // it was rounded down
+            if (action == Queue::kWait) ++looked; // the due time was rounded down
             if (action == Queue::kShow) show(queue.shown);
             if (action != Queue::kWait) queue.remove();
         }
@@ -56,20 +55,21 @@ protected:
 
     double from;
     Queue queue = {};
-    // Nanoseconds: now; the film's first picture, -1 before it; until when pictures were shown
-    int64_t moment = 0, begin = -1, looked = 0;
+    int64_t moment = 0; // now, ns
+    int64_t begin = -1; // the time of the film's first picture, ns; -1 before it
+    int64_t looked = 0; // pictures were shown until this time, ns
 
 private:
-    // When the first waiting picture is due.
+    // The time at which the first waiting picture is due, ns.
     int64_t nextDue() const { return std::max(looked, begin + nanosecondsOf(queue.first().time - from)); }
 };
 
-// Plays as a page does, from `from` seconds of the film on, on a screen that is refreshed every `refresh`
-// seconds, the first time after half of that. A refresh shows pictures up to `nearest` seconds early. The
-// player's film also provides
+// Plays as the page does, from the second `from` of the film on. The screen is refreshed every `refresh`
+// seconds, the first time after half of that, and shows pictures up to `nearest` seconds early. The player's
+// film also provides
 //
-//   int64_t tracing(made)     nanoseconds that a worker takes for a picture
-//   int64_t show(made, at)    a refresh shows it, at that time of the film; nanoseconds that all workers lose
+//   int64_t tracing(made)     returns the nanoseconds that a worker takes for a picture
+//   int64_t show(made, at)    shows a picture at this time of the film; returns the ns that all workers lose
 template <class Film> void playPage(PagePlayer<Film> &player, double from, double refresh, double nearest) {
     struct Busy {
         FinishedPicture made;
@@ -87,7 +87,8 @@ template <class Film> void playPage(PagePlayer<Film> &player, double from, doubl
             m.time = player.time, m.size = player.governor.size(), m.level = player.governor.level();
             busy.push_back({m, moment, moment + player.film->tracing(m)});
         }
-        if (busy.empty() && begin < 0) begin = moment; // too short to get ahead of the clock
+        if (busy.empty() && begin < 0)
+            begin = moment; // fewer pictures than the player makes before it starts
         if (busy.empty() && !player.waiting()) return;
         auto first = std::min_element(busy.begin(), busy.end(),
                                       [](const Busy &a, const Busy &b) { return a.end < b.end; });

@@ -10,17 +10,19 @@ namespace odraz::measure {
 namespace {
 
 constexpr int kScreenRate = 60;
-constexpr long kTruePixels = 8 << 20; // of all truths that are kept, of 23 bytes each
+constexpr long kTruePixels = 8 << 20; // of all kept pictures of the film; a pixel takes 23 bytes
 
-// Whether two pictures of lists are traced alike.
-bool same(const Shown &a, const Shown &b) {
+// Returns whether two pictures are traced alike.
+bool same(const ShownPicture &a, const ShownPicture &b) {
     return a.time == b.time && a.level == b.level && a.width == b.width && a.height == b.height;
 }
 
 } // namespace
 
-double Seen::linearPsnr() const { return std::min(kMostPsnr, pictures::psnr(linear, (size_t)sixtieths)); }
-double Seen::srgbPsnr() const { return std::min(kMostPsnr, pictures::psnr(srgb, (size_t)sixtieths)); }
+double SeenErrors::linearPsnr() const {
+    return std::min(kMostPsnr, pictures::psnr(linear, (size_t)sixtieths));
+}
+double SeenErrors::srgbPsnr() const { return std::min(kMostPsnr, pictures::psnr(srgb, (size_t)sixtieths)); }
 
 static IntroSettings inPairs(int width, int height) {
     IntroSettings settings = {width, height};
@@ -28,28 +30,22 @@ static IntroSettings inPairs(int width, int height) {
     return settings;
 }
 
-// A process can start one set of threads only.
-static const Workers &oneSet() {
-    static const Workers workers = allProcessors();
-    return workers;
-}
-
 Viewer::Viewer(int width, int height, double from, double to)
-    : workers(oneSet()), film(inPairs(width, height), workers, needsHall(from, to)),
+    : workers(allProcessors()), film(inPairs(width, height), workers, needsHall(from, to)),
       mostTruths(std::max(1l, kTruePixels / width / height)) {}
 
-// A traced picture, in a slot.
-Picture Viewer::traced(int slot, const Shown &s) {
-    Held &h = held[slot];
-    if (!same(h.shown, s))
-        h = {s, picture(*film.intro, slot, s.time, qualityOf(s.level), nullptr, {s.width, s.height})};
-    return h.picture;
+// Traces a picture in a slot, unless the slot has it.
+Picture Viewer::traced(int slot, const ShownPicture &s) {
+    TracedSlot &at = slots[slot];
+    if (!same(at.shown, s))
+        at = {s, picture(*film.intro, slot, s.time, qualityOf(s.level), nullptr, {s.width, s.height})};
+    return at.picture;
 }
 
-// A picture of the list, as the screen shows it.
-Picture Viewer::made(const std::vector<Shown> &list, size_t i) {
+// Makes a picture of the list as the screen shows it.
+Picture Viewer::made(const std::vector<ShownPicture> &list, size_t i) {
     MadeFrom from = madeFrom(list, i);
-    int slot = same(held[1].shown, from.earlier);
+    int slot = same(slots[1].shown, from.earlier);
     Picture earlier = traced(slot, from.earlier);
     if (!list[i].between) return earlier;
     traced(!slot, from.later);
@@ -57,12 +53,12 @@ Picture Viewer::made(const std::vector<Shown> &list, size_t i) {
     return between(*film.intro, slot, !slot, share);
 }
 
-// Keeps the film's pictures from one sixtieth to another, at most mostTruths.
+// Traces and keeps the film's pictures from one sixtieth to another. Keeps at most mostTruths pictures.
 void Viewer::keepTruth(long from, long to) {
     for (long n = from; n < to; ++n) {
         if (truths.count(n)) continue;
         if ((long)truths.size() + to - n > mostTruths) truths.clear(), n = from;
-        held[0] = {};
+        slots[0] = {};
         Truth &truth = truths[n];
         truth.rgb =
             rgbOf(picture(*film.intro, 0, (double)n / kScreenRate, kQualities[(int)QualityName::Film]));
@@ -70,30 +66,31 @@ void Viewer::keepTruth(long from, long to) {
     }
 }
 
-void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen &seen, const Each &each) {
+void Viewer::compare(const std::vector<ShownPicture> &list, double begin, double end, SeenErrors &errors,
+                     const Each &each) {
     int width = film.intro->width, height = film.intro->height;
-    for (const Shown &s : list)
+    for (const ShownPicture &s : list)
         if (s.width > width || s.height > height || (s.width < width && width > kMostEnlarged))
-            throw common::Refused("pictures of " + std::to_string(s.width) + "x" + std::to_string(s.height) +
-                                  " are not scaled to a screen of " + std::to_string(width) + "x" +
-                                  std::to_string(height));
+            throw common::Refused("cannot scale a picture of " + std::to_string(s.width) + "x" +
+                                  std::to_string(s.height) + " to a screen of " + std::to_string(width) +
+                                  "x" + std::to_string(height));
     std::vector<uint8_t> shown;
     pictures::SeenPicture perceived;
-    int last = -1;
-    // (0.1334 s are eight sixtieths)
+    int onScreen = -1; // index of the picture
+    // Times may be rounded: 0.1334 s are eight sixtieths
     auto sixtieth = [](double seconds) { return std::lround(std::ceil(seconds * kScreenRate - 0.01)); };
-    long first = sixtieth(begin), behind = sixtieth(end);
-    for (long n = first; n < behind; ++n) {
-        // In the middle of the sixtieth: a picture that came some milliseconds late counts
+    long first = sixtieth(begin), last = sixtieth(end);
+    for (long n = first; n < last; ++n) {
+        // Compare in the middle of the sixtieth, so that a picture may come some milliseconds late
         double moment = (double)n / kScreenRate;
         int i = onScreenAt(list, moment + 0.5 / kScreenRate + 1e-6);
-        if (i < 0) throw common::Refused("nothing was shown before " + std::to_string(moment) + " s");
-        if ((n - first) % mostTruths == 0) keepTruth(n, std::min(n + mostTruths, behind));
-        if (i != last) {
+        if (i < 0) throw common::Refused("the list shows nothing up to " + std::to_string(moment) + " s");
+        if ((n - first) % mostTruths == 0) keepTruth(n, std::min(n + mostTruths, last));
+        if (i != onScreen) {
             shown = rgbOf(made(list, (size_t)i));
             perceived = pictures::see(shown, width, height);
-            seen.fresh += last >= 0;
-            last = i;
+            errors.fresh += onScreen >= 0;
+            onScreen = i;
         }
         const auto &[truth, perceivedTruth] = truths.at(n);
         double linear = 0, srgb = 0;
@@ -103,10 +100,10 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
             linear += a * a;
             srgb += b * b;
         }
-        seen.linear += linear / (double)truth.size();
-        seen.srgb += srgb / (double)truth.size();
-        seen.flip += pictures::meanFlip(perceivedTruth, perceived);
-        ++seen.sixtieths;
+        errors.linear += linear / (double)truth.size();
+        errors.srgb += srgb / (double)truth.size();
+        errors.flip += pictures::meanFlip(perceivedTruth, perceived);
+        ++errors.sixtieths;
         if (each) each(shown, truth);
     }
 }

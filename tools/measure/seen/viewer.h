@@ -1,5 +1,5 @@
-// Compares the picture on the screen, in the middle of every sixtieth of a second, with the film's picture of
-// that moment. So late and missing pictures lower the result, as well as coarse ones.
+// Compares the picture on the screen in the middle of every sixtieth of a second with the film's picture of
+// that moment. So late and missing pictures count as errors, as coarse ones do.
 #pragma once
 
 #include "tools/measure/detect/screening.h"
@@ -11,14 +11,14 @@
 
 namespace odraz::measure {
 
-// Sums over the sixtieths of a second.
-struct Seen {
+// The errors of shown pictures, summed over sixtieths of a second.
+struct SeenErrors {
     int sixtieths = 0;
-    int fresh = 0; // of these, those with a new picture
+    int fresh = 0; // sixtieths with a new picture
     double flip = 0;
-    double linear = 0, srgb = 0; // squares, 0 .. 255^2, means of a picture
+    double linear = 0, srgb = 0; // mean squares of each picture, 0 .. 255^2
 
-    void add(const Seen &more) {
+    void add(const SeenErrors &more) {
         sixtieths += more.sixtieths, fresh += more.fresh;
         flip += more.flip, linear += more.linear, srgb += more.srgb;
     }
@@ -26,33 +26,34 @@ struct Seen {
     double linearPsnr() const; // dB, at most kMostPsnr
     double srgbPsnr() const;
 };
-inline constexpr double kMostPsnr = 99; // of pictures that are the same
+inline constexpr double kMostPsnr = 99; // for equal pictures
 
 class Viewer {
 public:
-    // Looks at a screen of width x height pixels, while the film plays from one second to another. Throws
+    // Prepares a screen of width x height pixels for the film from one second to another. Throws
     // std::runtime_error.
     Viewer(int width, int height, double from, double to);
 
-    // Adds what is seen from one second to another, sixtieth by sixtieth. Throws Refused if nothing is on the
-    // screen at one of them, or if a picture has more pixels than the screen. The picture on the screen and
-    // the truth are passed to `each`, in sRGB, 3 bytes a pixel.
+    // Adds the errors of each sixtieth from one second to another. Passes the picture on the screen and the
+    // film's to `each`, in sRGB, 3 bytes a pixel. Throws Refused if the screen shows nothing at one of the
+    // sixtieths, or if a picture has more pixels than the screen.
     using Each = std::function<void(const std::vector<uint8_t> &shown, const std::vector<uint8_t> &truth)>;
-    void look(const std::vector<Shown> &list, double from, double to, Seen &seen, const Each &each = {});
+    void compare(const std::vector<ShownPicture> &list, double from, double to, SeenErrors &errors,
+                 const Each &each = {});
 
 private:
-    Picture made(const std::vector<Shown> &list, size_t i);
-    Picture traced(int slot, const Shown &shown);
+    Picture made(const std::vector<ShownPicture> &list, size_t i);
+    Picture traced(int slot, const ShownPicture &shown);
     void keepTruth(long from, long to);
 
     Workers workers;
-    LoadedFilm film;
-    // What the slots hold, which is not traced again
-    struct Held {
-        Shown shown;
+    MeasuredFilm film;
+    // The last picture of each slot, so that it is not traced again
+    struct TracedSlot {
+        ShownPicture shown;
         Picture picture;
-    } held[kSlots] = {};
-    // The film's pictures by sixtieths, kept because several lists are compared with the same ones
+    } slots[kSlots] = {};
+    // The film's pictures by sixtieths, kept because several lists are compared with them
     struct Truth {
         std::vector<uint8_t> rgb;
         pictures::SeenPicture perceived;

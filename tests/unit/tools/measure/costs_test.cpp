@@ -1,4 +1,4 @@
-// Tests the table of what pictures cost.
+// Tests the table of the costs of pictures.
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr char kHead[] = "seconds,gap,level,width,height,serial,parallel\n";
 
-// A moment: all costs are multiples of `unit` millions.
+// The rows of a moment, whose costs are multiples of `unit` millions.
 std::string momentAt(double seconds, int unit) {
     std::string rows;
     auto add = [&](const char *gap, const char *level, const char *size, int serial, int parallel) {
@@ -32,12 +32,12 @@ std::string momentAt(double seconds, int unit) {
     add("0", "0", "640,360", 1, 400);
     return rows;
 }
-// Two moments of the shot up to 16 s, one of the next, up to 24 s.
-Costs sample() { return Costs(kHead + momentAt(4, 1) + momentAt(12, 2) + momentAt(20, 7)); }
+// Two moments of the shot that ends at 16 s, and one of the next shot, which ends at 24 s.
+PictureCosts sample() { return PictureCosts(kHead + momentAt(4, 1) + momentAt(12, 2) + momentAt(20, 7)); }
 constexpr double kSmall = 640 * 360, kLarge = 1280 * 720;
 
-TEST(Costs, AreThoseCounted) {
-    Costs costs = sample();
+TEST(PictureCosts, AreThoseCounted) {
+    PictureCosts costs = sample();
     EXPECT_NEAR(costs.of({4, 1, kSmall, 0}).parallel, 100e6, 1);
     EXPECT_NEAR(costs.of({4, 1, kLarge, 0}).parallel, 300e6, 1);
     EXPECT_NEAR(costs.of({12, 2, kLarge, 0}).parallel, 300e6, 1);
@@ -45,8 +45,8 @@ TEST(Costs, AreThoseCounted) {
     EXPECT_NEAR(costs.of({4, 2, kSmall, 2}).serial, 2e6, 1);
 }
 
-TEST(Costs, AreInterpolated) {
-    Costs costs = sample();
+TEST(PictureCosts, AreInterpolated) {
+    PictureCosts costs = sample();
     EXPECT_NEAR(costs.of({8, 1, kSmall, 0}).parallel, 150e6, 1) << "time, linear";
     EXPECT_NEAR(costs.of({4, 1.5f, kSmall, 0}).parallel, 100e6 / std::sqrt(2.), 1) << "level, by logarithm";
     EXPECT_NEAR(costs.of({4, 0.5f, kSmall, 0}).parallel, 200e6, 1);
@@ -57,31 +57,31 @@ TEST(Costs, AreInterpolated) {
     EXPECT_NEAR(costs.of({4, 0.2f, kSmall, 2}).parallel, 40e6, 1) << "beyond the best one counted";
 }
 
-// In-betweens are of the gap at which they are made.
-TEST(Costs, OfInBetweensGoByTheirGap) {
-    Costs costs = sample();
+// The cost of an in-between depends on its gap.
+TEST(PictureCosts, OfInBetweensGoByTheirGap) {
+    PictureCosts costs = sample();
     auto parallel = [&](double gap) { return costs.of({4, 1, kSmall, gap}).parallel; };
     EXPECT_NEAR(parallel(2), 40e6, 1);
     EXPECT_NEAR(parallel(4), 48e6, 1);
     EXPECT_NEAR(parallel(3), 44e6, 1) << "linear";
     EXPECT_NEAR(parallel(6), 48e6, 1) << "the nearest, beyond those counted";
-    EXPECT_NEAR(parallel(1.5), 40e6, 1) << "... not towards that of a traced picture";
-    EXPECT_NEAR(costs.of({4, 2, kSmall, 4}).parallel, 48e6, 1) << "of a level not counted at that gap";
+    EXPECT_NEAR(parallel(1.5), 40e6, 1) << "... not mixed with a traced picture's";
+    EXPECT_NEAR(costs.of({4, 2, kSmall, 4}).parallel, 48e6, 1) << "a level that was not counted at that gap";
     EXPECT_NEAR(costs.of({4, 2, kSmall, 3}).parallel, 39e6, 1) << "... each gap has its own levels";
     EXPECT_NEAR(costs.of({8, 1, kSmall, 4}).parallel, 72e6, 1) << "time, too";
 }
 
-TEST(Costs, NeverCrossACut) {
-    Costs costs = sample();
+TEST(PictureCosts, NeverCrossACut) {
+    PictureCosts costs = sample();
     EXPECT_NEAR(costs.of({0, 1, kSmall, 0}).parallel, 100e6, 1);
     EXPECT_NEAR(costs.of({15.9, 1, kSmall, 0}).parallel, 200e6, 1);
     EXPECT_NEAR(costs.of({16.1, 1, kSmall, 0}).parallel, 700e6, 1);
     EXPECT_THROW(costs.of({30, 1, kSmall, 0}), common::Refused);
 }
 
-TEST(Costs, WhatIsWrongIsReported) {
+TEST(PictureCosts, WhatIsWrongIsReported) {
     auto wrongIn = [](const std::string &text) {
-        return thrown<common::Refused>([&] { Costs costs(text); });
+        return thrown<common::Refused>([&] { PictureCosts costs(text); });
     };
     std::string good = kHead + momentAt(20, 1);
     EXPECT_EQ(wrongIn(good), "");
@@ -100,13 +100,13 @@ TEST(Costs, WhatIsWrongIsReported) {
     EXPECT_EQ(wrongIn(good + traced + "30,2,1,640,360,1,1\n30,2,1,1280,720,1,1\n"), "");
 }
 
-// The table that the repository has is whole.
-TEST(Costs, EveryMomentOfTheFilmIsCounted) {
-    Costs costs(common::readWhole(kCostsFile));
+// The repository's table is complete.
+TEST(PictureCosts, EveryMomentOfTheFilmIsCounted) {
+    PictureCosts costs(common::readWhole(kCostsFile));
     for (double s = 0; s < 164; s += 0.25) {
         double last = 1e18;
         for (float level : {0.1f, 1.f, 1.5f, 2.f}) {
-            Cost c = costs.of({s, level, kLarge, 0});
+            PictureCost c = costs.of({s, level, kLarge, 0});
             EXPECT_LT(c.parallel, last) << s << ' ' << level;
             EXPECT_LT(c.serial, 0.2 * c.parallel) << s << ' ' << level;
             last = c.parallel;

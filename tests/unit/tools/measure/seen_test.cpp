@@ -1,4 +1,4 @@
-// Tests what is seen of shown pictures: their list, and the comparison with the film.
+// Tests lists of shown pictures, and their comparison with the film.
 #include "tests/support/sanitized.h"
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
@@ -13,12 +13,12 @@ namespace {
 
 constexpr char kShownHead[] = "at,time,kind,level,width,height\n";
 
-// A player that misses nothing: `rate` pictures a second from one moment to another, each shown at its time
-// until the next one. One of `every` is traced, the others are made between two traced ones.
-std::vector<Shown> steady(double from, double to, double rate, int every, float level, int width,
-                          int height) {
-    std::vector<Shown> list;
-    // Counted from the film's start, so that the same pictures are made wherever it begins
+// The list of a player that is never late: `rate` pictures a second from one moment to another, each shown
+// from its own time until the next one. One picture of `every` is traced, the others are in-betweens.
+std::vector<ShownPicture> steady(double from, double to, double rate, int every, float level, int width,
+                                 int height) {
+    std::vector<ShownPicture> list;
+    // Count from the film's start, so that the same pictures are traced whatever `from` is
     long first = std::max(0l, (long)std::floor(from * rate)), last = (long)std::ceil(to * rate);
     first -= first % every, last += (every - last % every) % every;
     for (long n = first; n <= last; ++n)
@@ -31,8 +31,8 @@ std::string wrongIn(const std::string &rows) {
 }
 
 TEST(Shown, ListsAreWrittenAndRead) {
-    std::vector<Shown> list = steady(3, 4, 30, 4, 1.25f, 640, 360);
-    list[4].at = -1; // it was left out
+    std::vector<ShownPicture> list = steady(3, 4, 30, 4, 1.25f, 640, 360);
+    list[4].at = -1; // it was never shown
     EXPECT_EQ(printShown(parseShown(printShown(list))), printShown(list));
     EXPECT_TRUE(parseShown(kShownHead).empty());
 }
@@ -57,34 +57,35 @@ TEST(Shown, WhatIsWrongIsReported) {
 }
 
 TEST(Shown, TheLastOneThatCameStands) {
-    std::vector<Shown> list = {{1, 1, false, 1, 64, 36}, {-1, 2, false, 1, 64, 36}, {3, 3, false, 1, 64, 36}};
+    std::vector<ShownPicture> list = {
+        {1, 1, false, 1, 64, 36}, {-1, 2, false, 1, 64, 36}, {3, 3, false, 1, 64, 36}};
     EXPECT_EQ(onScreenAt(list, 0.9), -1);
     EXPECT_EQ(onScreenAt(list, 1), 0);
-    EXPECT_EQ(onScreenAt(list, 2.5), 0); // the second never came
+    EXPECT_EQ(onScreenAt(list, 2.5), 0); // the second was never shown
     EXPECT_EQ(onScreenAt(list, 9), 2);
 }
 
-// Each in-between is made from the traced ones on both sides, however many lie between them.
+// Each in-between is made from the nearest traced pictures on both sides.
 TEST(Shown, InBetweensHaveTheirGap) {
-    std::vector<Shown> list = steady(10, 10.2, 60, 4, 2, 64, 36);
+    std::vector<ShownPicture> list = steady(10, 10.2, 60, 4, 2, 64, 36);
     for (size_t i = 0; i < list.size(); ++i) {
         MadeFrom from = madeFrom(list, i);
         EXPECT_NEAR(from.gap(), list[i].between ? 4 : 0, 1e-6) << i;
         EXPECT_EQ(&from.earlier, &list[i - i % 4]);
         EXPECT_EQ(&from.later, &list[(i + 3) / 4 * 4]);
     }
-    // Some were left out
+    // One is missing
     list = {{1, 1, false, 1, 64, 36}, {1.05, 1.05, true, 1, 64, 36}, {1.15, 1.15, false, 1, 64, 36}};
     EXPECT_NEAR(madeFrom(list, 1).gap(), 9, 1e-6);
 }
 
-Seen seenOf(Viewer &viewer, const std::vector<Shown> &list, double from, double to) {
-    Seen seen;
-    viewer.look(list, from, to, seen);
+SeenErrors seenOf(Viewer &viewer, const std::vector<ShownPicture> &list, double from, double to) {
+    SeenErrors seen;
+    viewer.compare(list, from, to, seen);
     return seen;
 }
 
-// In the flake's flight, where all moves.
+// In the flake's flight, where everything moves.
 TEST(Viewer, SeesWhatCostsWhat) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     constexpr double kFrom = 52.5, kTo = 52.7;
@@ -92,14 +93,14 @@ TEST(Viewer, SeesWhatCostsWhat) {
     auto seen = [&](double rate, int every, float level, int width) {
         return seenOf(viewer, steady(kFrom, kTo, rate, every, level, width, width * 9 / 16), kFrom, kTo);
     };
-    Seen film = seen(60, 1, 0, 320);
+    SeenErrors film = seen(60, 1, 0, 320);
     EXPECT_EQ(film.sixtieths, 12);
     EXPECT_EQ(film.fresh, 11);
     EXPECT_EQ(film.flip, 0);
     EXPECT_EQ(film.srgbPsnr(), kMostPsnr);
-    Seen play = seen(60, 1, 1, 320), half = seen(30, 1, 1, 320), quarter = seen(15, 1, 1, 320),
-         pairs = seen(60, 2, 1, 320), fours = seen(60, 4, 1, 320), thirty = seen(30, 2, 1, 320),
-         small = seen(60, 1, 1, 160);
+    SeenErrors play = seen(60, 1, 1, 320), half = seen(30, 1, 1, 320), quarter = seen(15, 1, 1, 320),
+               pairs = seen(60, 2, 1, 320), fours = seen(60, 4, 1, 320), thirty = seen(30, 2, 1, 320),
+               small = seen(60, 1, 1, 160);
     EXPECT_EQ(half.fresh, 5);
     EXPECT_GT(play.srgbPsnr(), pairs.srgbPsnr());
     EXPECT_GT(pairs.srgbPsnr(), half.srgbPsnr() + 1);
@@ -116,28 +117,29 @@ TEST(Viewer, SeesWhatCostsWhat) {
 TEST(Viewer, RefusesWhatCannotBeShown) {
     constexpr double kFrom = 52.5, kTo = 52.6;
     Viewer viewer(320, 180, kFrom, kTo);
-    for (const std::vector<Shown> &wrong : {steady(kFrom, kTo, 60, 1, 1, 640, 360), // larger than the screen
-                                            steady(kFrom + 0.05, kTo, 60, 1, 1, 320, 180)}) // a late start
+    for (const std::vector<ShownPicture> &wrong :
+         {steady(kFrom, kTo, 60, 1, 1, 640, 360),         // larger than the screen
+          steady(kFrom + 0.05, kTo, 60, 1, 1, 320, 180)}) // a late start
         EXPECT_THROW(seenOf(viewer, wrong, kFrom, kTo), common::Refused);
 }
 
-// What was seen does not depend on what was looked at before, though pictures are kept.
+// Errors do not depend on earlier comparisons, though the viewer keeps pictures.
 TEST(Viewer, SeesTheSameWithAndWithoutWhatItKeeps) {
     constexpr double kFrom = 30, kTo = 30.2;
     auto seenBy = [&](Viewer &viewer, std::vector<std::vector<uint8_t>> &all) {
-        Seen seen;
-        viewer.look(steady(kFrom, kTo, 60, 4, 1, 160, 90), kFrom, kTo, seen,
-                    [&](const auto &stands, const auto &truth) {
-                        all.push_back(stands);
-                        all.push_back(truth);
-                    });
+        SeenErrors seen;
+        viewer.compare(steady(kFrom, kTo, 60, 4, 1, 160, 90), kFrom, kTo, seen,
+                       [&](const auto &shown, const auto &truth) {
+                           all.push_back(shown);
+                           all.push_back(truth);
+                       });
         return seen;
     };
     std::vector<std::vector<uint8_t>> first, again;
     Viewer viewer(160, 90, kFrom, kTo);
-    Seen a = seenBy(viewer, first);
+    SeenErrors a = seenBy(viewer, first);
     seenOf(viewer, steady(kFrom, kTo, 60, 6, 1.5f, 128, 72), kFrom, kTo);
-    Seen b = seenBy(viewer, again);
+    SeenErrors b = seenBy(viewer, again);
     EXPECT_EQ(first.size(), 24u);
     EXPECT_TRUE(first == again);
     EXPECT_EQ(a.srgb, b.srgb);

@@ -1,4 +1,4 @@
-// Tests the simulated player, with costs that the test makes up.
+// Tests the simulated player with invented costs.
 #include "tools/measure/seen/simulated.h"
 
 #include "play/page_player.h"
@@ -12,41 +12,41 @@ using namespace odraz::measure;
 
 namespace {
 
-// A film whose scenes cost very differently, and grow with quality as the tracer's do.
-Cost cost(const Pictured &p) {
+// Costs that differ much between scenes, and grow with quality as the tracer's costs do.
+PictureCost cost(const PictureKind &p) {
     double unit = 1 + std::fmod(std::floor(p.seconds / 16) * 2.7, 4);
     if (p.gap) return {3e6, 250 * p.pixels * unit};
     return {3e6, 300 * p.pixels * unit * std::pow(p.level < 1 ? 3 : 2, 1 - p.level)};
 }
 constexpr double kFrom = 10, kTo = 60;
-std::vector<Shown> played(double giga, double cheaper = 1) {
+std::vector<ShownPicture> played(double giga, double cheaper = 1) {
     return simulate(
-        [=](const Pictured &p) {
-            Cost c = cost(p);
-            return Cost{c.serial / cheaper, c.parallel / cheaper};
+        [=](const PictureKind &p) {
+            PictureCost c = cost(p);
+            return PictureCost{c.serial / cheaper, c.parallel / cheaper};
         },
         {giga * 1e9, 4, 1280, 720, kPresenting / cheaper, kEnlarging / cheaper}, kFrom, kTo);
 }
 
 TEST(Simulated, ListsAreWellFormed) {
     for (double giga : {0.5, 4., 14., 64., 1e6}) {
-        std::vector<Shown> list = played(giga);
+        std::vector<ShownPicture> list = played(giga);
         EXPECT_EQ(printShown(parseShown(printShown(list))), printShown(list)) << giga;
         EXPECT_EQ(printShown(played(giga)), printShown(list)) << "the same every time";
-        for (const Shown &s : list)
+        for (const ShownPicture &s : list)
             ASSERT_TRUE(s.at < 0 || s.at >= s.time - 1e-3) << "nothing is shown before its time";
     }
 }
 
-// The page makes no in-betweens, and its pictures come one by one from its workers.
+// The page makes no in-betweens; each worker makes one picture at a time.
 TEST(Simulated, ThePageListsAreWellFormed) {
     for (double giga : {4., 14., 64.}) {
-        Machine machine = {giga * 1e9, 4, 1280, 720};
+        SimulatedMachine machine = {giga * 1e9, 4, 1280, 720};
         machine.workers = 4;
-        std::vector<Shown> list = simulate(cost, machine, kFrom, kTo);
+        std::vector<ShownPicture> list = simulate(cost, machine, kFrom, kTo);
         EXPECT_EQ(printShown(parseShown(printShown(list))), printShown(list)) << giga;
         int shown = 0;
-        for (const Shown &s : list) {
+        for (const ShownPicture &s : list) {
             ASSERT_TRUE(!s.between && (s.at < 0 || s.at >= s.time - PagePlayer<int>::kNearest));
             shown += s.at >= 0;
         }
@@ -54,24 +54,24 @@ TEST(Simulated, ThePageListsAreWellFormed) {
     }
 }
 
-// The sixtieths of a second between those two that in-betweens are made from, and how many are made of each,
-// where the penalties of all other cadences are high.
+// The number of in-betweens by gap (in sixtieths of a second), where the penalties of all other cadences are
+// high.
 struct Charged {
-    std::map<long, int> making, summed; // by making them, and in the summary
+    std::map<long, int> making, summed; // counted while they are made, and by the summary
 };
 Charged charged(Governor::Cadence cadence, double from, double to) {
     std::map<long, int> gaps;
-    CostOf counting = [&](const Pictured &p) {
+    CostOf counting = [&](const PictureKind &p) {
         if (p.gap) ++gaps[std::lround(p.gap)];
-        return Cost{3e6, p.pixels * (p.gap ? 100 : 1500 * std::pow(2, 1 - p.level))};
+        return PictureCost{3e6, p.pixels * (p.gap ? 100 : 1500 * std::pow(2, 1 - p.level))};
     };
-    Machine machine = {20e9, 4, 1280, 720};
+    SimulatedMachine machine = {20e9, 4, 1280, 720};
     machine.paceOf = [=](int) {
         Pace pace;
         for (int c = 1; c < kCadences; ++c) pace.penalty[c] = c == cadence ? 0 : 99;
         return pace;
     };
-    std::vector<Shown> list = simulate(counting, machine, from, to);
+    std::vector<ShownPicture> list = simulate(counting, machine, from, to);
     std::map<long, int> making = gaps;
     gaps.clear();
     summary(list, counting, machine);
@@ -80,7 +80,7 @@ Charged charged(Governor::Cadence cadence, double from, double to) {
 constexpr Governor::Cadence kMaking[] = {Governor::kPairs, Governor::kFours, Governor::kSixes,
                                          Governor::kThirty};
 
-// An in-between costs what it does between pictures that are as far apart as the cadence has them.
+// An in-between has the cost of the gap of its cadence.
 TEST(Simulated, InBetweensAreChargedAtTheirGap) {
     for (Governor::Cadence cadence : kMaking) {
         Charged c = charged(cadence, 2, 12); // without a cut
@@ -93,7 +93,7 @@ TEST(Simulated, InBetweensAreChargedAtTheirGap) {
     }
 }
 
-// ... and so does one beside a cut, which is made from one of the two alone. There is one at 40 s.
+// So has an in-between next to a cut, which is made from one picture alone. There is a cut at 40 s.
 TEST(Simulated, InBetweensBesideACutAreNotTraced) {
     EXPECT_GT(charged(Governor::kSixes, 39, 41).making[6], 80);
 }
@@ -106,7 +106,7 @@ TEST(Simulated, CheaperIsAsGoodAsFaster) {
 // A faster machine shows as many pictures, or better ones.
 TEST(Simulated, FasterMachinesAreNoWorse) {
     for (double giga = 2; giga <= 64; giga *= 1.3) {
-        Machine machine = {giga * 1e9, 4, 1280, 720};
+        SimulatedMachine machine = {giga * 1e9, 4, 1280, 720};
         std::vector<PlayedScene> slow = summary(played(giga), cost, machine),
                                  fast = summary(played(2 * giga), cost, machine);
         ASSERT_EQ(slow.size(), 3u); // point, table, flake
@@ -119,9 +119,9 @@ TEST(Simulated, FasterMachinesAreNoWorse) {
 }
 
 TEST(Simulated, CoresShareWhatIsParallel) {
-    auto shown = [](int cores, Cost each) {
-        CostOf same = [=](const Pictured &) { return each; };
-        Machine machine = {8e9, cores, 640, 360};
+    auto shown = [](int cores, PictureCost each) {
+        CostOf same = [=](const PictureKind &) { return each; };
+        SimulatedMachine machine = {8e9, cores, 640, 360};
         return summary(simulate(same, machine, 20, 30), same, machine)[0].shown;
     };
     EXPECT_NEAR(shown(1, {1, 400e6}), shown(8, {1, 400e6}), 2); // showing takes one core's time

@@ -3,7 +3,7 @@
 #include "tests/support/headless_gl.h"
 #include "tools/common/folders.h"
 #include "tools/engine/machine.h"
-#include "tools/measure/oracle/measured.h"
+#include "tools/measure/oracle/generated_mesh.h"
 #include "tools/picture/psnr.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/solve/solve.h"

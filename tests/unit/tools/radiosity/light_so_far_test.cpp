@@ -1,6 +1,6 @@
 // Light shown during solving: it starts with direct light, grows, and ends with the solution.
 #include "tools/engine/machine.h"
-#include "tools/measure/oracle/measured.h"
+#include "tools/measure/oracle/generated_mesh.h"
 #include "tools/radiosity/solve/solve.h"
 
 #include <gtest/gtest.h>

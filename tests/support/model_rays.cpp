@@ -1,4 +1,4 @@
-#include "tools/measure/oracle/model_rays.h"
+#include "tests/support/model_rays.h"
 
 namespace odraz {
 
@@ -6,7 +6,7 @@ using namespace radiosity;
 
 namespace {
 
-// The one or two triangles of a facet
+// Splits a facet into one or two triangles
 std::vector<Obstacles::Triangle> trianglesOf(const Model &m, int facet) {
     const Facet &f = m.facets[facet];
     const Chart &c = m.charts[f.chart];
@@ -17,7 +17,7 @@ std::vector<Obstacles::Triangle> trianglesOf(const Model &m, int facet) {
     return triangles;
 }
 
-// The triangles of all facets, and the chart of each
+// Collects the triangles of all facets, and the chart of each triangle
 std::vector<Obstacles::Triangle> trianglesOf(const Model &m, std::vector<int> &chartOf) {
     std::vector<Obstacles::Triangle> all;
     for (int i = 0; i < m.facetCount; ++i) {

@@ -1,4 +1,4 @@
-#include "tools/measure/oracle/measured.h"
+#include "tools/measure/oracle/generated_mesh.h"
 
 #include "tools/common/folders.h"
 #include "tools/common/whole_file.h"

@@ -1,5 +1,5 @@
-// Rays from places of a model. Directions are random by the cosine law, in double
-// precision; nothing that ships works this way.
+// Rays from points on a model's charts, with random directions by the cosine law, in double precision.
+// Nothing that ships works this way.
 #pragma once
 
 #include "radiosity/model.h"
@@ -10,15 +10,15 @@
 
 namespace odraz {
 
-// A model's facets as obstacles for rays. Windows are open.
+// A model's facets as obstacles for rays. Windows are no obstacles.
 struct ModelRays {
     explicit ModelRays(const Model &model);
 
-    // Casts side x side rays from a place of a chart by the cosine law, one in each cell of a grid. Calls met
-    // for each ray that hits a front or nothing (chart -1). Another seed gives other rays.
+    // Casts side x side rays from the point p of a chart, one in each cell of a grid. Calls `met` for each
+    // ray that hits the front of a facet, or nothing (chart -1). Another seed gives other rays.
     void castFan(const Chart &from, Vec3 p, int side, uint32_t seed,
                  const std::function<void(int chart, Vec3 at, Vec3 d)> &met) const;
-    std::vector<int> chartOf;       // of each triangle
+    std::vector<int> chartOf;       // by triangle
     radiosity::Obstacles obstacles; // the triangles
 };
 
