@@ -23,12 +23,12 @@ check "... which take no longer than a quarter of an hour together" \
 check "what was not measured has its command" grep -q 'Not measured yet: `tools/measure/all --only packers`' "$to"
 cp "$to" "$WORK/before"
 check "a section that fails is reported" \
-    eval '! BUILD=$WORK/none "$all" --built --to "$to" --only size 2>"$WORK/err" >/dev/null && grep -q "left as they were: size" "$WORK/err"'
+    eval '! BUILD=$WORK/none "$all" --built --to "$to" --only size 2>"$WORK/err" >/dev/null && grep -q "not changed: size" "$WORK/err"'
 check "... and leaves the results alone" cmp -s "$to" "$WORK/before"
 check "the sources of all sections are there, and README.md has the figures of RESULTS.md" \
-    eval '"$all" --check >"$WORK/report"; lacks "^(unknown|README|figures)" "$WORK/report"'
+    eval '"$all" --check >"$WORK/report"; lacks "^(unknown|the figures|figures)" "$WORK/report"'
 check "... at most eight of them" less "$(sed -n '/^<!-- figures/,/^<!-- .figures/p' "$SOURCE/README.md" | grep -c '^- ')" 9
-check "an unknown section" refuses 2 "there is no section 'colour': there are size" "$all" --only colour
+check "an unknown section" refuses 2 "unknown section 'colour': use one of size" "$all" --only colour
 check "an unknown option" refuses 2 "unrecognized arguments: --colour: see tools/measure/all --help" "$all" --colour
 check "a file that cannot be written" refuses 2 "cannot write /proc/none/x" "$all" --to /proc/none/x
 
@@ -70,7 +70,7 @@ reports() {
 }
 fresh='^2 sections, 0 of them stale$'
 check "nothing was measured: reported, with the command" \
-    reports 1 '^unmeasured: two: tools/measure/all --only two, 1 minutes$'
+    reports 1 '^unmeasured: two: run tools/measure/all --only two, 1 minutes$'
 check "all is measured" eval '"$all" --built >/dev/null 2>"$WORK/err"'
 check "... and --check has nothing to report" reports 0 "$fresh" --strict
 check "figures are written between their marks, and nothing else" \
@@ -79,13 +79,13 @@ commit=$(git rev-parse --short=12 HEAD)
 echo 'int main() { /* its status */ int one = 1; return one - 1; } // no more' >intro/file.cpp
 check "a comment makes nothing stale" reports 0 "$fresh" --strict
 echo 'int main() { int two = 1; return two - 1; }' >intro/file.cpp
-check "a local variable's name does, until the program is built" reports 0 "^stale: one: since $commit intro\$"
+check "a local variable's name does, until the program is built" reports 0 "^stale: one: changed since $commit: intro\$"
 compile
 check "... and shown to be the same" reports 0 "$fresh" --strict
 echo 'int main() { int two = 7; return two - 1; }' >intro/file.cpp
 compile
 check "other code makes its section stale, and no other" reports 0 '^2 sections, 1 of them stale$'
-check "... which --strict refuses" reports 1 "^stale: one: since $commit intro\$" --strict
+check "... which --strict refuses" reports 1 "^stale: one: changed since $commit: intro\$" --strict
 echo text >packer/README.md
 check "a README makes nothing stale" reports 0 '^2 sections, 1 of them stale$'
 check "what is stale is measured" eval '"$all" --built --stale >/dev/null 2>"$WORK/err"'
@@ -94,13 +94,13 @@ check "... and nothing is left" reports 0 "$fresh" --strict
 echo '# why' >>packer/file
 check "a script's comment makes nothing stale" reports 0 "$fresh" --strict
 echo 2 >>packer/file
-check "... its code does, whatever was built" reports 0 '^stale: two: since '
+check "... its code does, whatever was built" reports 0 '^stale: two: changed since '
 "$all" --built --stale >/dev/null 2>&1
 sed -i 's/1,235/1,234/' README.md
 check "other figures than the sections'" \
-    reports 1 '^README.md has other figures than RESULTS.md: tools/measure/all --readme$'
+    reports 1 '^the figures of README.md differ from RESULTS.md: run tools/measure/all --readme$'
 check "... are written again" "$all" --readme
 check "... as they were" reports 0 "$fresh" --strict
 sed -i "s/'packer')/'packer\/none')/" tools/measure/sections.py
-check "a source that is not there" reports 1 '^unknown: two measures packer/none, which git does not have$'
+check "a source that is not there" reports 1 '^unknown: two needs packer/none, which git does not have$'
 finish

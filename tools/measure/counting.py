@@ -1,10 +1,10 @@
-"""Counts instructions by callgrind, on one thread: figures that other programs on the machine do not disturb."""
+"""Counts instructions by callgrind, on one thread. Other programs on the machine do not disturb the counts."""
 import re
 
 from machine import at_once, say
 
-# Parts of a picture: the function that is counted, and how trace_once calls it. (Two runs: one poses the scene without
-# callgrind, under which the hall would take half an hour; the other is counted.)
+# Parts of a picture: the function to count, and the command of trace_once that calls it. There are two runs: one poses
+# the scene without callgrind, under which the hall would take half an hour; the other is counted.
 PARTS = {
     'posing': ('odraz::measure::poseSubject*', 'again'),
     'trace': ('odraz::forTiles*', 'trace'),
@@ -14,16 +14,16 @@ PARTS = {
 
 
 def spent(machine, command, of=None):
-    """The instructions of a program; or those of a function and all that it calls."""
+    """The instructions of a program, or of its function `of` with all functions that it calls."""
     only = ['--collect-atstart=no', f'--toggle-collect={of}'] if of else []
-    # (its report is on stderr, which the shell puts on stdout)
+    # The shell redirects the report, which is on stderr
     words = ['valgrind', '--tool=callgrind', '--callgrind-out-file=/dev/null', *only, *machine.words(command)]
     printed = machine.run(['sh', '-c', 'exec "$@" 2>&1', 'sh', *words], noted=False)
     return int(re.search(r'Collected : (\d+)', printed)[1])
 
 
 def posed(machine, scene, size, program='build/trace_once'):
-    """A file with a posed scene."""
+    """The file of a posed scene, which is made once."""
     kept = machine.work / f'{scene}-{size}-{program.replace("/", "-")}'
     if not kept.exists():
         machine.run([program, 'pose', kept, scene, '--size', size], noted=False)
@@ -31,7 +31,7 @@ def posed(machine, scene, size, program='build/trace_once'):
 
 
 def counted(machine, kept, part, setting=None, program='build/trace_once'):
-    """The instructions of a part of a posed picture; that of tracing takes a setting."""
+    """The instructions of a part of a posed picture. `setting` is for tracing alone."""
     of, how = PARTS[part]
     return spent(machine, [program, how, kept, *([setting] if part == 'trace' else [])], of)
 

@@ -1,4 +1,4 @@
-"""The figures in README.md. The lines between its marks are made of cells of RESULTS.md, so README.md cannot have a
+"""The figures in README.md. The lines between its marks are generated from cells of RESULTS.md, so README.md has no
 figure that RESULTS.md lacks."""
 import re
 
@@ -16,7 +16,7 @@ def rounded(text, digits=0):
 
 
 def least_to_most(texts, digits):
-    """'3 to 7', of the numbers that cells begin with."""
+    """The range of the numbers at the start of cells: '3 to 7'."""
     numbers = [number(text) for text in texts if re.match(r'[-+]?\d', text)]
     return f'{min(numbers):,.{digits}f} to {max(numbers):,.{digits}f}'
 
@@ -59,5 +59,5 @@ s), {rounded(cell('radiosity', 'median of 1,000 places, %', 'columns'), 1)} % of
 def filled_in(page, results, make=figures):
     """README.md with the figures between its marks."""
     if len(BLOCK.findall(page)) != 1:
-        raise Failed('README.md: the marks <!-- figures --> and <!-- /figures --> are needed')
+        raise Failed('README.md needs the marks <!-- figures --> and <!-- /figures --> once')
     return BLOCK.sub(lambda _: make(results), page)

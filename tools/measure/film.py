@@ -1,4 +1,4 @@
-"""What is measured of the film: its size, its start, how it plays, in a browser, too, and what a viewer sees."""
+"""Measurements of the film: its size, its start, how it plays natively and in browsers, and what a viewer sees."""
 import json
 import math
 import re
@@ -12,7 +12,7 @@ from parts import rows
 
 STATISTICS = '''scene traced between shown missed trace_ms trace_95 between_ms between_95 show_ms show_95 samples
     width'''.split()
-PIECE = 10  # seconds that are played at once
+PIECE = 10  # seconds of a played piece
 
 
 def size(machine):
@@ -36,20 +36,20 @@ def first_picture(printed):
 
 
 def seen_first(machine, command):
-    """Runs a program. What it took, and the seconds until its window was seen."""
+    """Runs a program. Returns its Took, and the seconds until its window was visible."""
     began = time.monotonic()
 
     def look():
         machine.run('timeout 60 sh -c "until xdotool search --onlyvisible --name ^odraz$; do sleep 0.01; done"', False)
         return time.monotonic() - began
-    with ThreadPoolExecutor() as beside:
-        seen = beside.submit(look)
+    with ThreadPoolExecutor() as threads:
+        seen = threads.submit(look)
         return machine.timed(command), seen.result()
 
 
 def start(machine):
     def run(program):
-        # In the film's middle, so that the hall is solved first
+        # Start in the film's middle, so that the hall is solved first
         took, seen = seen_first(machine, f'build/{program} --window --from 100 --to 100.3 --stats')
         return {'': f'`{program}`', 'seen': f'{seen:.2f}', 'first': f'{first_picture(took.printed):.2f}',
                 'mb': f'{took.megabytes:.0f}'}
@@ -59,7 +59,7 @@ def start(machine):
 
 
 def played(printed):
-    """The scenes of what --stats prints; `rate` is the pictures shown in a second."""
+    """The rows that --stats prints, by scene, with `rate`: pictures shown in a second."""
     lines = [line.split() for line in printed.splitlines()]
     scenes = [dict(zip(STATISTICS, line)) for line in lines if len(line) == 13 and line[1].isdigit()]
     for scene in scenes:
@@ -68,7 +68,7 @@ def played(printed):
 
 
 def around_cuts(machine):
-    """Where to begin to play pieces that show all scenes: around every other cut between scenes."""
+    """The starts of pieces that show all scenes: a piece is played around every other cut between scenes."""
     scenes = rows(machine.run('build/seen --machine 16 --summary', noted=False))
     cuts = list(accumulate(float(scene['seconds']) for scene in scenes))
     begins = [int(cut - PIECE / 2) for cut in cuts[:-1:2]]
@@ -93,7 +93,7 @@ SCREENS = '--screen 1280x720 --screen 1920x1080 --screen 2560x1440'
 
 
 def count_costs(machine):
-    """Counts what pictures cost, which the simulated players read; not where programs are taken as they are."""
+    """Counts the costs of pictures for the simulated players, unless --built."""
     if not machine.built:
         machine.run('tools/measure/seen/costs')
     return ''
@@ -104,7 +104,7 @@ def cell_of(row):
 
 
 def seen(machine):
-    """Cells: PSNR, FLIP, and the pictures shown in a second of the scene."""
+    """Yields cells: PSNR, FLIP, and the number of pictures shown in a second of the scene."""
     looked, counted = (rows(machine.run(command)) for command in (
         JUDGED + f'{MACHINES} {SCREENS}', f'build/seen {MACHINES} {SCREENS} --summary'))
     rate = {(row['screen'], row['machine'], row['scene']): f" {float(row['a_second']):.0f}" for row in counted}
@@ -114,8 +114,9 @@ def seen(machine):
 
 
 def played_and_simulated(machine):
-    """The film as it is played here, and by a simulated machine that does as many instructions a second as this one did
-    in that scene, by the counted costs of the pictures that were made: so one with other work only seems slower."""
+    """Yields rows that compare the film as played here with a simulated machine. The simulated machine executes as many
+    instructions a second as this one did in that scene, by the counted costs of its pictures. So a machine that is busy
+    with other work only seems slower."""
     with machine.display():
         machine.run('build/odraz-debug --shown shown.csv --mute --from 34 --to 46')
     for real in rows(machine.run('build/seen shown.csv --summary')):
@@ -132,11 +133,11 @@ def played_and_simulated(machine):
 # --- In a browser ---
 
 BROWSERS = 'chromium', 'firefox'
-MOMENTS = 14, 24, 38, 58, 158  # without the hall, whose solving would be in the native times
+MOMENTS = 14, 24, 38, 58, 158  # outside the hall, since native times would include solving it
 
 
 def page_size(machine):
-    """The numbers in the only line that the page's build prints."""
+    """Rows of the sizes that the page's build prints on its only line."""
     (machine.build / 'odraz.html').unlink(missing_ok=True)
     printed = machine.run(['cmake', '--build', machine.build, '--target', 'film_web'], noted=False)
     numbers = [int(word) for word in re.findall(r'\d+', re.search(r'html: (.*)', printed)[1])]
@@ -148,7 +149,7 @@ def page_size(machine):
 
 
 def native_ms(machine, second):
-    """Processor time of a picture, as the difference of two dumps of that second."""
+    """Processor time of a picture: the difference of two dumps of that second at 15 and 30 pictures a second."""
     low, high = (machine.timed(f'build/odraz-safe --dump dumped --fps {fps} --from {second + 1} --to {second + 2} '
                                '--size 1280x720 --quality draft', noted=False).processor for fps in (15, 30))
     return (high - low) / 15 * 1e3
@@ -172,7 +173,7 @@ def page_times(machine):
 
 
 def page_play(machine):
-    """Rows of how it starts; those of the scenes are kept."""
+    """Yields rows about the start; keeps the rows of the scenes for page_scenes()."""
     machine.facts['piece'], machine.played = PIECE, {}
     starts = ' '.join(map(str, around_cuts(machine)))
     with machine.display('1280x800'):
@@ -184,7 +185,7 @@ def page_play(machine):
 
 
 def best_of(lines):
-    """The medians of the starts, and the most memory."""
+    """The medians of the starts, and the largest memory."""
     columns = list(zip(*([float(cell) for cell in line.split(',')] for line in lines)))
     opens, first, before = map(statistics.median, columns[:3])
     return f'{opens:.1f}', f'{first:.2f}', f'{before:.0f}', f'{max(columns[3]):.0f}'

@@ -1,4 +1,4 @@
-"""The machine that is measured: runs programs, notes what they took, builds them, and gives them a display."""
+"""Runs programs and measures their time and memory; builds them; starts a display for them."""
 import os
 import shlex
 import subprocess
@@ -16,7 +16,7 @@ PROCESSORS = len(os.sched_getaffinity(0))
 
 
 class Failed(Exception):
-    """A line for whoever asked for it."""
+    """An error, as a line for the user."""
 
 
 def say(what):
@@ -26,30 +26,30 @@ def say(what):
 @dataclass
 class Took:
     printed: str
-    clock: float  # seconds
-    processor: float  # ... of all threads, user and system
-    megabytes: float  # resident at most
+    clock: float  # seconds by the clock
+    processor: float  # seconds of all threads, user and system
+    megabytes: float  # largest resident set
 
 
 class Machine:
-    """Where a section is measured: its programs, a folder to work in, its commands, and the facts that texts name."""
+    """The environment of a section: built programs, a working folder, its commands, and the facts that texts name."""
 
     def __init__(self, build, work, built=True):
         self.build, self.work, self.built = Path(build), Path(work), built
-        self.kept = {}  # what several sections share
+        self.kept = {}  # results that several parts share
         self.begin()
 
     def begin(self):
         self.commands, self.facts = [], {}
 
     def once(self, make):
-        """What make(machine) returns, made once in a run."""
+        """The result of make(machine), which is called once in a run."""
         if make not in self.kept:
             self.kept[make] = make(self)
         return self.kept[make]
 
     def words(self, command):
-        """A command as it is run: paths that begin with a folder of the repository lead there."""
+        """The words of a command. Paths that begin with a folder of the repository become absolute."""
         folders = {'build': self.build, **{name: SOURCE / name for name in ('intro', 'tests', 'tools')}}
         words = shlex.split(command) if isinstance(command, str) else [str(word) for word in command]
         found = [(folders.get(word.partition('/')[0]), word.partition('/')[2]) for word in words]
@@ -73,7 +73,7 @@ class Machine:
             try:
                 _, status, usage = os.wait4(process.pid, 0)
             except BaseException:
-                process.kill()  # whoever stops this program stops that one
+                process.kill()  # since this program is being stopped
                 raise
             process.returncode = os.waitstatus_to_exitcode(status)
             clock = time.monotonic() - began
@@ -88,22 +88,22 @@ class Machine:
         return Took(printed, clock, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
 
     def run(self, command, noted=True):
-        """What it prints."""
+        """The output of a command."""
         return self.timed(command, noted).printed
 
     @contextmanager
     def display(self, size='1280x720'):
-        """A display in memory for the programs that are run meanwhile."""
+        """Provides a display in memory."""
         ours, theirs = os.pipe()
         server = subprocess.Popen(
             ['Xvfb', '-noreset', '-displayfd', str(theirs), '-screen', '0', f'{size}x24', '-nolisten', 'tcp'],
             pass_fds=[theirs], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(theirs)
-        with os.fdopen(ours) as told:
-            os.environ['DISPLAY'] = ':' + told.readline().strip()
+        with os.fdopen(ours) as number:
+            os.environ['DISPLAY'] = ':' + number.readline().strip()
         try:
             if os.environ['DISPLAY'] == ':':
-                raise Failed('Xvfb does not start')
+                raise Failed('Xvfb did not start: install xvfb')
             yield
         finally:
             server.terminate()
@@ -111,24 +111,24 @@ class Machine:
 
 
 def at_once(function, items):
-    """function(item) for each, as many at once as there are processors."""
+    """The results of function(item) for each item, computed on all processors."""
     with ThreadPoolExecutor(PROCESSORS) as pool:
         return list(pool.map(function, items))
 
 
 def build(packages, targets, folder, *options):
-    """Installs what is missing and builds, as all scripts do."""
+    """Installs missing packages and builds the targets, as the scripts do."""
     script = f'''. tools/build/packages.sh; need_for_building; [ -z "$1" ] || need "measuring" $1
         BUILD=$2 build $3 "${{@:4}}"'''
     done = subprocess.run(
         ['bash', '-euc', script, 'tools/measure', ' '.join(packages), str(folder), ' '.join(targets), *options],
         cwd=SOURCE, env={**os.environ, 'ODRAZ': str(SOURCE)}, stdout=sys.stderr)
     if done.returncode:
-        raise Failed('it could not be built')
+        raise Failed(f'the build failed: see {folder}/build.log')
 
 
 class Load:
-    """How many processors other programs keep busy while something is measured."""
+    """Measures how many processors other programs keep busy."""
 
     def __init__(self):
         self.clock, self.all, self.own = time.monotonic(), self.busy(), self.ours()

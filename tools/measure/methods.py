@@ -1,4 +1,4 @@
-"""What is measured of the packer, of radiosity and of transfer; and the figures that tests print."""
+"""Measurements of the packer, of radiosity and of transfer; and the figures that tests print."""
 import random
 import re
 import shutil
@@ -13,7 +13,7 @@ from parts import markdown, rows
 # --- Packing ---
 
 LIBRARIES = '/usr/lib/x86_64-linux-gnu/'
-# Parts of the instructions of this film and of system libraries: name, file, and where they lie, in KB
+# Parts of the instructions of this film and of system libraries: name, file, offset and size in KB
 CODE = (('odraz', 'build/odraz-safe', 16, 16), ('odraz', 'build/odraz-safe', 32, 48),
         ('libm', LIBRARIES + 'libm.so.6', 128, 16), ('libm', LIBRARIES + 'libm.so.6', 32, 48),
         ('libstdc++', LIBRARIES + 'libstdc++.so.6', 64, 48), ('libstdc++', LIBRARIES + 'libstdc++.so.6', 128, 128),
@@ -23,7 +23,7 @@ CODE = (('odraz', 'build/odraz-safe', 16, 16), ('odraz', 'build/odraz-safe', 32,
 PEERS = {'xz -9e --x86': 'xz --x86 --lzma2=preset=9e -k -c "$1"', 'zstd --ultra -22': 'zstd --ultra -22 -q -c "$1"',
          'brotli -q 11': 'brotli -q 11 -w 24 -c "$1"',
          'zpaq -m5': 'zpaq a "$1.zpaq" "$1" -m5 >/dev/null 2>&1; cat "$1.zpaq"'}
-# Fewer contexts, each with a short search to adapt; less and more memory; searches that begin with arbitrary contexts
+# Fewer contexts, each with a short search; less and more memory; searches that start from arbitrary contexts
 MODELS = {
     **{f'{n} contexts': f'--contexts {n} --search 3' for n in (4, 8, 12)}, '**16 contexts (ships)**': '',
     **{f'2^{n} slots': f'--slots {n}' for n in (16, 18, 20, 23)},
@@ -32,12 +32,12 @@ MODELS = {
 
 @lru_cache(None)
 def instructions(path):
-    """Nothing if there is no such program."""
+    """The instructions of a program; empty if there is no such program."""
     return sources.contents(Path(path), '-j', '.text') if Path(path).exists() else b''
 
 
 def samples(machine):
-    """Files, by name."""
+    """Files of instructions, by name."""
     found = {}
     for name, file, begin, kilobytes in CODE:
         code = instructions(machine.words([file])[0])[begin * 1024:(begin + kilobytes) * 1024]
@@ -70,7 +70,7 @@ def packers(machine):
 def pack_instructions(machine):
     sample = machine.once(samples)['odraz 16K']
     encode, decode = at_once(lambda of: counting.spent(machine, ['build/bench_pack', sample], of),
-                             ('pack::encode(*', 'pack::decodeWithStub*'))
+                             ('*pack::encode<*', 'pack::decodeWithStub*'))
     return f'Millions of instructions for "odraz 16K": {encode / 1e6:.0f} to encode, {decode / 1e6:.0f} to decode.'
 
 
@@ -101,14 +101,14 @@ def texels(printed):
 
 
 def vault(machine):
-    """What --check prints of the vault, by bands."""
+    """The output of --check for the vault, by bands."""
     machine.run('build/radiosity generate vault -o vault.obj', noted=False)
     return {bands: machine.run(f'build/radiosity transfer vault.obj -o vault.prt --bands {bands} --rays 64 --check')
             for bands in (1, 3, 5)}
 
 
 def environments(machine):
-    """Errors of rows and of clusters."""
+    """Yields the errors of rows and of clusters."""
     checks = machine.once(vault)
     machine.facts['vault'] = texels(checks[5])
     for bands, printed in checks.items():
@@ -127,14 +127,14 @@ def subspaces(machine):
 
 
 def sky(path):
-    """A picture of all directions that lights every band in every colour: a function without light costs nothing."""
+    """Writes a picture of the sky that lights every band in every colour: a function without light costs nothing."""
     random.seed(1)
     pixels = (random.randbytes(3) + bytes([128 if i % 97 else 133]) for i in range(1, 32 * 64 + 1))
     path.write_bytes(b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n' + b''.join(pixels))
 
 
 def turning(machine):
-    """The hall of columns, its transfer in rows and in clusters, while the sky turns."""
+    """Yields the speed of the hall of columns, as rows and as clusters, while the sky turns."""
     machine.run('build/radiosity generate columns -o columns.obj', noted=False)
     lamps = ' '.join(f'--lamp {x},6,0,1,9,8,6' for x in (-10, 0, 10))
     machine.facts['columns'] = texels(machine.run(
@@ -156,7 +156,7 @@ TESTS = {'radiosity': ['form_factor_test'], 'show': ['hall_test'], 'sound': ['no
 
 
 def proofs(machine):
-    """The lines that tests print, beside what GoogleTest does."""
+    """Yields the lines that tests print, without GoogleTest's own."""
     for room, names in TESTS.items():
         for name in names:
             for line in machine.run(f'build/tests/{room}_tests {name}').splitlines():

@@ -1,22 +1,23 @@
-"""What a section is made of: tables and paragraphs. A part is a text, or a function from the machine to Markdown."""
+"""The parts of a section: tables and paragraphs. A part is a text, or a function from the machine to Markdown."""
 import csv
 import re
 import textwrap
 
 
 def rows(text):
-    """A CSV as dictionaries by the titles of its columns."""
+    """The rows of a CSV as dictionaries, keyed by the column titles."""
     return list(csv.DictReader(text.splitlines()))
 
 
 def markdown(lines):
-    """Rows of cells; the first is the head."""
+    """A Markdown table of rows of cells, of which the first is the head."""
     head, *body = ['| ' + ' | '.join(map(str, line)) + ' |' for line in lines]
     return '\n'.join([head, '|' + '---|' * len(lines[0]), *body])
 
 
 def table(source, columns):
-    """source(machine) gives dictionaries, or a command prints a CSV. columns: 'key = heading; key; ...'."""
+    """A part with a table. `source` is a command that prints a CSV, or source(machine) returns dictionaries. columns:
+    'key = heading; key; ...'."""
     pairs = [' '.join(column.split()).partition('=') for column in columns.split(';')]
     keys, heads = [key.strip() for key, _, _ in pairs], [(head or key).strip() for key, _, head in pairs]
 
@@ -27,7 +28,8 @@ def table(source, columns):
 
 
 def matrix(source, corner):
-    """source(machine) gives (row, column, value); rows and columns keep the order in which they first come."""
+    """A part with a table of cells: source(machine) yields (row, column, value). Rows and columns keep their order of
+    first appearance."""
     def part(machine):
         cells = {(row, column): value for row, column, value in source(machine)}
         across = list(dict.fromkeys(column for _, column in cells))
@@ -38,7 +40,7 @@ def matrix(source, corner):
 
 
 def printed(command):
-    """A program that prints Markdown."""
+    """A part that is the output of a program that prints Markdown."""
     return lambda machine: machine.run(command).strip()
 
 

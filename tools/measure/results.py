@@ -1,4 +1,4 @@
-"""RESULTS.md: reads and writes its sections. A line above each, <!-- size: 0123456789ab; ... -->, has its record."""
+"""Reads and writes RESULTS.md. The record of a section is on the line above it: <!-- size: 0123456789ab; ... -->."""
 import datetime
 import os
 import platform
@@ -10,12 +10,11 @@ from machine import PROCESSORS, Failed
 MARK = re.compile(r'<!-- ([a-z]+)(?:: (.*))? -->')
 HEAD = '''# Measured
 
-`tools/measure/all` writes this page: `--only NAME` measures one section, `--stale` those whose code has changed since,
-`--check` prints which these are. The sections are defined in `sections.py`. Below each title are its day, commit and
-machine, how many processors other programs kept busy meanwhile (above 0.5, times are too long), and the commands. Times
-are those of processors, unless a column is headed otherwise: of all threads, user and system. Callgrind counts
-instructions, which other programs do not disturb. Where cores are shared, ratios within one run are more reliable than
-times.
+`tools/measure/all` writes this page. `--only NAME` measures one section, `--stale` the sections whose code has changed;
+`--check` lists these. The sections are defined in `sections.py`. Below each title are the day, the commit, the machine,
+the number of processors that other programs kept busy (above 0.5, times are too long), and the commands. Times are
+processor times of all threads, user and system, unless the column says otherwise. Callgrind counts instructions, which
+other programs do not disturb. Where cores are shared, ratios within a run are more reliable than times.
 
 | the last run | |
 |---|---|
@@ -76,7 +75,7 @@ class Results:
             yield head, body
 
     def column(self, name, column):
-        """The cells of the first table that has this column, by the first cell of their rows."""
+        """The cells of a column, keyed by the first cell of the row, from the first table that has the column."""
         for head, body in self.tables(name):
             if column in head:
                 at = head.index(column)

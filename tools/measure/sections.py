@@ -1,4 +1,4 @@
-"""The sections of RESULTS.md: what was measured, which commands and columns each has, and what its text says."""
+"""The sections of RESULTS.md: their sources, programs, commands, columns and texts."""
 from dataclasses import dataclass, field
 
 import film
@@ -15,11 +15,11 @@ class Section:
     name: str
     title: str
     minutes: float  # on two quiet cores
-    sources: list  # files and folders; a change of one makes the section stale ...
-    programs: list  # ... unless these files of build/ are the same
-    parts: list  # its text: paragraphs, and functions that measure
+    sources: list  # files and folders; if one changes, the section is stale ...
+    programs: list  # ... unless these files in build/ are the same
+    parts: list  # paragraphs, and functions that measure
     packages: list = field(default_factory=list)
-    targets: list = field(default_factory=list)  # what is built, besides the programs
+    targets: list = field(default_factory=list)  # to build, as well as the programs
 
 
 SECTIONS = [
@@ -29,8 +29,8 @@ SECTIONS = [
         targets=['film', 'film_windows'],
         parts=[
             table(film.size, '; Linux; Windows'),
-            '''The packed film differs by a few bytes with its commit's name. `tools/ledger rooms` prints what each part
-            takes.''']),
+            '''The size of the packed film varies by a few bytes with its commit's name. `tools/ledger rooms` prints the
+            size of each part.''']),
     Section(
         'start', 'Start-up', 0.3,
         sources=['intro', 'packer'], programs=['odraz-safe', 'pack_film'], targets=['film'],
@@ -38,9 +38,9 @@ SECTIONS = [
         parts=[
             table(film.start, '; seen = seconds until its window is seen; first = until the first picture; '
                   'mb = MB resident at most'),
-            '''The median run by its first picture, with the hall solved; seconds of a clock, which start when the
-            program's first part runs. The packed film decodes itself while the bar grows, and gives the decoder's
-            memory back before the first picture.''']),
+            '''The run with the median time until its first picture, with the hall solved. The clock starts when the
+            first instruction of the program runs. The packed film decodes itself while the bar grows, and frees the
+            decoder's memory before the first picture.''']),
     Section(
         'film', 'The film, played', 1.0,
         sources=['intro'], programs=['odraz-safe', 'seen'], packages=['xvfb'],
@@ -49,9 +49,9 @@ SECTIONS = [
                 missed = sixtieths of a second without a new one; trace_ms = ms to trace: median; trace_95 = 95 %;
                 between_ms = ms to make one between: median; between_95 = 95 %; show_ms = ms to show: median;
                 show_95 = 95 %; samples = samples a traced pixel; width = pixels traced across'''),
-            'All of it: {shown} pictures a second shown, {traced} traced.',
-            '''{piece} seconds around every other cut between scenes, at 1280x720, on a display in memory with software
-            OpenGL, which runs on the same cores. The governor is on, and times are of a clock.''']),
+            'Over all scenes: {shown} pictures a second were shown, {traced} traced.',
+            '''{piece} seconds around every other cut between scenes were played at 1280x720, on a display in memory
+            with software OpenGL, which runs on the same cores. The governor is on. Times are by the clock.''']),
     Section(
         'seen', 'What a viewer sees, by machine and screen', 2.5,
         sources=['intro/play', 'intro/timeline', 'intro/trace', 'intro/show', 'tools/measure/seen',
@@ -60,18 +60,18 @@ SECTIONS = [
         parts=[
             film.count_costs,
             matrix(film.seen, 'screen: G instructions'),
-            '''The film's own player and governor, simulated on machines of G times 10^9 instructions a second, 7 of
-            them a core, with counted costs (`seen/costs.csv`); in-betweens cost what they do at the gap at which they
-            are made. A cell has the PSNR in sRGB (dB), FLIP, and the number of pictures shown in a second of the scene.
-            The picture on the screen at each sixtieth of a second is compared with `film` of that moment: a tenth of a
-            second in the middle of each shot, on a screen of 320x180 with all pictures smaller alike. So machines and
-            screens differ by the number of pictures they show and by how well these are traced.''',
+            '''The film's own player and governor, simulated on machines of G times 10^9 instructions a second, with
+            7 G a core. The costs of pictures are counted (`seen/costs.csv`), for in-betweens by their gap. A cell has
+            the PSNR in sRGB (dB), FLIP, and the number of pictures shown in a second of the scene. At each sixtieth of
+            a second the picture on the screen is compared with the same moment in `film` quality, for a tenth of a
+            second in the middle of each shot. All pictures are shrunk alike, to a screen of 320x180. So machines and
+            screens differ in the number of pictures and in their quality.''',
             'This machine, played and simulated:',
             table(film.played_and_simulated, '''scene; giga = G instructions; shown = shown a second: played;
                 model_shown = simulated; change = change (%); traced = traced a second: played;
                 model_traced = simulated; level = level: played; model_level = simulated'''),
             '''Pictures shown and traced in a second of the scene, at 1280x720, on a display in memory, whose software
-            OpenGL runs on the same cores; the level is 0 for `film`, 1 for `play`, 2 for `draft`.''']),
+            OpenGL runs on the same cores. The level is 0 for `film`, 1 for `play`, 2 for `draft`.''']),
     Section(
         'page', 'The film as a page', 3.6,
         sources=['intro', 'packer/model', 'packer/web', 'tests/programs/web/browser.mjs',
@@ -80,43 +80,43 @@ SECTIONS = [
         packages=['nodejs', 'chromium', 'firefox-esr', 'xvfb'],
         parts=[
             table(film.page_size, '; bytes'),
-            'Scripts and program are coded by the packer\'s model with a parser of WebAssembly.',
+            'Scripts and program are coded by the packer\'s model, with a parser of WebAssembly.',
             table(film.page_times, '''second = from (s); native = native: ms a picture; chromium = Chromium;
                 firefox = Firefox; times_chromium = Chromium to native; times_firefox = Firefox to native'''),
-            '''Pictures of 1280x720 in `draft`, a second of the film from there, one thread: processor time of the
-            native film, the clock's of one of the page's workers, as the median, once the browser has optimised the
-            program. The geometric mean is {ratio} in Chromium.''',
+            '''Pictures of 1280x720 in `draft`, during one second of the film, on one thread. For the native film it is
+            the processor time; for the page it is the median time by the clock of a worker, after the browser has
+            optimised the program. The geometric mean of Chromium to native is {ratio}.''',
             table(film.page_play, '''browser; opens = s until the page is there; first = s from the click to the first
                 picture; before = MB before the click; most = MB at most'''),
             matrix(film.page_scenes, 'scene'),
-            '''{piece} seconds around every other cut between scenes, so that all are played, in a window of 1280x720.
-            Firefox draws on a display in memory by software OpenGL, Chromium without a display; both by the same two
-            cores that trace. Memory is the proportional set of the process that shows the page.''',
+            '''{piece} seconds around every other cut between scenes were played in a window of 1280x720. Firefox draws
+            on a display in memory by software OpenGL, Chromium without a display; both use the two cores that also
+            trace. Memory is the proportional set size of the process that shows the page.''',
             matrix(film.page_seen, 'G instructions a second'),
-            '''Simulated: what a viewer sees at 1280x720, as in "What a viewer sees, by machine and screen", by the
-            page's own player, a worker a core, where a picture costs {ratio} times as much as natively: the PSNR in
-            sRGB (dB) and FLIP. A core of x86-64 has 7 G. On ARM64 the page takes 3.2 to 3.7 times the instructions of
-            the native film on x86-64, counted once under an emulator.''']),
+            '''What a viewer sees at 1280x720, simulated as in "What a viewer sees, by machine and screen", but with the
+            page's own player, one worker per core, and pictures that cost {ratio} times as much as natively: the PSNR
+            in sRGB (dB) and FLIP. A core of x86-64 has 7 G. On ARM64 the page takes 3.2 to 3.7 times the instructions
+            of the native film on x86-64, counted once under an emulator.''']),
     Section(
         'scenes', 'The tracer: qualities, knobs, and the parts of a picture', 2.0,
         sources=['intro/base', 'intro/trace', 'intro/show', 'intro/transfer', 'tools/measure/bench'],
         programs=['tradeoff', 'trace_once'], packages=['valgrind'],
         parts=[
             tracer.qualities,
-            '''1280x720, one thread, against 256 samples a pixel: mean FLIP (67 pixels per degree), PSNR in linear light
-            and in sRGB; times are those of traceFrame. **A**, ten balls on a checker with noise, two lights, mirrors
-            and glass, is a scene for other tracers, too (`trace_once pov A` writes it for POV-Ray); the others are the
-            film's.''',
+            '''Pictures of 1280x720, traced by traceFrame on one thread and compared with 256 samples a pixel: mean FLIP
+            (67 pixels per degree), PSNR in linear light and in sRGB. **A** has ten balls on a checker with noise, two
+            lights, mirrors and glass; other tracers can draw it as well (`trace_once pov A` prints it for POV-Ray). The
+            other scenes are the film's.''',
             matrix(tracer.parts_of_pictures, 'M instructions at 320x180'),
-            '''Posing builds the tree and, in the hall, sums its light for the hour; glare spreads light; development
-            turns linear light into the picture shown; the other rows are traceFrame at that quality. Callgrind counts
-            on one thread.''',
+            '''Posing builds the tree, and in the hall it also sums the light of the hour. Glare spreads light.
+            Development turns linear light into the shown picture. The other rows are traceFrame at that quality.
+            Callgrind counts on one thread.''',
             table(tracer.knobs, '''setting = A; cpu_ms = ms; instructions = M instructions at 320x180;
                 mean_flip = mean FLIP; linear_psnr_db = linear dB; srgb_psnr_db = sRGB dB;
                 samples_per_pixel = samples a pixel'''),
-            '''The named qualities, plain grids, the levels between qualities that the governor uses, and `play` with
-            one knob turned at a time. A plain grid spends samples where the picture is smooth and lacks them where it
-            is not: the qualities are better at the same cost.''']),
+            '''The named qualities, plain grids, the governor's levels between qualities, and `play` with one knob
+            changed at a time. A plain grid spends samples where the picture is smooth and lacks them where it is not,
+            so the qualities are better at the same cost.''']),
     Section(
         'povray', 'Against POV-Ray, on A and B', 1.0,
         sources=['intro/base', 'intro/trace', 'tools/measure/bench'],
@@ -124,10 +124,10 @@ SECTIONS = [
         parts=[
             tracer.against_povray('A'),
             tracer.against_povray('B'),
-            '''One run of Debian's POV-Ray and of odraz. Each picture is compared with one by the same tracer that has
-            many samples in every pixel, 144 or 256: mean FLIP (67 pixels per degree), PSNR in linear light and in sRGB.
-            POV-Ray's times and instructions are those of its whole run, with reading the scene and writing the picture.
-            In **B**, a sphereflake of 7,381 balls, everything is edges.''']),
+            '''One run of Debian's POV-Ray and of odraz. Each picture is compared with a picture of the same tracer with
+            144 or 256 samples in every pixel: mean FLIP (67 pixels per degree), PSNR in linear light and in sRGB.
+            POV-Ray's times and instructions are for its whole run, which also reads the scene and writes the picture.
+            **B**, a sphereflake of 7,381 balls, has edges in every pixel.''']),
     Section(
         'packers', 'The packer against others, and what search, contexts and memory buy', 0.8,
         sources=['packer', 'tools/measure/bench/bench_pack.cpp'],
@@ -135,15 +135,15 @@ SECTIONS = [
         parts=[
             methods.packers,
             methods.pack_instructions,
-            '''Payloads in bytes, of parts of the instructions of this film and of system libraries; the packer uses its
-            default contexts, without search. The last row has the contexts that ship, which may be newer than the
-            default ones. Packers and libraries that are not installed are left out. The last columns are this packer's
-            payload as a share of xz's and zpaq's, and its time.''',
+            '''Payloads, in bytes, of parts of the instructions of this film and of system libraries. The packer uses
+            its default contexts without a search. The last row uses the contexts that ship, which may be newer.
+            Packers and libraries that are not installed are left out. The last columns are this packer's payload
+            relative to xz's and zpaq's, and its speed.''',
             table(methods.models, '''; payload = payload in bytes; encode_s = s to encode;
                 decode_kb_s = KB decoded a second; memory_mb = MB'''),
-            '''The whole film. "Contexts" and "slots" start from the contexts that ship, with a short search to adapt if
-            their number changes. "Search" starts from contexts of two to four neighbouring fields each: those that
-            ship, which are the default ones, have been searched for.''']),
+            '''The whole film. "Contexts" and "slots" start from the contexts that ship; if the number of contexts
+            changes, a short search adapts them. "Search" starts from contexts of two to four neighbouring fields each,
+            since the contexts that ship are already the result of a search.''']),
     Section(
         'radiosity', "Radiosity: whole solutions of the thesis's sizes", 1.5,
         sources=['intro/radiosity', 'tools/radiosity', 'tools/measure/bench/bench_radiosity.cpp'],
@@ -151,11 +151,11 @@ SECTIONS = [
         parts=[
             printed('build/bench_radiosity'),
             methods.columns,
-            '''Whole solutions by rays; "columns" have at least as many elements as triangles; reading is left out. The
-            thesis's seconds, at 100 x 100 pixels on a dual-core Athlon with a GeForce 7600 GT, stand beside them.
-            "Cave" is a soup: no two of its triangles lie in one plane, and many of them are its lamp. "Vault" and
-            "terrain" have many small planes. Rows with errors are the median of three runs. Errors are against path
-            tracing at places spread by area; its own noise is subtracted from the rms.''']),
+            '''Whole solutions by rays, without reading the model. "Columns" has at least as many elements as triangles.
+            The thesis's seconds are for 100 x 100 pixels on a dual-core Athlon with a GeForce 7600 GT. In "cave" no two
+            triangles lie in one plane, and many of them are lamps. "Vault" and "terrain" have many small planes. Rows
+            with errors have the median time of three runs. Errors are against path tracing, at points spread by area;
+            the noise of path tracing is subtracted from the rms.''']),
     Section(
         'transfer', "Transfer: the film's hall, and any model", 1.0,
         sources=['intro/radiosity', 'intro/transfer', 'intro/show/daylight.cpp', 'intro/show/hall.cpp',
@@ -166,18 +166,18 @@ SECTIONS = [
         parts=[
             printed('build/bench_transfer'),
             methods.posing,
-            '''The last table is the error of the relit hall against radiosity solutions made for exactly that sky and
-            sun, from the same form factors. Night, lanterns and strips are exact by construction, except for the
-            night's clouds.''',
+            '''The last table has the errors of the relit hall against radiosity solutions for exactly that sky and sun,
+            from the same form factors. Night, lanterns and strips are exact by construction, except for the night's
+            clouds.''',
             matrix(methods.environments, 'the vault by environment and bands: rms %, by rows / by clusters'),
             methods.subspaces,
-            '''The vault has {vault}, and clusters of the usual number. The second table has five bands, and the same
-            memory in clusters (CPCA) or in one subspace (PCA). Each is compared with a solution for that light alone,
-            by the other solver, from the same rays. "Of the light" is the worst of the five environments. Clusters grow
-            with the bands, four for each function.''',
+            '''The vault has {vault} and the default number of clusters, four for each function of the bands. The second
+            table has five bands, stored in the same memory as clusters (CPCA) or as one subspace (PCA). Each is
+            compared with a solution for that light alone, made by the other solver from the same rays. "Of the light" is the
+            worst of the five environments.''',
             table(methods.turning, 'light; rate = pictures a second; ms = processor ms a picture'),
-            '''The hall of columns, {columns}, with a glossy floor and four lamps, while a picture of the sky turns that
-            lights all bands (the hall is closed, but the work is the same), on software OpenGL.''']),
+            '''The hall of columns, {columns}, with a glossy floor and four lamps, on software OpenGL, while a sky turns
+            that lights all bands. No sky is seen from the closed hall, but the work is the same.''']),
     Section(
         'proofs', 'What tests find, against closed forms and references', 0.3,
         sources=['intro/base', 'intro/trace', 'intro/sound', 'intro/radiosity', 'intro/transfer',
@@ -185,7 +185,7 @@ SECTIONS = [
         programs=[f'tests/{room}_tests' for room in methods.TESTS], packages=['libgtest-dev'],
         parts=[
             table(methods.proofs, 'test; figure'),
-            '''The same tests fail where a figure is worse than its limit. A pixel is wrong where `play` shows another
-            shape than a ray through its middle meets, and off where it differs from the same picture traced with no
-            square wider than a pixel. The oracle of the extremes works in double precision.''']),
+            '''These tests fail if a figure is worse than its limit. A pixel is "wrong" if `play` shows another shape
+            than a ray through its centre hits. It is "off" if it differs from the same picture traced with no square
+            wider than a pixel. The reference for extremes works in double precision.''']),
 ]

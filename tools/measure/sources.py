@@ -1,5 +1,5 @@
-"""What is stale. A section is fresh while its sources read the same but for comments and blanks, or while its programs,
-built of them, hold the same code: so a renamed local changes nothing."""
+"""Decides which sections are stale. A section is fresh while its sources are the same apart from comments and blanks,
+or while the programs built from them contain the same code. So a renamed local makes nothing stale."""
 import hashlib
 import re
 import subprocess
@@ -11,9 +11,9 @@ from machine import SOURCE, Failed
 
 LEFT_OUT = re.compile(r'\.md$|^intro/(maker/|main_debug\.cpp)')
 C_LIKE = re.compile(r'\.(cpp|h|c|S|ld|js|mjs|css)$')
-NAMING = re.compile(r'version\.cmake|/answers\.cpp|\.elf$|/\w+-safe$')  # steps of a build that write the commit's name
+NAMING = re.compile(r'version\.cmake|/answers\.cpp|\.elf$|/\w+-safe$')  # build steps that write the commit's name
 COMPILED = re.compile(r'\.(cpp|h|c|S|ld|js|html|model)$|CMakeLists\.txt$')
-# Strings, comments, words (with digits' separators), and all other characters but blanks
+# Strings, comments, words (numbers with separators), and all other characters but blanks
 TOKENS = re.compile(r'''R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|`(?:\\.|[^`\\])*`'''
                     r'''|//[^\n]*|/\*.*?\*/|[0-9][\w'.]*|\w+|[^\w\s]''', re.S)
 
@@ -25,12 +25,12 @@ def short(data):
 def git(*words):
     done = subprocess.run(['git', '-C', str(SOURCE), *words], capture_output=True, text=True)
     if done.returncode:
-        raise Failed(f'{SOURCE} is no checkout: git finds what is stale')
+        raise Failed(f'{SOURCE} is not a git repository, which is needed to find stale sections')
     return done.stdout
 
 
 def commit(paths):
-    """The commit, and a + if one of these differs from it."""
+    """The current commit, followed by + if one of the paths has changed since."""
     return git('rev-parse', '--short=12', 'HEAD').strip() + ('+' if git('status', '--porcelain', '--', *paths) else '')
 
 
@@ -46,7 +46,7 @@ def inside(source):
 
 @lru_cache(None)
 def read(name):
-    """What a file says, without comments and blanks."""
+    """The content of a file without comments and blanks."""
     data = (SOURCE / name).read_bytes()
     try:
         text = data.decode()
@@ -61,14 +61,14 @@ def read(name):
 
 @lru_cache(None)
 def written(source):
-    """A hash of a file or folder."""
+    """A hash of the text of a file or folder."""
     return short(b'\0'.join(name.encode() + b'\0' + read(name) for name in inside(source)))
 
 
-# --- What was built ---
+# --- Built programs ---
 
 def contents(path, *options):
-    """What a program holds in memory, without the names of symbols and what debuggers need; of a page, all."""
+    """A program's content in memory, without symbols and debug information; the whole file if it is a page."""
     with tempfile.TemporaryDirectory() as folder:
         to = Path(folder) / 'contents'
         subprocess.run(['objcopy', '-O', 'binary', '-R', '.note*', *options, str(path), str(to)], capture_output=True)
@@ -77,13 +77,13 @@ def contents(path, *options):
 
 @lru_cache(None)
 def code(path):
-    """A hash of a program, but for its commit's name."""
+    """A hash of a program without its commit's name."""
     return short(re.sub(rb' [0-9a-f]{12}\n', b'', contents(path)))
 
 
 @lru_cache(None)
 def current(build, program):
-    """Whether it was built of what the sources say now: nothing but the commit's name would be compiled and linked."""
+    """Whether a program is up to date: a build would write nothing but the commit's name."""
     try:
         plan = subprocess.run(['ninja', '-C', str(build), '-n', program], capture_output=True, text=True)
     except OSError:
@@ -93,14 +93,14 @@ def current(build, program):
 
 
 def built(section, build):
-    """The code of a section's programs, but of those that were not built since."""
+    """The hashes of those programs of a section that are up to date."""
     return [f'{program} {code(build / program)}' for program in section.programs if current(build, program)]
 
 
 # --- Sections ---
 
 def record_of(section, build):
-    """What is written above a section: the commit; its sources; the code of its programs."""
+    """The record of a section: the commit; hashes of its sources; hashes of its programs."""
     for cached in (files, read, written, code, current):
         cached.cache_clear()  # measuring may have written files
     then = [f'{source} {written(source)}' for source in section.sources]
@@ -108,15 +108,15 @@ def record_of(section, build):
 
 
 def verdict(section, record, build):
-    """Nothing if the section is fresh; else a line with the reason."""
+    """Empty if the section is fresh, else a line with the reason."""
     if not record:
-        return f'unmeasured: {section.name}: tools/measure/all --only {section.name}, {section.minutes:g} minutes'
+        return f'unmeasured: {section.name}: run tools/measure/all --only {section.name}, {section.minutes:g} minutes'
     for source in section.sources:
         if not inside(source):
-            return f'unknown: {section.name} measures {source}, which git does not have'
+            return f'unknown: {section.name} needs {source}, which git does not have'
     measured, then, programs = (part.split(', ') for part in (record + '; ; ').split('; ')[:3])
     changed = [source for source in section.sources if f'{source} {written(source)}' not in then]
     compiled = all(COMPILED.search(source) or (SOURCE / source).is_dir() for source in changed)
     if not changed or compiled and len(programs) == len(section.programs) and built(section, build) == programs:
         return ''
-    return f'stale: {section.name}: since {measured[0]} {" ".join(changed)}'
+    return f'stale: {section.name}: changed since {measured[0]}: {" ".join(changed)}'

@@ -1,4 +1,4 @@
-"""What is measured of the tracer: its qualities, their knobs, the parts of a picture; and POV-Ray's pictures."""
+"""Measurements of the tracer: its qualities, their knobs, the parts of a picture; and the comparison with POV-Ray."""
 import re
 
 import counting
@@ -7,8 +7,8 @@ from parts import markdown, rows
 
 SCENES = 'A', 'table', 'flake', 'hall', 'credits'
 SETTINGS = 'draft', 'play', 'film', 'play,grid=1'
-SMALL = '320x180'  # where instructions are counted
-# What is said of a setting in a table
+SMALL = '320x180'  # size at which instructions are counted
+# The names of settings in tables
 TITLES = {'play,grid=1': 'one sample a pixel', 'play,grid=2': 'four samples a pixel', 'play,fine=1':
           'twelve samples inside pixels', **{f'level={level}': f'{"film" if level < 1 else "play"} to '
           f'{"play" if level < 1 else "draft"}, {level % 1:g}' for level in (0.25, 0.5, 0.75, 1.25, 1.5, 1.75)}}
@@ -24,19 +24,19 @@ def title(setting):
 
 
 def references(machine):
-    """A folder with the pictures to compare with. They take longest and are not timed: all processors trace them."""
+    """Makes a folder with the reference pictures. They take longest and are not timed, so all processors trace them."""
     (machine.work / 'references').mkdir()
     say('tracing 256 samples a pixel')
-    at_once(lambda scene: machine.run(f'build/tradeoff trace --references references --setting draft --rounds 1 '
+    at_once(lambda scene: machine.run(f'build/tradeoff --references references --setting draft --rounds 1 '
                                       f'--scene {scene}', noted=False), SCENES)
     return 'references'
 
 
 def measured(machine, scenes, settings, more):
-    command = ['build/tradeoff', 'trace', *more.split()]
+    command = ['build/tradeoff', *more.split()]
     command += [word for scene in scenes for word in ('--scene', scene)]
     command += [word for setting in settings for word in ('--setting', setting)]
-    # (the CSV has blanks where a setting has commas)
+    # The CSV has blanks in place of the commas of a setting
     return [{**row, 'setting': row['setting'].replace(' ', ',')} for row in rows(machine.run(command))]
 
 
@@ -45,14 +45,14 @@ def millions(count):
 
 
 def counts(machine):
-    """Instructions by scene and setting or part."""
+    """Counts the instructions by scene and setting or part."""
     machine.note(f'tools/measure/bench/instructions --parts --size {SMALL} ' + ' '.join(
         f'--setting {setting}' for setting in SETTINGS))
     return counting.pictures(machine, SCENES, SETTINGS, SMALL, ('posing', 'glare', 'development'))
 
 
 def qualities(machine):
-    """A table for each measure."""
+    """A table for each quantity."""
     found = measured(machine, SCENES, SETTINGS, f'--references {machine.once(references)}')
 
     def by_scene(head, value):
@@ -77,7 +77,7 @@ def knobs(machine):
 
 # --- POV-Ray ---
 
-PEER = {'A': 640, 'B': 320}  # widths: B has edges in every pixel, which takes time
+PEER = {'A': 640, 'B': 320}  # widths of the pictures; B has edges in every pixel, which takes time
 PEER_OPTIONS = '-A', '+AM2 +A0.1 +R3', '+AM2 +A0.3 +R3'
 PEER_SETTINGS = 'play,grid=1', 'draft', 'play', 'film'
 
@@ -87,8 +87,8 @@ def povray(options, scene, picture, width):
 
 
 def povray_rows(machine, scene):
-    """Each picture is compared with one by the same tracer that has 144 samples a pixel: a picture four times as wide
-    and high with nine samples in every pixel, linear, averaged."""
+    """Yields rows of POV-Ray's pictures. The reference has 144 samples a pixel: the linear mean of a picture of four
+    times the width and height with nine samples in every pixel."""
     width, small = PEER[scene], PEER[scene] // 4
     all_samples = '+AM1 +A0.0 +R3 -J File_Gamma=1.0 Bits_Per_Color=16'
     machine.run(povray(all_samples, scene, 'large.png', width * 4), noted=False)

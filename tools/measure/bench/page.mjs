@@ -1,7 +1,9 @@
-// node page.mjs times chromium|firefox PAGE SECONDS...: what a picture of 1280x720 takes one worker, in `draft`: a CSV
-// node page.mjs play chromium|firefox PAGE LENGTH SECONDS...: opens the page, clicks it, and plays so many seconds from
-// each of these: what `--stats` prints, then a line "page,opens,first,MB before,MB at most": seconds, and memory of the
-// page's process. Firefox needs a display.
+// node page.mjs times chromium|firefox PAGE SECOND...: prints the time of a picture of 1280x720 in `draft` on one
+// worker, as a CSV.
+// node page.mjs play chromium|firefox PAGE LENGTH SECOND...: opens the page, clicks it, and plays LENGTH seconds from
+// each SECOND. Prints the table of `--stats`, then a line "page,opens,first,MB before,MB at most": the seconds until
+// the page is ready and from the click to the first picture, and the memory of the page's process.
+// Firefox needs a display.
 import { readFileSync, readdirSync } from 'node:fs'
 import { open, later } from '../../../tests/programs/web/browser.mjs'
 
@@ -9,24 +11,24 @@ const [what, kind, page, ...words] = process.argv.slice(2)
 const kWarm = 15, kTimed = 15, kFps = 15
 const until = async (b, ready) => {
   for (let i = 0; i < 3000; ++i, await later(100)) if (await b.evaluate(ready)) return
-  throw Error(`${kind} never came to ${ready}: ${JSON.stringify(await b.evaluate("self.film?.state()"))}`)
+  throw Error(`${kind}: ${ready} is still false after 300 s: ${JSON.stringify(await b.evaluate("self.film?.state()"))}`)
 }
 
-// The proportional set size of the process that shows the page, in MB: the largest, since others are kept in reserve
+// The proportional set size, in MB, of the process that shows the page: the largest, since others are spare ones
 const memory = child => {
   const parents = new Map, shows = new Set
   for (const id of readdirSync('/proc').filter(id => +id))
     try {
       parents.set(id, readFileSync(`/proc/${id}/stat`, 'utf8').replace(/.*\) . /, '').split(' ')[0])
       if (/--type=renderer|contentproc.*\btab\b/.test(readFileSync(`/proc/${id}/cmdline`, 'latin1'))) shows.add(id)
-    } catch {} // it has ended
+    } catch {} // the process has ended
   const below = id => id == child.pid || parents.has(id) && below(parents.get(id))
   const kib = [...shows].filter(below).map(id =>
     +readFileSync(`/proc/${id}/smaps_rollup`, 'utf8').match(/^Pss: +(\d+)/m)[1])
   return Math.round(Math.max(...kib) / 1024)
 }
 
-// use(browser, seconds until the page is there)
+// Opens the page and calls use(browser, seconds until the page is ready)
 const opened = async (query, use) => {
   const began = performance.now(), b = await open(kind, `file://${page}?full=0&stats${query}`)
   try {
@@ -37,7 +39,7 @@ const opened = async (query, use) => {
   }
 }
 
-// The median time of a picture, in the page: one worker, which has made some before
+// Runs in the page: the median time of a picture on one worker that has already made `warm` pictures
 const traced = async (t, warm, timed, fps) => {
   const times = []
   let heard
@@ -58,7 +60,7 @@ const traced = async (t, warm, timed, fps) => {
 
 if (what == 'times')
   await opened('', async b => {
-    await until(b, 'film.state().hall') // which would take the processors meanwhile
+    await until(b, 'film.state().hall') // solving the hall would disturb the times
     console.log('second,ms')
     for (const t of words)
       console.log(`${t},${(await b.evaluate(`(${traced})(${t}, ${kWarm}, ${kTimed}, ${kFps})`)).toFixed(1)}`)

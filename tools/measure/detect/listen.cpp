@@ -9,7 +9,7 @@
 
 namespace odraz::measure {
 
-static void all(const Recording &r) {
+static void printAll(const Recording &r) {
     double dc = 0, last[2] = {};
     float peak = 0;
     int clipped = 0;
@@ -29,8 +29,8 @@ static void all(const Recording &r) {
                 10 * std::log10(last[0] / last[1] + 1e-20));
 }
 
-// Clicks stand out: the second difference of music is small beside that of a click.
-static void steps(const Recording &r) {
+// Finds clicks: the second difference at a click is much larger than around it.
+static void printLargestStep(const Recording &r) {
     double worst = 0;
     for (const std::vector<float> &side : r.side)
         for (size_t i = 12; i + 12 < side.size(); ++i) {
@@ -45,7 +45,7 @@ static void steps(const Recording &r) {
     std::printf("step,%.2f\n", worst);
 }
 
-static void scene(const Recording &r, const char *name, size_t from, size_t to) {
+static void printScene(const Recording &r, const char *name, size_t from, size_t to) {
     double ll = 1e-20, rr = 1e-20, lr = 0;
     for (size_t i = from; i < to && i < r.size(); ++i) {
         double a = (double)r.side[0][i], b = (double)r.side[1][i];
@@ -67,10 +67,10 @@ static void scene(const Recording &r, const char *name, size_t from, size_t to) 
     std::printf("\n");
 }
 
-static void onset(const Recording &r, const char *name, double row) {
+static void printOnset(const Recording &r, const char *name, double row) {
     int64_t at = (int64_t)(row / kRowsPerSecond * r.rate);
-    constexpr int kStep = 96; // 2 ms
-    constexpr int kReach = 31;
+    constexpr int kStep = 96;  // samples: 2 ms
+    constexpr int kReach = 31; // steps on either side of the row
     double best = -1, off = 0;
     std::vector<double> around;
     for (int i = -125; i <= 125; ++i) {
@@ -84,34 +84,35 @@ static void onset(const Recording &r, const char *name, double row) {
 
 static int run(common::CommandLine &line) {
     std::string path;
-    line.about("Measures the film's music, as odraz --wav writes it from the film's start. Prints CSV rows "
-               "of these kinds:");
+    line.about("Measures the film's music, as odraz --wav writes it from the film's start. Prints these CSV "
+               "rows:");
     line.notes(
-        "all,DC,CLIPPED,PEAK,LAST     mean of the worse side; samples at full scale; largest; dB of the last "
-        "0.1 s\n"
-        "step,LARGEST                 largest step between samples over what the 20 around it make likely\n"
+        "all,DC,CLIPPED,PEAK,LAST     largest mean of a side; samples at full scale; largest sample; dB of\n"
+        "                             the last 0.1 s\n"
+        "step,LARGEST                 the largest jump between samples, relative to the 20 samples around "
+        "it\n"
         "scene,NAME,RMS,CORRELATION,FLATNESS,OCTAVE...\n"
-        "                             dB; left with right; flatness of the spectrum from 2 to 12 kHz, 0 for\n"
-        "                             tones; shares of octaves from 31.25 Hz on\n"
-        "onset,NAME,ROW,OFF,STRENGTH  ms from a cut or an accent to the strongest onset within 62 ms; how "
-        "far\n"
-        "                             it is above the median around it\n"
-        "hit,ROW,RISE,BEFORE          a drum: ms until it is at full strength; dB of the 0.2 s before it");
-    line.argument("FILE.wav", path, "what odraz --wav wrote");
+        "                             dB; correlation of left and right; spectral flatness from 2 to 12 "
+        "kHz,\n"
+        "                             0 for tones; shares of the octaves from 31.25 Hz on\n"
+        "onset,NAME,ROW,OFF,STRENGTH  ms from a cut or an event to the strongest onset within 62 ms; the\n"
+        "                             ratio of that onset to the median around it\n"
+        "hit,ROW,RISE,BEFORE          a drum: ms until nine tenths of its amplitude; dB of the 0.2 s before");
+    line.argument("FILE.wav", path, "the file that odraz --wav wrote");
     line.parse();
     Recording r = readWav(path);
-    all(r);
-    steps(r);
+    printAll(r);
+    printLargestStep(r);
     auto sample = [&](double row) { return (size_t)(row / kRowsPerSecond * r.rate); };
     for (const SceneSpan &span : sceneSpans())
-        scene(r, kScenes[span.scene].name, sample(span.from), sample(span.to));
+        printScene(r, kScenes[span.scene].name, sample(span.from), sample(span.to));
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &s = kFilm.shots[i];
-        if (i) onset(r, "cut", (double)s.row);
+        if (i) printOnset(r, "cut", (double)s.row);
         if (s.row == s.storyRow)
             for (const Event &e : kEvents)
                 if (e.heard && e.scene == s.scene && s.row + e.row > 0)
-                    onset(r, ("event" + std::to_string(e.id)).c_str(), (double)(s.row + e.row));
+                    printOnset(r, ("event" + std::to_string(e.id)).c_str(), (double)(s.row + e.row));
     }
     for (int row : hitRows()) {
         int64_t at = (int64_t)sample(row);
