@@ -7,9 +7,10 @@ namespace odraz {
 namespace {
 
 struct SunAndSky {
-    float aside, height; // the sun's, degrees: from the windows' normal towards the entrance, and upwards
+    float azimuth,
+        elevation; // of the sun, degrees: from the windows' normal towards the entrance, and upwards
     Rgb sunlight;
-    Rgb low, high, glow; // the sky at the horizon, above, and about the sun
+    Rgb low, high, glow; // the sky at the horizon, above, and around the sun
 };
 constexpr SunAndSky kDay[] = {
     [kSunrise] =
@@ -30,8 +31,8 @@ constexpr SunAndSky kDay[] = {
 static_assert(sizeof kDay / sizeof *kDay == kHours);
 
 SunAndSky between(const SunAndSky &a, const SunAndSky &b, float t) {
-    return {lerp(a.aside, b.aside, t), lerp(a.height, b.height, t), lerp(a.sunlight, b.sunlight, t),
-            lerp(a.low, b.low, t),     lerp(a.high, b.high, t),     lerp(a.glow, b.glow, t)};
+    return {lerp(a.azimuth, b.azimuth, t), lerp(a.elevation, b.elevation, t), lerp(a.sunlight, b.sunlight, t),
+            lerp(a.low, b.low, t),         lerp(a.high, b.high, t),           lerp(a.glow, b.glow, t)};
 }
 
 } // namespace
@@ -39,7 +40,7 @@ SunAndSky between(const SunAndSky &a, const SunAndSky &b, float t) {
 Daylight daylightAt(float hour) {
     int before = min(max((int)hour, 0), kHours - 2);
     SunAndSky h = between(kDay[before], kDay[before + 1], hour - (float)before);
-    float a = h.aside * (kPi / 180), e = h.height * (kPi / 180);
+    float a = h.azimuth * (kPi / 180), e = h.elevation * (kPi / 180);
     Vec3 sun = {-cos(e) * cos(a), sin(e), cos(e) * sin(a)};
     Rgb ground = h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f));
     return {{h.low, (h.high - ground) * 0.5f, (h.high + ground) * 0.5f - h.low, -1, sun, h.glow * 0.25f,

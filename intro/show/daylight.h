@@ -1,18 +1,18 @@
-// The hours of the hall's day: sun and sky.
+// Sun and sky of the hall's day.
 #pragma once
 
 #include "trace/scene/sky.h"
 
 namespace odraz {
 
-// The hours that are given; all others lie between two of them.
+// The hours that are defined; all others are interpolated between two of them.
 enum Hour { kSunrise, kMorning, kForenoon, kNoon, kAfternoon, kEvening, kSunset, kNight, kHours };
 
-// The sky of an hour, kSunrise .. kNight, and its sun.
+// The sky and the sun of an hour, kSunrise .. kNight.
 struct Daylight {
     Sky sky;
-    Vec3 sunAt;   // world
-    Rgb sunlight; // irradiance / pi on what faces it
+    Vec3 sunAt;   // position in the world
+    Rgb sunlight; // irradiance / pi on a surface that faces the sun
 };
 Daylight daylightAt(float hour);
 

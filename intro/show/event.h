@@ -1,4 +1,4 @@
-// A row of events.h, whose enums name the scenes and the events of the film.
+// A row of the table in events.h, whose enums name the film's scenes and events.
 #pragma once
 
 #include <stdint.h>
@@ -11,7 +11,7 @@ enum EventId : uint8_t;
 struct Event {
     EventId id;
     SceneId scene;
-    int16_t row; // of the scene's story
+    int16_t row; // in the scene's story
     bool heard;  // whether music.h has a sound for it
 };
 

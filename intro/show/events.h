@@ -1,9 +1,7 @@
-// What happens in the film, and when: a table of rows that scenes, score and tests read, so that each stands
-// once.
+// What happens in the film, and when: one table of rows for scenes, score and tests.
 //
-// Rows count from the start of the scene's story, as its cameras' keys do (8 a second, 16 a bar): a scene
-// that moves takes its events with it. What is marked as heard has a sound in music.h, which begins on that
-// very row.
+// Rows count from the start of the scene's story, like its camera keys (8 a second, 16 a bar), so events move
+// with their scene. An event marked as heard has a sound in music.h, which begins on its row.
 #pragma once
 
 #include "base/rows.h"
@@ -18,7 +16,7 @@ enum EventId : uint8_t {
     kLightIsBorn, kLightGrows, kRimLightWakes, kCausticFalls, kWordComes, kWordStands,
     kBallsSetOff,
     kGeneration1, kGeneration2, kGeneration3,
-    kHallIsBlack, kPatchIsVisited, kHalfCubeRises, kHalfCubeOpens, kPatchTakesColour, kHalfCubeCloses,
+    kHallIsBlack, kPatchIsVisited, kHemicubeRises, kHemicubeOpens, kPatchTakesColour, kHemicubeCloses,
     kDirectLight, kBounce1, kBounce2, kBounce3, kPatchesMelt,
     kLamp1, kLamp2, kLamp3, kLamp3Dies, kLamp2Dies, kLamp1Dies, kLightReturns,
     kStrip1, kStrip2, kStrip3, kStrip4, kStrip5, kStrip6, kStrip7, kStrip8,
@@ -33,10 +31,10 @@ inline constexpr Event kEvents[] = {
     {kLightGrows,       kPoint,    16, true},
     {kRimLightWakes,    kPoint,    48, true},
     {kCausticFalls,     kPoint,    64, true},
-    {kWordComes,        kPoint,    80, true}, // and a stroke of it on every beat from then on
+    {kWordComes,        kPoint,    80, true}, // then a stroke on every beat
     {kWordStands,       kPoint,   112, true},
 
-    {kBallsSetOff,      kTable,    16, true}, // one ball a beat
+    {kBallsSetOff,      kTable,    16, true}, // one ball each beat
 
     {kGeneration1,      kFlake,    16, true},
     {kGeneration2,      kFlake,    32, true},
@@ -44,11 +42,11 @@ inline constexpr Event kEvents[] = {
 
     {kHallIsBlack,      kPatches,   0, true},
     {kPatchIsVisited,   kPatches,  16, true},
-    {kHalfCubeRises,    kPatches,  32, true},
-    {kHalfCubeOpens,    kPatches,  48, true},
+    {kHemicubeRises,    kPatches,  32, true},
+    {kHemicubeOpens,    kPatches,  48, true},
     {kPatchTakesColour, kPatches,  64, true},
-    {kHalfCubeCloses,   kPatches,  72, true},
-    {kDirectLight,      kPatches,  80, true}, // and a bounce a bar
+    {kHemicubeCloses,   kPatches,  72, true},
+    {kDirectLight,      kPatches,  80, true}, // then a bounce each bar
     {kBounce1,          kPatches,  96, true},
     {kBounce2,          kPatches, 112, true},
     {kBounce3,          kPatches, 128, true},
@@ -82,7 +80,7 @@ inline constexpr Event kEvents[] = {
     {kBall4Leaves,      kOdraz,    88, true},
     {kBall3Leaves,      kOdraz,    96, true},
     {kBall1Leaves,      kOdraz,   116, true},
-    {kWordIsFound,      kOdraz,   144, false}, // mirrored in the last ball: it stands behind the camera
+    {kWordIsFound,      kOdraz,   144, false}, // mirrored in the last ball; the word is behind the camera
     {kWordShines,       kOdraz,   160, true},
 
     {kLine1,            kCredits,   4, true},
@@ -92,7 +90,7 @@ inline constexpr Event kEvents[] = {
 // clang-format on
 static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event, in the enum's order");
 
-// The row of an event, for keys.
+// Returns the row of an event, for keys.
 consteval float rowOf(EventId event) { return kEvents[event].row; }
 
 // The rows of the big hits. The half beat before each is silent.

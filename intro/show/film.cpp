@@ -1,12 +1,12 @@
-// The shots. A bar is 16 rows; every cut falls on a bar.
+// The film's scenes and shots. A bar is 16 rows; every cut is on a bar.
 #include "show/length.h"
 #include "show/scenes.h"
 #include "timeline/keys.h"
 
 namespace odraz {
 
-// The penalties were measured by build/seen at `play` and near `film`, then adjusted by hand for the best
-// result on machines of 16 to 64 G instructions a second. tools/measure/seen/costs measures how much work a
+// build/seen measured the penalties at `play` and near `film`; then they were adjusted by hand for the best
+// result on machines of 16 to 64 G instructions a second. tools/measure/seen/costs measures the work that a
 // step of coarseness saves.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point",

@@ -6,8 +6,8 @@ namespace odraz {
 
 namespace {
 
-// Marks on a grid: baseline 0, lower-case height 8, figures and ascenders 12, descenders -4.
-// kLine x0 y0 x1 y1; kArc cx cy r start sweep, both in eighths of a turn, counter-clockwise from the right.
+// Strokes on a grid: baseline 0, lower-case height 8, digits and ascenders 12, descenders -4. kLine x0 y0 x1
+// y1. kArc cx cy r start sweep: angles in eighths of a turn, counter-clockwise from the right.
 enum : int8_t { kEnd = -100, kLine, kArc };
 #define L kLine,
 #define A kArc,
@@ -65,7 +65,7 @@ const int8_t kGlyphs[] = {
 #undef L
 #undef A
 
-constexpr int kMaxStrokes = 48, kArcPieces = 3; // pieces an eighth of a turn
+constexpr int kMaxStrokes = 48, kArcPieces = 3; // pieces per eighth of a turn
 
 struct Glyph {
     Stroke strokes[kMaxStrokes]; // grid units, y up
@@ -76,14 +76,14 @@ struct Glyph {
 Glyph glyph(char letter) {
     Glyph g = {{}, 0, 6};
     if (letter >= 'A' && letter <= 'Z') letter = (char)(letter - 'A' + 'a');
-    // Find it
+    // Find the letter
     const int8_t *p = kGlyphs;
     while (*p != kEnd && *p != letter) {
         while (*p != kEnd) p += *p == kLine ? 5 : *p == kArc ? 6 : 1;
         ++p;
     }
     if (*p == kEnd) return g;
-    // Straighten its arcs
+    // Add its strokes, with arcs as short lines
     float right = 0;
     auto add = [&](float x0, float y0, float x1, float y1) {
         g.strokes[g.count++] = {x0, y0, x1, y1};
@@ -126,26 +126,26 @@ void drawText(Frame &frame, const char *text, float x, float y, const TextStyle 
     }
 }
 
-void standText(Scene &scene, const char *text, const Vec3 &place, float unit, float rows, int material) {
-    constexpr float kBeat = 4, kPen = 8, kRadius = 0.42f; // rows; units a row; units
+void addText(Scene &scene, const char *text, const Vec3 &origin, float unit, float rows, int material) {
+    constexpr float kBeat = 4, kPen = 8, kRadius = 0.42f; // rows; units per row; units
     float x = 0, beat = -kBeat, pen = 0;
     for (const char *c = text; *c; ++c) {
         Glyph g = glyph(*c);
         bool before = false;
         for (int i = 0; i < g.count; ++i) {
             const Stroke &s = g.strokes[i];
-            Vec3 way = {s.x1 - s.x0, s.y1 - s.y0, 0};
-            float size = length(way);
-            bool arc = size < 1.5f; // arcs come in pieces, shorter than any line
+            Vec3 stroke = {s.x1 - s.x0, s.y1 - s.y0, 0};
+            float size = length(stroke);
+            bool arc = size < 1.5f; // the pieces of arcs are shorter than any line
             if (i == 0 || arc != before) pen = beat += kBeat;
             before = arc;
             float drawn = min((rows - pen) * kPen, size);
             pen += size * (1 / kPen);
             if (drawn <= 0) continue;
-            Vec3 along = way * (1 / size),
+            Vec3 along = stroke * (1 / size),
                  middle = Vec3{x + s.x0, kRadius + s.y0, 0} + along * (drawn * 0.5f);
             Shape *tube = scene.add(
-                cylinder(place + middle * unit, kRadius * unit, (drawn * 0.5f + 0.1f) * unit, material));
+                cylinder(origin + middle * unit, kRadius * unit, (drawn * 0.5f + 0.1f) * unit, material));
             tube->frame = {{along.y, -along.x, 0}, along, {0, 0, 1}};
         }
         x += g.advance + 0.5f;

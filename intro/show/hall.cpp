@@ -10,27 +10,27 @@ namespace odraz {
 
 namespace {
 
-constexpr float kDust = 0.012f; // share of light that dust scatters, a metre
+constexpr float kDust = 0.012f; // share of light that dust scatters per metre
 constexpr float kDoorLamp = 0.38f;
-constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // what bounces: the wall about the door stays dark and cold
+constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // bounced light: the wall around the door stays dark and cold
 constexpr Rgb kLanternLight = Rgb{33, 28, 21};
 
-// The door's colours: copper where the light entered, at the left, through white to the sky's. `far`: how far
-// they are from white; -1 exchanges the sides.
-Rgb stripLight(int i, float far) {
-    float s = fmadd((float)i, 2.f / 7, -1.f) * far;
+// Returns a strip's colour: from copper on the left, where the light entered, through white to sky blue.
+// `contrast`: the distance from white; -1 swaps the sides.
+Rgb stripLight(int i, float contrast) {
+    float s = fmadd((float)i, 2.f / 7, -1.f) * contrast;
     return {fmadd(s, -1.1f, 1.5f), fmadd(s * s, -0.75f, 1.7f), fmadd(s, 1.2f, 1.6f)};
 }
 
-// Blends a material (grey 0) with a grey that is the same for all (grey 1).
+// Blends a material (grey 0) with the same grey for all (grey 1).
 Material faded(Material m, float grey) {
     if (grey == 0) return m;
     m.diffuse = lerp(m.diffuse, 1.f, grey);
     for (Texture *t : {&m.texture, &m.other})
         for (Rgb &c : t->palette) c = lerp(c, Rgb{0.6f, 0.6f, 0.6f}, grey);
-    m.tint *= Rgb{1, 1, 1} * (1 - grey); // of what it mirrors
+    m.tint *= Rgb{1, 1, 1} * (1 - grey); // of reflections
     m.specular *= 1 - grey;
-    if (grey == 1) m.texture.pattern = Pattern::Plain, m.cell = 0; // no pattern is seen
+    if (grey == 1) m.texture.pattern = Pattern::Plain, m.cell = 0; // the pattern is invisible
     return m;
 }
 
@@ -44,12 +44,11 @@ static_assert(sizeof kParts / sizeof *kParts == kLantern);
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material *m : kParts) scene.add(faded(*m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
-    // Strips that do not burn are pale glass, in front of paler plaster. Those that do are tubes, whose
-    // middle is white hot
+    // Dark strips are pale glass in front of paler plaster. Lit strips are tubes with a white-hot middle
     for (int i = 0; i < kStrips; ++i) {
         float on = light.strips[i], round = min(on * 4, 1.f);
         Rgb own = stripLight(i, 1);
-        Material glass = lamp(own * own * on); // a stronger colour than that of their light
+        Material glass = lamp(own * own * on); // more saturated than their light
         glass.texture = {on > 0 ? Pattern::Tubes : Pattern::Plain, 2.5f, {}}, glass.diffuse = 0.6f;
         for (int k = 0; k < 4; ++k)
             glass.texture.palette[k] =
@@ -58,12 +57,11 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
     }
 }
 
-// Adds the beams of sun that are seen in the air. Windows are deep: light must pass both ends of the opening.
-// The columns at the far wall are left out, because their shadows lie within those of the near ones or
-// beyond.
+// Adds the visible beams of sun in the air. Windows are deep: light must pass both ends of the opening. The
+// columns at the far wall are left out, because their shadows are inside the near ones' or outside the hall.
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
-    // They get fainter as the sun sinks, because low ones would lie along the view and hide the hall
+    // Make them fainter as the sun sinks, because low beams would run along the view and hide the hall
     Rgb scatter = now.sunlight * (kDust * light.sun * saturate(fmadd(sun.y, 3.4f, -0.5f)));
     if (maxComponent(scatter) <= 0) return;
     float deep = kDeep / -sun.x, down = deep * sun.y, along = -deep * sun.z;
@@ -85,11 +83,11 @@ void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
 LightVector lightVector(const HallLight &light, const float *drawn) {
     LightVector v = {};
     Daylight now = daylightAt(light.hour);
-    now.sky.near = {}; // it counts as part of the sun
+    now.sky.near = {}; // counts as part of the sun
     if (light.hour < (float)kNight)
-        project(now.sky, v.bounced); // the night's is seen, but lights nothing: that is cheaper
-    // The sun's bounced light, interpolated between two positions; its direct light, as far as the tracer
-    // does not draw it
+        project(now.sky, v.bounced); // the night sky is visible but lights nothing, which is cheaper
+    // Interpolate the sun's bounced light between two positions, and add the direct light that the tracer
+    // does not draw
     float at = clamp(light.hour * 4, 0.f, (float)(kSuns - 1));
     int before = min((int)at, kSuns - 2);
     for (int i = 0; i < 2; ++i) {
@@ -99,12 +97,12 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
     }
     for (int i = 0; i < kLanterns; ++i) {
         Rgb own = kLanternLight * light.lanterns[i];
-        float from = clamp(light.guest.position.z / kLanternsApart, -1.f, 1.f) - (float)(i - 1),
-              share = saturate(1 - abs(from)) / (kLanternRadius * kLanternRadius);
-        v.bounced[kFirstLantern + i] = own + light.guest.intensity * share;
+        float offset = clamp(light.extra.position.z / kLanternSpacing, -1.f, 1.f) - (float)(i - 1),
+              share = saturate(1 - abs(offset)) / (kLanternRadius * kLanternRadius);
+        v.bounced[kFirstLantern + i] = own + light.extra.intensity * share;
         v.direct[kFirstLantern + i] = own * (1 - (drawn ? drawn[i] : 0));
     }
-    // What the tracer draws is taken from the lightmap; in shadows the rest has the other side's colour
+    // Subtract what the tracer draws from the lightmap; in shadows the rest has the other side's colour
     for (int i = 0; i < kStrips; ++i) {
         v.bounced[kFirstStrip + i] = stripLight(i, 1) * kBounced * light.strips[i];
         v.direct[kFirstStrip + i] =
@@ -138,10 +136,10 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     raiseShafts(scene.shafts, now, light);
     if (Rgb sun = now.sunlight * (light.sun * dot(now.sunAt, now.sunAt)); maxComponent(sun) > 0)
         scene.add(Light{now.sunAt, sun});
-    if (maxComponent(light.guest.intensity) > 0) scene.add(light.guest);
+    if (maxComponent(light.extra.intensity) > 0) scene.add(light.extra);
 
-    // The tracer draws the two strongest lanterns. One that exceeds the weakest by less than 15 % of its
-    // own light is drawn in part, so that nothing jumps when two change places
+    // Let the tracer draw the two strongest lanterns. A lantern that exceeds the weakest by less than 15 % of
+    // its own light is drawn in part, so that nothing jumps when the order changes
     float least = min(light.lanterns[0], min(light.lanterns[1], light.lanterns[2])), drawn[kLanterns] = {};
     for (int i = 0; i < kLanterns; ++i) {
         float on = light.lanterns[i];
@@ -155,10 +153,10 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     }
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
-    // The strips' lamp stands behind the middle of those that burn, so that shadows turn with the tune, and
-    // sends copper to the left and blue to the right. It stands behind the wall, so that it lights neither
-    // wall nor strips, and reaches through it. If it were more than 0.3 metres behind the wall, its light on
-    // the side walls would end at a strip on one side and at a gap on the other
+    // Add the strips' lamp. It is behind the centre of the lit strips, so that shadows turn with the tune,
+    // and sends copper to the left and blue to the right. It is behind the wall, so that it lights neither
+    // wall nor strips, and reaches through it. If it were more than 0.3 m behind the wall, its light on the
+    // side walls would end at a strip on one side and at a gap on the other
     Rgb burning = {};
     float aside = 0, on = 1e-6f;
     for (int i = 0; i < kStrips; ++i) {
@@ -169,8 +167,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     if (light.door * maxComponent(burning) > 0)
         scene.add(Light{{aside / on, 2.7f, -0.03f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
 
-    // Outside, sand to the horizon, a hill (no ball: those cost more), a pair of columns, until the door
-    // burns
+    // Add what is outside until the door is lit: sand to the horizon, a hill (not a ball: balls cost more)
+    // and a pair of columns
     if (grey + light.door == 0) {
         scene.add(box({0, -0.2f, 159}, {999, 0.1f, 350}, kSand));
         Shape hill = cylinder({100, -388, 600}, 406, 100, kSand);
@@ -179,7 +177,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         for (int i = 0; i < 2; ++i)
             scene.add(cylinder({kColumnX, 4, 16.f + 14 * (float)i}, kColumnRadius, 4, kWarm));
     }
-    // The ambient light of balls is the mean light of floor and ceiling
+    // Give balls the mean light of floor and ceiling as ambient light
     scene.ambientHigh = meanLight(hall, hall.floor);
     scene.ambientLow = meanLight(hall, hall.vault);
     scene.ballsOcclude = true;

@@ -7,8 +7,8 @@ namespace odraz {
 namespace {
 
 constexpr float kDoor = 1.75f, kDoorHeight = 3; // half width
-constexpr float kBeam = 0.15f;                  // half of a beam's width
-constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-kLanternsApart, 0, kLanternsApart};
+constexpr float kBeam = 0.15f;                  // half a beam's width
+constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-kLanternSpacing, 0, kLanternSpacing};
 
 void addColumn(Model &m, float x, float z) {
     m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.29f,
@@ -41,7 +41,7 @@ void build(Hall &hall) {
     Model &m = hall.model;
     Vec3 x = {2 * kX, 0, 0}, y = {0, kY, 0}, z = {0, 0, 2 * kZ};
     hall.floor = m.addRect({-kX, 0, -kZ}, z, x, kFloor, 0.42f);
-    // The ceiling, a chart for each bay: beams separate the light of the bays
+    // The ceiling has a chart for each bay, because beams separate the light of the bays
     for (int i = 0; i < 5; ++i) {
         float from = i ? kColumns[i - 1] + kBeam : -kZ, to = i < 4 ? kColumns[i] - kBeam : kZ;
         int bay = m.addRect({-kX, kY, from}, x, {0, 0, to - from}, kBeamX, 0.62f);
@@ -55,7 +55,7 @@ void build(Hall &hall) {
     m.addFacet(kX - kDoor, kDoorHeight, kX + kDoor, kY);
     m.addRect({kDoor, 0, kZ}, {-2 * kDoor, 0, 0}, {0, kDoorHeight, 0}, kWall, 1.39f, Model::kOpen);
     m.addRect({-kX, 0, -kZ}, x, y, kWall, 0.52f);
-    // The wall with the windows, in pieces, and the sides of its openings
+    // The wall with the windows, in pieces, and the sides of the openings
     m.addRect({-kX, 0, kZ}, -z, y, kWall, 0.42f, Model::kPieces);
     m.addFacet(0, 0, 2 * kZ, kSill);
     m.addFacet(0, kLintel, 2 * kZ, kY);
@@ -102,7 +102,7 @@ void addLamps(Hall &hall) {
 void buildHall(Hall &hall) {
     build(hall);
     addLamps(hall);
-    // The sizes above are those of patches; cells are half as large
+    // The sizes above are for patches; cells are half as large
     for (int i = 0; i < hall.model.chartCount; ++i)
         hall.model.charts[i].across *= 2, hall.model.charts[i].down *= 2;
 }

@@ -46,6 +46,6 @@ static_assert(
                 return false;
         return true;
     }(),
-    "groups of four partials, 32 at most, one of noise");
+    "4 to 32 partials in groups of four; noise has one group");
 
 } // namespace odraz

@@ -1,4 +1,4 @@
-// What the film's camera does to every picture.
+// The look of the film's camera, in every picture.
 #pragma once
 
 #include "trace/picture/development.h"

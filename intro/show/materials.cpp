@@ -2,14 +2,14 @@
 
 namespace odraz {
 
-// A colour in 256ths, which pack well.
+// A linear colour in 256ths, which pack well.
 static constexpr Rgb linear(float r, float g, float b) { return {r / 256, g / 256, b / 256}; }
 
 static constexpr Texture plain(Rgb c) {
     return {.pattern = Pattern::Plain, .scale = 1, .palette = {c, c, c, c}};
 }
 
-// Palettes run from the commonest colour to the rarest, or from one end of the pattern to the other.
+// Palettes go from the commonest colour to the rarest, or from one end of the pattern to the other.
 static constexpr Texture kBlackMarble = {
     .pattern = Pattern::Marble,
     .scale = 2.3f,
@@ -30,7 +30,7 @@ static constexpr Texture kPaleStone = {
     .pattern = Pattern::Stone,
     .scale = 60,
     .palette = {linear(148, 140, 124), linear(158, 150, 134), linear(164, 156, 140), linear(169, 161, 145)}};
-// Stained in patches and near the floor, and streaked by the trowel.
+// Plaster that is stained in patches and near the floor, with streaks of the trowel.
 static constexpr Texture plaster(Rgb c) {
     auto times = [&](float k) { return Rgb{c.x * k, c.y * k, c.z * k}; };
     return {.pattern = Pattern::Plaster,
@@ -112,7 +112,7 @@ Material pearl(bool warm, float reflect) {
             .reflect = reflect,
             .tint = warm ? linear(256, 169, 118) : linear(246, 248, 256)};
 }
-// Never inlined: it clears a whole material
+// Not inlined, to save bytes: it clears a whole material
 [[gnu::noinline]] Material lamp(const Rgb &radiance) { return {.texture = plain({}), .emit = radiance}; }
 
 Sky duskSky(float row, float late) {

@@ -1,4 +1,4 @@
-// The film's materials: stone greys and warm wood, one accent (copper), one cold (sky).
+// The film's materials: stone greys and warm wood, with a warm accent (copper) and a cold one (sky).
 #pragma once
 
 #include "trace/scene/scene.h"
@@ -11,14 +11,14 @@ extern const Material kBoards;     // a checker of stone and wood
 extern const Material kLimestone;  // columns of the hall
 extern const Material kHallFloor;  // a checker of two stones, polished
 extern const Material kPlaster, kWarmPlaster, kOutside;
-extern const Material kBeamAlong, kBeamAcross; // oak that runs along world z, or x
+extern const Material kBeamAlong, kBeamAcross; // oak with its grain along world z, or x
 extern const Material kGranite, kOak, kGlass, kMirror, kCopper;
 
-Material pearl(bool warm, float reflect); // copper if warm, else silver; reflect: how much of a mirror
-Material lamp(const Rgb &radiance);       // a body that only glows
+Material pearl(bool warm, float reflect); // copper if warm, else silver; reflect: reflectance as a mirror
+Material lamp(const Rgb &radiance);       // only emits
 
-// Dusk under clouds that drift with the rows and glow near the sun; late, 0 to 1, it is blue and the sun low.
-// kDuskSun: the sun's place, for a light.
+// Dusk under clouds that drift with the rows and glow near the sun. `late`, 0 .. 1: at 1 it is blue and the
+// sun is low. kDuskSun: the sun's position, for a light.
 Sky duskSky(float row, float late = 0);
 inline constexpr Vec3 kDuskSun = {-13.7f, 4.9f, 10.6f};
 

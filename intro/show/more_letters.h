@@ -1,5 +1,5 @@
-// Rows of font.cpp's table for letters that compilers' messages need and the film does not. Not in the
-// film: only `live` defines ODRAZ_MORE_LETTERS.
+// Rows of font.cpp's table for characters that only compilers' messages need. Only the target `live` defines
+// ODRAZ_MORE_LETTERS, so the film does not have them.
 
 // clang-format off
     '\'', L 0, 12, 0, 9, kEnd,

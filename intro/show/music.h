@@ -1,5 +1,5 @@
-// The film's music: a tune, chords by the bar, parts that play them, and the sounds of events. score.cpp
-// plays it.
+// The film's music: chords for each bar, parts that play them, and the sounds of events. score.cpp plays it;
+// tune.h has the tune.
 #pragma once
 
 #include "show/score.h"
@@ -8,8 +8,8 @@
 namespace odraz {
 
 // clang-format off
-// Scenes 4 and 5 share bars 32 to 64; the day has those from kDayBegins on. Its music counts from its end, and from the
-// first strip of the door. (A test compares it with the film.)
+// Scenes 4 and 5 share bars 32 to 64; the day begins at bar kDayBegins. Its music counts from its end, and from the
+// first strip of the door. (A test compares this with the film.)
 static constexpr uint8_t kDayBegins = 46, kLightless = kDayBegins - 32, kDay = 64 - kDayBegins,
                          kLight = kEvents[kDirectLight].row / 16, kDoor = kEvents[kStrip1].row / 16;
 static consteval uint8_t left(int bars) { return (uint8_t)(kDay - bars); }
@@ -24,103 +24,103 @@ constexpr const char *const kChords[] = {
     [kCredits] = "dddddd",
 };
 
-// Scene, bars from and to; instrument, octave, tones at once, room, how far left; strokes in rows; velocity at
-// the start and at the end; line.
+// .bars: from and to. .sound: instrument, octave, tones at once, room, per cent to the left. .strokes: their
+// number, and over how many rows. .velocity: at the start and at the end.
 static constexpr Part kParts[] = {
-    {kPoint, 0, 5, {kGlassDrop, 5, 1, 100}, 5, 64, 50, 60, "..D.aG"},
-    {kPoint, 0, 8, {kWind, 6, 1, 100}, 1, 32, 8, 16, "0"},
-    {kPoint, 5, 7, {kGlassDrop, 5, 1, 100}, 4, 16, 35, 60, "02140325"},
-    {kPoint, 5, 7, {kBrush, 7, 1, 100}, 4, 16, 15, 30, "a"},
-    {kPoint, 5, 8, {kPad, 3, 4, 100}, 1, 16, 30, 80, "0"},
-    {kPoint, 6, 8, {kRiser, 6, 1, 100}, 1, 32, 20, 20, "a"},
+    {.scene = kPoint, .bars = {0, 5}, .sound = {kGlassDrop, 5, 1, 100}, .strokes = {5, 64}, .velocity = {50, 60}, .line = "..D.aG"},
+    {.scene = kPoint, .bars = {0, 8}, .sound = {kWind, 6, 1, 100}, .strokes = {1, 32}, .velocity = {8, 16}, .line = "0"},
+    {.scene = kPoint, .bars = {5, 7}, .sound = {kGlassDrop, 5, 1, 100}, .strokes = {4, 16}, .velocity = {35, 60}, .line = "02140325"},
+    {.scene = kPoint, .bars = {5, 7}, .sound = {kBrush, 7, 1, 100}, .strokes = {4, 16}, .velocity = {15, 30}, .line = "a"},
+    {.scene = kPoint, .bars = {5, 8}, .sound = {kPad, 3, 4, 100}, .strokes = {1, 16}, .velocity = {30, 80}, .line = "0"},
+    {.scene = kPoint, .bars = {6, 8}, .sound = {kRiser, 6, 1, 100}, .strokes = {1, 32}, .velocity = {20, 20}, .line = "a"},
 
-    {kTable, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 80, 80, "a"},
-    {kTable, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
-    {kTable, 0, 12, {kPad, 3, 4, 100}, 1, 16, 40, 55, "0"},
-    {kTable, 0, 12, {kWind, 6, 1, 100}, 1, 32, 15, 25, "02"},
-    {kTable, 0, 8, {kBass, 2, 1, 0}, 2, 16, 60, 75, kBassLine},
-    {kTable, 8, 12, {kBass, 2, 1, 0}, 2, 16, 70, 80, "01"},
-    {kTable, 0, 8, {kPiano, 4, 1, 100}, 1, 4, 70, 80, kTune},
-    {kTable, 8, 12, {kPiano, 5, 1, 100}, 1, 4, 75, 70, kTune + kAnswer},
-    {kTable, 1, 3, {kWood, 4, 1, 100}, 4, 16, 50, 60, "0.214.35"},
-    {kTable, 3, 12, {kWood, 4, 1, 100}, 3, 16, 40, 55, "02143"},
-    {kTable, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 30, 50, "..a..aa."},
-    {kTable, 8, 12, {kGlassDrop, 5, 1, 100}, 5, 32, 25, 50, "42.31"},
+    {.scene = kTable, .bars = {0, 1}, .sound = {kDrum, 1, 1, 150}, .strokes = {1, 16}, .velocity = {80, 80}, .line = "a"},
+    {.scene = kTable, .bars = {0, 1}, .sound = {kImpact, 2, 1, 150}, .strokes = {1, 16}, .velocity = {40, 40}, .line = "D"},
+    {.scene = kTable, .bars = {0, 12}, .sound = {kPad, 3, 4, 100}, .strokes = {1, 16}, .velocity = {40, 55}, .line = "0"},
+    {.scene = kTable, .bars = {0, 12}, .sound = {kWind, 6, 1, 100}, .strokes = {1, 32}, .velocity = {15, 25}, .line = "02"},
+    {.scene = kTable, .bars = {0, 8}, .sound = {kBass, 2, 1, 0}, .strokes = {2, 16}, .velocity = {60, 75}, .line = kBassLine},
+    {.scene = kTable, .bars = {8, 12}, .sound = {kBass, 2, 1, 0}, .strokes = {2, 16}, .velocity = {70, 80}, .line = "01"},
+    {.scene = kTable, .bars = {0, 8}, .sound = {kPiano, 4, 1, 100}, .strokes = {1, 4}, .velocity = {70, 80}, .line = kTune},
+    {.scene = kTable, .bars = {8, 12}, .sound = {kPiano, 5, 1, 100}, .strokes = {1, 4}, .velocity = {75, 70}, .line = kTune + kAnswer},
+    {.scene = kTable, .bars = {1, 3}, .sound = {kWood, 4, 1, 100}, .strokes = {4, 16}, .velocity = {50, 60}, .line = "0.214.35"},
+    {.scene = kTable, .bars = {3, 12}, .sound = {kWood, 4, 1, 100}, .strokes = {3, 16}, .velocity = {40, 55}, .line = "02143"},
+    {.scene = kTable, .bars = {4, 12}, .sound = {kBrush, 7, 1, 100}, .strokes = {8, 16}, .velocity = {30, 50}, .line = "..a..aa."},
+    {.scene = kTable, .bars = {8, 12}, .sound = {kGlassDrop, 5, 1, 100}, .strokes = {5, 32}, .velocity = {25, 50}, .line = "42.31"},
 
-    {kFlake, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 80, 80, "a"},
-    {kFlake, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
-    {kFlake, 0, 6, {kBass, 2, 1, 0}, 2, 16, 60, 80, "01"},
-    {kFlake, 6, 10, {kBass, 2, 1, 0}, 8, 16, 80, 90, "0--0--1-"},
-    {kFlake, 6, 10, {kVoice, 2, 1, 100}, 1, 32, 60, 80, "1"},
-    {kFlake, 0, 4, {kPiano, 5, 1, 120}, 1, 4, 55, 70, kMirrored},
-    {kFlake, 1, 4, {kPiano, 4, 1, 100}, 8, 16, 35, 45, "0214352614253"},
-    {kFlake, 4, 12, {kPiano, 5, 1, 120}, 1, 4, 65, 85, "F-Gbd--bc-dec--dd-cbG--ac--de---"},
-    {kFlake, 2, 12, {kWood, 5, 1, 100}, 5, 16, 40, 70, "0314"},
-    {kFlake, 3, 12, {kGlassDrop, 6, 1, 100}, 7, 16, 20, 45, "46253"},
-    {kFlake, 4, 12, {kVoice, 4, 1, 100}, 1, 8, 60, 85, kTune},
-    {kFlake, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 25, 60, "..a..aa."},
-    {kFlake, 6, 12, {kPad, 3, 4, 100}, 1, 16, 35, 80, "0"},
-    {kFlake, 8, 12, {kPulse, 5, 1, 100}, 16, 16, 10, 60, "02132"},
-    {kFlake, 10, 12, {kRiser, 6, 1, 100}, 1, 32, 70, 70, "a"},
+    {.scene = kFlake, .bars = {0, 1}, .sound = {kDrum, 1, 1, 150}, .strokes = {1, 16}, .velocity = {80, 80}, .line = "a"},
+    {.scene = kFlake, .bars = {0, 1}, .sound = {kImpact, 2, 1, 150}, .strokes = {1, 16}, .velocity = {40, 40}, .line = "D"},
+    {.scene = kFlake, .bars = {0, 6}, .sound = {kBass, 2, 1, 0}, .strokes = {2, 16}, .velocity = {60, 80}, .line = "01"},
+    {.scene = kFlake, .bars = {6, 10}, .sound = {kBass, 2, 1, 0}, .strokes = {8, 16}, .velocity = {80, 90}, .line = "0--0--1-"},
+    {.scene = kFlake, .bars = {6, 10}, .sound = {kVoice, 2, 1, 100}, .strokes = {1, 32}, .velocity = {60, 80}, .line = "1"},
+    {.scene = kFlake, .bars = {0, 4}, .sound = {kPiano, 5, 1, 120}, .strokes = {1, 4}, .velocity = {55, 70}, .line = kMirrored},
+    {.scene = kFlake, .bars = {1, 4}, .sound = {kPiano, 4, 1, 100}, .strokes = {8, 16}, .velocity = {35, 45}, .line = "0214352614253"},
+    {.scene = kFlake, .bars = {4, 12}, .sound = {kPiano, 5, 1, 120}, .strokes = {1, 4}, .velocity = {65, 85}, .line = "F-Gbd--bc-dec--dd-cbG--ac--de---"},
+    {.scene = kFlake, .bars = {2, 12}, .sound = {kWood, 5, 1, 100}, .strokes = {5, 16}, .velocity = {40, 70}, .line = "0314"},
+    {.scene = kFlake, .bars = {3, 12}, .sound = {kGlassDrop, 6, 1, 100}, .strokes = {7, 16}, .velocity = {20, 45}, .line = "46253"},
+    {.scene = kFlake, .bars = {4, 12}, .sound = {kVoice, 4, 1, 100}, .strokes = {1, 8}, .velocity = {60, 85}, .line = kTune},
+    {.scene = kFlake, .bars = {4, 12}, .sound = {kBrush, 7, 1, 100}, .strokes = {8, 16}, .velocity = {25, 60}, .line = "..a..aa."},
+    {.scene = kFlake, .bars = {6, 12}, .sound = {kPad, 3, 4, 100}, .strokes = {1, 16}, .velocity = {35, 80}, .line = "0"},
+    {.scene = kFlake, .bars = {8, 12}, .sound = {kPulse, 5, 1, 100}, .strokes = {16, 16}, .velocity = {10, 60}, .line = "02132"},
+    {.scene = kFlake, .bars = {10, 12}, .sound = {kRiser, 6, 1, 100}, .strokes = {1, 32}, .velocity = {70, 70}, .line = "a"},
 
-    {kPatches, 0, kLight, {kPulse, 4, 1, 20}, 5, 16, 50, 70, "0"},
-    {kPatches, 1, kLight, {kWood, 5, 1, 20}, 7, 16, 40, 60, "2"},
-    {kPatches, 1, kLight, {kBrush, 8, 1, 20}, 5, 20, 20, 40, "D.DD.D."},
-    {kPatches, 2, kLight, {kPulse, 5, 1, 20}, 7, 20, 30, 50, "20412"},
-    {kPatches, kLight - 2, kLight, {kBass, 2, 1, 0}, 1, 16, 50, 80, "0"},
-    {kPatches, kLight, kLightless, {kPad, 3, 4, 60}, 1, 16, 50, 70, "0"},
-    {kPatches, kLight, kLightless, {kWind, 6, 1, 100}, 1, 16, 20, 20, "0241"},
-    {kPatches, kLight, kLightless, {kBass, 2, 1, 0}, 1, 16, 60, 80, "0"},
-    {kPatches, kLight + 3, kLight + 4, {kGlassDrop, 6, 1, 120}, 4, 16, 95, 95, ".024"}, // the photon's bounces
-    {kPatches, kLight + 4, kLightless, {kPiano, 4, 1, 120}, 5, 16, 35, 50, "0243125"},
-    {kPatches, kLightless - 4, kLightless, {kPiano, 5, 1, 120}, 1, 4, 65, 60, kMirrored},
+    {.scene = kPatches, .bars = {0, kLight}, .sound = {kPulse, 4, 1, 20}, .strokes = {5, 16}, .velocity = {50, 70}, .line = "0"},
+    {.scene = kPatches, .bars = {1, kLight}, .sound = {kWood, 5, 1, 20}, .strokes = {7, 16}, .velocity = {40, 60}, .line = "2"},
+    {.scene = kPatches, .bars = {1, kLight}, .sound = {kBrush, 8, 1, 20}, .strokes = {5, 20}, .velocity = {20, 40}, .line = "D.DD.D."},
+    {.scene = kPatches, .bars = {2, kLight}, .sound = {kPulse, 5, 1, 20}, .strokes = {7, 20}, .velocity = {30, 50}, .line = "20412"},
+    {.scene = kPatches, .bars = {kLight - 2, kLight}, .sound = {kBass, 2, 1, 0}, .strokes = {1, 16}, .velocity = {50, 80}, .line = "0"},
+    {.scene = kPatches, .bars = {kLight, kLightless}, .sound = {kPad, 3, 4, 60}, .strokes = {1, 16}, .velocity = {50, 70}, .line = "0"},
+    {.scene = kPatches, .bars = {kLight, kLightless}, .sound = {kWind, 6, 1, 100}, .strokes = {1, 16}, .velocity = {20, 20}, .line = "0241"},
+    {.scene = kPatches, .bars = {kLight, kLightless}, .sound = {kBass, 2, 1, 0}, .strokes = {1, 16}, .velocity = {60, 80}, .line = "0"},
+    {.scene = kPatches, .bars = {kLight + 3, kLight + 4}, .sound = {kGlassDrop, 6, 1, 120}, .strokes = {4, 16}, .velocity = {95, 95}, .line = ".024"}, // the photon's bounces
+    {.scene = kPatches, .bars = {kLight + 4, kLightless}, .sound = {kPiano, 4, 1, 120}, .strokes = {5, 16}, .velocity = {35, 50}, .line = "0243125"},
+    {.scene = kPatches, .bars = {kLightless - 4, kLightless}, .sound = {kPiano, 5, 1, 120}, .strokes = {1, 4}, .velocity = {65, 60}, .line = kMirrored},
 
-    {kHall, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 55, 55, "a"},
-    {kHall, 0, left(8), {kWind, 5, 1, 100}, 1, 16, 20, 20, "024135"},
-    {kHall, 0, left(4), {kPad, 3, 3, 60}, 1, 16, 55, 30, "0"},
-    {kHall, 0, left(12), {kBass, 2, 1, 0}, 2, 16, 50, 55, "01"},
-    {kHall, left(12), kDay, {kBass, 2, 1, 0}, 8, 16, 50, 50, "0--0--1-"},
-    {kHall, left(14), left(2), {kBrush, 8, 1, 100}, 8, 16, 8, 30, ".D"},
-    {kHall, left(16), left(10), {kVoice, 4, 1, 50}, 1, 4, 65, 70, kTune},
-    {kHall, left(16), left(10), {kBreath, 5, 1, 100}, 1, 4, 20, 20, kTune},
-    {kHall, left(10), left(8), {kVoice, 5, 1, 120}, 1, 4, 65, 50, kMirrored + 24},
-    {kHall, 0, left(8), {kGlassDrop, 5, 1, 150}, 5, 32, 40, 35, "3142.50"},
-    {kHall, left(9), left(8), {kGlassDrop, 5, 1, 150}, 1, 16, 70, 70, "0"}, // the cut to the lanterns
-    {kHall, left(8), left(1), {kPiano, 4, 1, 120}, 1, 4, 60, 90, kTune},
-    {kHall, kDoor - 1, kDoor, {kGlassDrop, 6, 1, 120}, 2, 16, 60, 60, "EC"},
-    {kHall, kDoor - 2, kDoor, {kRiser, 6, 1, 100}, 1, 32, 35, 35, "a"},
-    {kHall, kDoor, kDay, {kSub, 1, 1, 100}, 1, 16, 18, 30, "DDaa"},
-    {kHall, left(4), kDay, {kVoice, 4, 1, 100}, 1, 4, 45, 60, "D-dcb--aGFECE-G-"},
-    {kHall, left(4), kDay, {kPad, 3, 4, 100}, 1, 16, 20, 35, "0"},
-    {kHall, left(4), kDay, {kPiano, 4, 1, 100}, 8, 16, 20, 45, "02143526143"},
-    {kHall, left(2), kDay, {kWood, 4, 1, 120}, 4, 16, 50, 70, "0"},
-    {kHall, left(2), kDay, {kBrush, 7, 1, 100}, 16, 16, 5, 50, "a"},
-    {kHall, left(2), kDay, {kRiser, 6, 1, 100}, 1, 32, 45, 45, "a"},
+    {.scene = kHall, .bars = {0, 1}, .sound = {kDrum, 1, 1, 150}, .strokes = {1, 16}, .velocity = {55, 55}, .line = "a"},
+    {.scene = kHall, .bars = {0, left(8)}, .sound = {kWind, 5, 1, 100}, .strokes = {1, 16}, .velocity = {20, 20}, .line = "024135"},
+    {.scene = kHall, .bars = {0, left(4)}, .sound = {kPad, 3, 3, 60}, .strokes = {1, 16}, .velocity = {55, 30}, .line = "0"},
+    {.scene = kHall, .bars = {0, left(12)}, .sound = {kBass, 2, 1, 0}, .strokes = {2, 16}, .velocity = {50, 55}, .line = "01"},
+    {.scene = kHall, .bars = {left(12), kDay}, .sound = {kBass, 2, 1, 0}, .strokes = {8, 16}, .velocity = {50, 50}, .line = "0--0--1-"},
+    {.scene = kHall, .bars = {left(14), left(2)}, .sound = {kBrush, 8, 1, 100}, .strokes = {8, 16}, .velocity = {8, 30}, .line = ".D"},
+    {.scene = kHall, .bars = {left(16), left(10)}, .sound = {kVoice, 4, 1, 50}, .strokes = {1, 4}, .velocity = {65, 70}, .line = kTune},
+    {.scene = kHall, .bars = {left(16), left(10)}, .sound = {kBreath, 5, 1, 100}, .strokes = {1, 4}, .velocity = {20, 20}, .line = kTune},
+    {.scene = kHall, .bars = {left(10), left(8)}, .sound = {kVoice, 5, 1, 120}, .strokes = {1, 4}, .velocity = {65, 50}, .line = kMirrored + 24},
+    {.scene = kHall, .bars = {0, left(8)}, .sound = {kGlassDrop, 5, 1, 150}, .strokes = {5, 32}, .velocity = {40, 35}, .line = "3142.50"},
+    {.scene = kHall, .bars = {left(9), left(8)}, .sound = {kGlassDrop, 5, 1, 150}, .strokes = {1, 16}, .velocity = {70, 70}, .line = "0"}, // the cut to the lanterns
+    {.scene = kHall, .bars = {left(8), left(1)}, .sound = {kPiano, 4, 1, 120}, .strokes = {1, 4}, .velocity = {60, 90}, .line = kTune},
+    {.scene = kHall, .bars = {kDoor - 1, kDoor}, .sound = {kGlassDrop, 6, 1, 120}, .strokes = {2, 16}, .velocity = {60, 60}, .line = "EC"},
+    {.scene = kHall, .bars = {kDoor - 2, kDoor}, .sound = {kRiser, 6, 1, 100}, .strokes = {1, 32}, .velocity = {35, 35}, .line = "a"},
+    {.scene = kHall, .bars = {kDoor, kDay}, .sound = {kSub, 1, 1, 100}, .strokes = {1, 16}, .velocity = {18, 30}, .line = "DDaa"},
+    {.scene = kHall, .bars = {left(4), kDay}, .sound = {kVoice, 4, 1, 100}, .strokes = {1, 4}, .velocity = {45, 60}, .line = "D-dcb--aGFECE-G-"},
+    {.scene = kHall, .bars = {left(4), kDay}, .sound = {kPad, 3, 4, 100}, .strokes = {1, 16}, .velocity = {20, 35}, .line = "0"},
+    {.scene = kHall, .bars = {left(4), kDay}, .sound = {kPiano, 4, 1, 100}, .strokes = {8, 16}, .velocity = {20, 45}, .line = "02143526143"},
+    {.scene = kHall, .bars = {left(2), kDay}, .sound = {kWood, 4, 1, 120}, .strokes = {4, 16}, .velocity = {50, 70}, .line = "0"},
+    {.scene = kHall, .bars = {left(2), kDay}, .sound = {kBrush, 7, 1, 100}, .strokes = {16, 16}, .velocity = {5, 50}, .line = "a"},
+    {.scene = kHall, .bars = {left(2), kDay}, .sound = {kRiser, 6, 1, 100}, .strokes = {1, 32}, .velocity = {45, 45}, .line = "a"},
 
-    {kOdraz, 0, 12, {kPad, 3, 3, 85}, 1, 16, 45, 45, "0"},
-    {kOdraz, 0, 8, {kBass, 2, 1, 0}, 2, 16, 90, 90, kBassLine},
-    {kOdraz, 8, 12, {kBass, 2, 1, 0}, 2, 16, 65, 50, "01"},
-    {kOdraz, 0, 8, {kSub, 1, 1, 100}, 1, 16, 35, 35, "DFbaDGaD"},
-    {kOdraz, 0, 7, {kDrum, 1, 1, 60}, 2, 16, 90, 90, "a"},
-    {kOdraz, 0, 7, {kImpact, 4, 1, 100}, 2, 16, 38, 36, "D"},
-    {kOdraz, 0, 8, {kBrush, 7, 1, 100}, 16, 16, 50, 75, "a.aa"},
-    {kOdraz, 0, 7, {kWood, 5, 1, 100}, 3, 8, 45, 45, "03142"},
-    {kOdraz, 0, 8, {kPiano, 4, 1, 100}, 16, 16, 28, 40, ".214.526.425"},
-    {kOdraz, 1, 9, {kGlassDrop, 6, 1, 100}, 5, 16, 55, 60, "42531"},
-    {kOdraz, 0, 8, {kPiano, 5, 1, 30}, 1, 4, 90, 90, kTune},
-    {kOdraz, 0, 8, {kVoice, 5, 1, 30}, 1, 4, 90, 90, kTune},
-    {kOdraz, 0, 8, {kVoice, 6, 1, 30}, 1, 4, 36, 36, kTune},
-    {kOdraz, 2, 8, {kVoice, 4, 1, 100, 80}, 1, 4, 50, 50, kMirrored},
-    {kOdraz, 2, 8, {kGlassDrop, 4, 1, 150, 80}, 1, 4, 50, 50, kMirrored},
-    {kOdraz, 8, 12, {kPiano, 4, 1, 120}, 1, 4, 70, 40, "D-dcb--aG-F-E-C-"},
-    {kOdraz, 8, 12, {kBreath, 5, 1, 120}, 1, 4, 20, 10, "D-dcb--aG-F-E-C-"},
-    {kOdraz, 10, 11, {kGlassDrop, 6, 1, 150}, 2, 16, 80, 80, ".a"},
+    {.scene = kOdraz, .bars = {0, 12}, .sound = {kPad, 3, 3, 85}, .strokes = {1, 16}, .velocity = {45, 45}, .line = "0"},
+    {.scene = kOdraz, .bars = {0, 8}, .sound = {kBass, 2, 1, 0}, .strokes = {2, 16}, .velocity = {90, 90}, .line = kBassLine},
+    {.scene = kOdraz, .bars = {8, 12}, .sound = {kBass, 2, 1, 0}, .strokes = {2, 16}, .velocity = {65, 50}, .line = "01"},
+    {.scene = kOdraz, .bars = {0, 8}, .sound = {kSub, 1, 1, 100}, .strokes = {1, 16}, .velocity = {35, 35}, .line = "DFbaDGaD"},
+    {.scene = kOdraz, .bars = {0, 7}, .sound = {kDrum, 1, 1, 60}, .strokes = {2, 16}, .velocity = {90, 90}, .line = "a"},
+    {.scene = kOdraz, .bars = {0, 7}, .sound = {kImpact, 4, 1, 100}, .strokes = {2, 16}, .velocity = {38, 36}, .line = "D"},
+    {.scene = kOdraz, .bars = {0, 8}, .sound = {kBrush, 7, 1, 100}, .strokes = {16, 16}, .velocity = {50, 75}, .line = "a.aa"},
+    {.scene = kOdraz, .bars = {0, 7}, .sound = {kWood, 5, 1, 100}, .strokes = {3, 8}, .velocity = {45, 45}, .line = "03142"},
+    {.scene = kOdraz, .bars = {0, 8}, .sound = {kPiano, 4, 1, 100}, .strokes = {16, 16}, .velocity = {28, 40}, .line = ".214.526.425"},
+    {.scene = kOdraz, .bars = {1, 9}, .sound = {kGlassDrop, 6, 1, 100}, .strokes = {5, 16}, .velocity = {55, 60}, .line = "42531"},
+    {.scene = kOdraz, .bars = {0, 8}, .sound = {kPiano, 5, 1, 30}, .strokes = {1, 4}, .velocity = {90, 90}, .line = kTune},
+    {.scene = kOdraz, .bars = {0, 8}, .sound = {kVoice, 5, 1, 30}, .strokes = {1, 4}, .velocity = {90, 90}, .line = kTune},
+    {.scene = kOdraz, .bars = {0, 8}, .sound = {kVoice, 6, 1, 30}, .strokes = {1, 4}, .velocity = {36, 36}, .line = kTune},
+    {.scene = kOdraz, .bars = {2, 8}, .sound = {kVoice, 4, 1, 100, 80}, .strokes = {1, 4}, .velocity = {50, 50}, .line = kMirrored},
+    {.scene = kOdraz, .bars = {2, 8}, .sound = {kGlassDrop, 4, 1, 150, 80}, .strokes = {1, 4}, .velocity = {50, 50}, .line = kMirrored},
+    {.scene = kOdraz, .bars = {8, 12}, .sound = {kPiano, 4, 1, 120}, .strokes = {1, 4}, .velocity = {70, 40}, .line = "D-dcb--aG-F-E-C-"},
+    {.scene = kOdraz, .bars = {8, 12}, .sound = {kBreath, 5, 1, 120}, .strokes = {1, 4}, .velocity = {20, 10}, .line = "D-dcb--aG-F-E-C-"},
+    {.scene = kOdraz, .bars = {10, 11}, .sound = {kGlassDrop, 6, 1, 150}, .strokes = {2, 16}, .velocity = {80, 80}, .line = ".a"},
 
-    {kCredits, 0, 1, {kPiano, 2, 2, 150}, 1, 16, 60, 60, "0"},
-    {kCredits, 0, 4, {kPad, 4, 5, 150}, 1, 68, 35, 35, "0"},
-    {kCredits, 0, 2, {kWind, 6, 1, 100}, 1, 16, 20, 10, "0"},
-    {kCredits, 2, 5, {kGlassDrop, 5, 1, 150}, 4, 16, 60, 45, "Ge..a-eFdE.."},
-    {kCredits, 4, 5, {kPiano, 5, 2, 30}, 4, 16, 35, 35, "...D-"},
+    {.scene = kCredits, .bars = {0, 1}, .sound = {kPiano, 2, 2, 150}, .strokes = {1, 16}, .velocity = {60, 60}, .line = "0"},
+    {.scene = kCredits, .bars = {0, 4}, .sound = {kPad, 4, 5, 150}, .strokes = {1, 68}, .velocity = {35, 35}, .line = "0"},
+    {.scene = kCredits, .bars = {0, 2}, .sound = {kWind, 6, 1, 100}, .strokes = {1, 16}, .velocity = {20, 10}, .line = "0"},
+    {.scene = kCredits, .bars = {2, 5}, .sound = {kGlassDrop, 5, 1, 150}, .strokes = {4, 16}, .velocity = {60, 45}, .line = "Ge..a-eFdE.."},
+    {.scene = kCredits, .bars = {4, 5}, .sound = {kPiano, 5, 2, 30}, .strokes = {4, 16}, .velocity = {35, 35}, .line = "...D-"},
 };
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
@@ -139,10 +139,10 @@ static constexpr EventSound kEventSounds[] = {
     {kHallIsBlack, {kDrum, 1, 1, 30}, 90, 'a'},
     {kHallIsBlack, {kImpact, 2, 1, 50}, 60, 'D'},
     {kPatchIsVisited, {kGlassDrop, 5, 1, 30}, 70, 'D'},
-    {kHalfCubeRises, {kGlassDrop, 4, 2, 40}, 60, '0'},
-    {kHalfCubeOpens, {kGlassDrop, 5, 3, 40}, 70, '0'},
+    {kHemicubeRises, {kGlassDrop, 4, 2, 40}, 60, '0'},
+    {kHemicubeOpens, {kGlassDrop, 5, 3, 40}, 70, '0'},
     {kPatchTakesColour, {kPiano, 4, 2, 60}, 70, '0'},
-    {kHalfCubeCloses, {kGlassDrop, 4, 1, 40}, 60, 'D'},
+    {kHemicubeCloses, {kGlassDrop, 4, 1, 40}, 60, 'D'},
     {kDirectLight, {kPiano, 3, 2, 80}, 100, '0'},
     {kDirectLight, {kDrum, 1, 1, 150}, 80, 'a'},
     {kDirectLight, {kImpact, 2, 1, 150}, 60, 'D'},
@@ -185,13 +185,13 @@ static constexpr EventSound kEventSounds[] = {
 };
 // clang-format on
 
-// The share of each side that the other takes, per cent: scene 4 is narrow until light comes, and the finale
-// is the widest.
-static int narrowAt(int scene, int bar) {
-    static constexpr int8_t kNarrow[kSceneCount] = {
+// Returns the share of each channel that the other gets, per cent: scene 4 is narrow until direct light, and
+// the finale is the widest.
+static int crossfeedAt(int scene, int bar) {
+    static constexpr int8_t kCrossfeed[kSceneCount] = {
         [kPoint] = 15, [kTable] = 25, [kFlake] = 12,  [kPatches] = 16,
         [kHall] = 13,  [kOdraz] = 6,  [kCredits] = 10};
-    return scene == kPatches && bar < kLight ? 35 : kNarrow[scene];
+    return scene == kPatches && bar < kLight ? 35 : kCrossfeed[scene];
 }
 
 } // namespace odraz

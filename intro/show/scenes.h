@@ -1,11 +1,11 @@
-// The film's scenes, as film.cpp lists them.
+// The functions of the film's scenes, which film.cpp lists.
 #pragma once
 
 #include "show/show.h"
 
 namespace odraz {
 
-// Each has its own file.
+// Each scene has its own file.
 void posePoint(const SceneInput &in, Scene &scene);
 void poseTable(const SceneInput &in, Scene &scene);
 void poseFlake(const SceneInput &in, Scene &scene);

@@ -7,7 +7,7 @@ namespace odraz {
 
 namespace {
 
-constexpr float kRing = 16; // rows that the sound of an event lasts
+constexpr float kRing = 16; // length of an event's sound, rows
 
 static_assert(sizeof kChords / sizeof *kChords == kSceneCount);
 static_assert(
@@ -15,7 +15,7 @@ static_assert(
         for (const Part &p : kParts) {
             int bars = 0;
             while (kChords[p.scene][bars]) ++bars;
-            if (p.from >= p.to || p.to > bars) return false;
+            if (p.bars.from >= p.bars.to || p.bars.to > bars) return false;
         }
         return true;
     }(),
@@ -32,7 +32,7 @@ static_assert(
             if (e.heard != hasSound(e)) return false;
         return true;
     }(),
-    "what is marked as heard has a sound, and nothing else has");
+    "events marked as heard have a sound, and no others");
 
 void strike(Mixer &m, const Articulation &articulation, char tone, char chord, float velocity, float rows) {
     static constexpr int8_t kMinor[] = {0, 2, 3, 5, 7, 8, 10}, kMajor[] = {0, 2, 4, 5, 7, 9, 11};
@@ -41,7 +41,7 @@ void strike(Mixer &m, const Articulation &articulation, char tone, char chord, f
     int step = tone < 'A' ? root + 2 * (tone - '0') : stepOf(tone);
     for (int i = 0; i < articulation.stack; ++i) {
         int at = step + 2 * i + 70, degree = at % 7;
-        // A chord's tones keep to their octaves: from chord to chord they stand or move by a step or two
+        // Keep a chord's tones in fixed octaves: from chord to chord they stay or move by a step or two
         if (articulation.stack > 1) at = 70 + degree + ((i & 1) + i / 4) * 7;
         const int8_t *scale = chord < 'a' ? kMinor : kMajor;
         int leading = chord == 'A' && degree == 6;
@@ -52,9 +52,9 @@ void strike(Mixer &m, const Articulation &articulation, char tone, char chord, f
 }
 
 bool isHit(int row) {
-    Moment then = momentAt(kFilm, row);
+    Moment moment = momentAt(kFilm, row);
     for (EventId hit : kHits)
-        if (kEvents[hit].scene == then.shot->scene && kEvents[hit].row == (int)then.storyRow) return true;
+        if (kEvents[hit].scene == moment.shot->scene && kEvents[hit].row == (int)moment.storyRow) return true;
     return false;
 }
 
@@ -62,28 +62,33 @@ bool isHit(int row) {
 
 void playRow(Mixer &m, int row) {
     if (row >= (int)kFilm.endRow) return;
-    m.hushed = isHit(row + 1) || isHit(row + 2);
+    m.muted = isHit(row + 1) || isHit(row + 2);
     Moment now = momentAt(kFilm, row);
     int scene = now.shot->scene, story = (int)now.storyRow, bar = story / 16;
     char chord = kChords[scene][bar];
-    m.narrow = lerp(m.narrow, (float)narrowAt(scene, bar) * 0.01f, isHit(row) ? 1 : 0.02f);
+    m.crossfeed = lerp(m.crossfeed, (float)crossfeedAt(scene, bar) * 0.01f, isHit(row) ? 1 : 0.02f);
     for (const Part &p : kParts) {
-        int since = story - p.from * 16, strokes = since * p.strokes, stroke = strokes / p.rows;
-        if (p.scene != scene || since < 0 || bar >= p.to || strokes - stroke * p.rows >= p.strokes) continue;
+        int since = story - p.bars.from * 16, strokes = since * p.strokes.count,
+            stroke = strokes / p.strokes.rows;
+        if (p.scene != scene || since < 0 || bar >= p.bars.to ||
+            strokes - stroke * p.strokes.rows >= p.strokes.count)
+            continue;
         int size = 0, held = 1;
         while (p.line[size]) ++size;
         const char *tone = &p.line[stroke % size];
         while (tone[held] == '-') ++held;
-        // Metre, and an arch over four bars, which is highest after a third of them
-        float way = (float)since / (float)((p.to - p.from) * 16), x = (float)(since & 63) * (1.f / 64);
+        // Apply the metre, and an arch over four bars, which is highest after a third of them
+        float progress = (float)since / (float)((p.bars.to - p.bars.from) * 16),
+              x = (float)(since & 63) * (1.f / 64);
         float phrased =
             1 - (float)((story % 16 > 0) + (story % 8 > 0)) * 0.16f + x * (1 - x) * (1 - x) * 1.8f;
-        strike(m, p.articulation, *tone, chord, lerp((float)p.soft, (float)p.loud, way) * 0.01f * phrased,
-               (float)(p.rows * held) / (float)p.strokes);
+        strike(m, p.sound, *tone, chord,
+               lerp((float)p.velocity.first, (float)p.velocity.last, progress) * 0.01f * phrased,
+               (float)(p.strokes.rows * held) / (float)p.strokes.count);
     }
     for (const EventSound &sound : kEventSounds)
         if (sound.scene == scene && sound.row == story)
-            strike(m, sound.articulation, sound.tone, chord, (float)sound.loud * 0.01f, kRing);
+            strike(m, sound.articulation, sound.tone, chord, (float)sound.velocity * 0.01f, kRing);
 }
 
 } // namespace odraz

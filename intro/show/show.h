@@ -1,8 +1,8 @@
-// The film's content, as the engine sees it: a list of shots, and for every scene how it is posed and
-// lettered.
+// The film's content as the engine uses it: a list of shots, and the functions that pose and letter each
+// scene.
 //
-// Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is a pure function
-// of its input: scenes have no state.
+// Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is a pure function:
+// scenes have no state.
 #pragma once
 
 #include "show/events.h"
@@ -14,8 +14,8 @@
 
 namespace odraz {
 
-// What the credits show about this copy and this machine; null or 0 where the picture must not depend on it
-// (dumps).
+// Facts that the credits show about this copy and this machine; null or 0 if the picture must not depend on
+// them (dumps).
 struct Facts {
     int64_t bytes;       // size of the executable
     const char *machine; // the processor's name
@@ -23,16 +23,16 @@ struct Facts {
 
 // The input of posing and lettering.
 struct SceneInput {
-    float row;        // of the scene's story
-    CameraKey camera; // that looks at the scene, scripted or flown
-    Hall *hall;       // null where no scene needs it
+    float row;        // in the scene's story
+    CameraKey camera; // scripted or flown
+    Hall *hall;       // null if no scene needs it
     Facts facts;
 };
 
 struct SceneEntry {
     const char *name;
     void (*pose)(const SceneInput &in, Scene &scene); // fills a cleared scene
-    // Draws over the linear picture
+    // Draws over the linear picture; may be null
     void (*letter)(const SceneInput &in, const View &view, Frame &frame) = nullptr;
     SceneId id;
     bool needsHall = false;
@@ -42,14 +42,14 @@ struct SceneEntry {
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
-// What pictures are made with: a scene that is posed for each of them, and what all of them share.
+// The data of all pictures: a scene that is posed for each of them, and what they share.
 struct Film {
     Scene *scene;
-    Hall *hall; // null where no scene needs it
+    Hall *hall; // null if no scene needs it
     Facts facts;
 };
 
-// What is shown at a time.
+// What is shown at a time, with its scene posed.
 struct Posed {
     const Shot *shot;
     SceneInput input;

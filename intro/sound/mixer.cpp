@@ -6,12 +6,12 @@ namespace odraz {
 
 namespace {
 
-constexpr float kLoud = 1.9f;     // gain before all is clipped softly
-constexpr float kUsual = 0.006f;  // mean square above which 4 dB more become 3 dB
-constexpr float kClosing = 0.35f; // what the gain loses in a block
+constexpr float kLoud = 1.9f;    // gain of the mix before it is clipped softly
+constexpr float kUsual = 0.006f; // mean square above which 4 dB more become 3 dB more
+constexpr float kFade = 0.35f;   // decrease of the gain per block while muted
 constexpr float kRoomLevel = 0.42f;
 constexpr float kPeak = 0.68f;       // the largest sample: leaves room for peaks between samples
-constexpr int kSeekBlocks = 8 * 200; // rendered before the block that is sought, so that the room is full
+constexpr int kSeekBlocks = 8 * 200; // rendered before the block sought, to fill room and echo
 
 } // namespace
 
@@ -22,16 +22,16 @@ void playNote(Mixer &m, const Note &note) {
 }
 
 void renderBlock(Mixer &m, float *stereo) {
-    // Denormal numbers are slow: treat them as zeros, only here
+    // Treat denormal numbers as zeros in this function: they are slow
     unsigned control = _mm_getcsr();
     _mm_setcsr(control | 0x8040);
     float ducked = m.ducked;
     if (m.block % kBlocksPerRow == 0) m.player(m, m.block / kBlocksPerRow);
 
-    // If there are many voices, the quietest one fades out within this block, to make room for the next row
+    // If there are many voices, fade out the quietest within this block, to make room for the next row
     int stolen = m.voiceCount > kVoices - kVoicesAtOnce ? m.quietest : -1;
     float least = kInfinity;
-    int left = 0;
+    int remaining = 0;
     for (int i = 0; i < m.voiceCount; ++i) {
         Voice &v = m.voices[i];
         const Instrument &kind = *v.note.instrument;
@@ -43,37 +43,37 @@ void renderBlock(Mixer &m, float *stereo) {
             for (int n = 0; n < kBlock; ++n) {
                 m.dry[n] += m.voice[n];
                 m.wet[n] = fmadd(m.voice[n], send, m.wet[n]);
-                m.late[n] = fmadd(m.voice[n], kind.echo, m.late[n]);
+                m.echoed[n] = fmadd(m.voice[n], kind.echo, m.echoed[n]);
                 m.voice[n] = Float8{};
             }
         }
-        // Drop voices that will be inaudible when the block ends
+        // Drop voices that are inaudible at the block's end
         float loudness = v.loudness((float)(time + kBlock));
         if (i == stolen || !(loudness > kInaudible)) continue;
-        if (loudness < least) least = loudness, m.quietest = left;
-        m.voices[left++] = v;
+        if (loudness < least) least = loudness, m.quietest = remaining;
+        m.voices[remaining++] = v;
     }
-    m.voiceCount = left;
+    m.voiceCount = remaining;
 
     if (stereo) {
-        renderEcho(m.echo, m.block, m.late, m.dry, m.wet);
+        renderEcho(m.echo, m.block, m.echoed, m.dry, m.wet);
         renderReverb(m.reverb, m.block, m.wet, m.dry);
-        // After silence the gain rises at once, so that struck notes keep their attack; otherwise it is
-        // linear
+        // Move the gain linearly over the block; after silence within 1 ms, so that struck notes keep their
+        // attack
         float gain = kLoud * exp2(max(log2(m.power * (1 / kUsual)), 0.f) * -0.125f);
-        if (m.hushed) gain = max(m.gain - kClosing, 0.f);
+        if (m.muted) gain = max(m.gain - kFade, 0.f);
         float step = (gain - m.gain) / (m.gain > 0 ? kBlock : 48), most = max(gain, m.gain);
         Float8 squares = {};
         for (int n = 0; n < kBlock; ++n) {
             Float8 x = m.dry[n];
-            m.dry[n] = m.wet[n] = m.late[n] = Float8{};
+            m.dry[n] = m.wet[n] = m.echoed[n] = Float8{};
             x = (Float8)_mm256_hadd_ps(x, x);
             x = (Float8)_mm256_hadd_ps(x, x);
-            x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1) - x, m.narrow, x);
+            x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1) - x, m.crossfeed, x);
             squares = fmadd(x, x, squares);
             m.gain = min(m.gain + step, most);
             x *= m.gain;
-            // Clip softly: by a cubic that is flat at 1.5
+            // Clip softly, by a cubic that is flat at 1.5
             x = clamp(x, -1.5f, 1.5f);
             x = (x - x * x * x * (4.f / 27)) * kPeak;
             stereo[2 * n] = x[0], stereo[2 * n + 1] = x[4];

@@ -13,22 +13,22 @@ struct Phasor {
     Float8 cos, sin;
 };
 
-// Not inlined, to save bytes: it is called at two places.
+// Not inlined, to save bytes: it has two callers.
 [[gnu::noinline]] Phasor phasor(Uint8 phase, Float8 amplitude) {
     Float8 angle = toFloat((Int8)phase) * (2 * kPi / kTurn);
     return {cos(angle) * amplitude, sin(angle) * amplitude};
 }
 
-// Turns as a phase: whole turns do not matter.
+// Converts turns to a phase. Whole turns do not matter.
 Uint8 phaseOf(Float8 turns) { return (Uint8)toInt((turns - round(turns)) * kTurn); }
 
-// The share of a bend that is over.
+// Returns the share of a bend that is over.
 float bent(const Instrument &i, int time) {
     return 1 - exp2((float)time * (-1.f / kSampleRate) / i.bendTime);
 }
 
-// Turns for each hertz by which a note is ahead of one that keeps its pitch: the integral of its bend and of
-// its vibrato, which comes up within a second.
+// Returns how far a note is ahead of one with a constant pitch, in turns per hertz: the integral of its bend
+// and of its vibrato, which fades in within a second.
 float ahead(const Instrument &i, int time) {
     constexpr float kSpeed = 34; // radians a second: 5.4 Hz
     float t = (float)time * (1.f / kSampleRate);
@@ -42,7 +42,7 @@ Float8 randomLanes(uint32_t seed) {
 
 bool isStruck(const Instrument &i) { return i.attack * kSampleRate < kBlock; }
 
-// A level over a block: straight from one value to the other, or up within the attack if that is shorter.
+// A level over a block: linear from one value to another, or up within the attack if that is shorter.
 struct Ramp {
     float value, step, most;
     float next() {
@@ -52,7 +52,7 @@ struct Ramp {
     }
 };
 
-// The filters' coefficient: the tangent of half the angle that the bands' pitch turns in a sample.
+// Returns the filters' coefficient: the tangent of half the angle by which the bands' pitch turns per sample.
 Float8 warped(const Voice &v, int time) {
     const Instrument &i = *v.note.instrument;
     Float8 half = toFloat((Int8)v.group[0].turn) * (fmadd(1 - bent(i, time), i.bend, 1.f) * 0.5f);
@@ -102,16 +102,16 @@ void beginVoice(Voice &v, const Note &note, int block) {
         Int8 left = kLanes & 3;
         Float8 k = log2(toFloat(left + 4 * g + 1));
         uint32_t seed = (uint32_t)(block * 32 + g) * 3 + (uint32_t)(int)note.key * 1664525u;
-        // Random numbers make no two notes alike. Both sides of a partial share them, except for a part of
-        // its phase
-        Float8 mine = randomLanes(seed), shared = (Float8)_mm256_permute2f128_ps(mine, mine, 0);
+        // Random numbers make every note different. Both copies of a partial share them, except for a part of
+        // the phase
+        Float8 random = randomLanes(seed), shared = (Float8)_mm256_permute2f128_ps(random, random, 0);
         Float8 side = select(kLanes < 4, 1.f, -1.f);
         Float8 ratio = exp2(k * i.stretch);
         ratio += (shared - 0.5f) * 2.f * i.scatter;
         ratio = abs(ratio) * (1.f + side * (i.detune * width));
         Float8 hertz = ratio * frequency;
         group.turn = (Uint8)toInt(min(hertz, kHighest) * (kTurn / kSampleRate));
-        group.phase = phaseOf(mine * (i.spread * width) + (isStruck(i) ? Float8{} : shared));
+        group.phase = phaseOf(random * (i.spread * width) + (isStruck(i) ? Float8{} : shared));
         group.hertz = hertz;
         group.amplitude = select(hertz * (1 + i.bend) < kHighest,
                                  exp2(k * -tilt) * fmadd(shared, 0.4f, 0.8f) * fmadd(side, note.left, 1.f) *
@@ -136,7 +136,8 @@ void renderVoice(Voice &v, int time, float gain0, float gain1, Float8 *out) {
             renderNoise(v, time, amplitude, gain, out);
             continue;
         }
-        // The phase at the block's start, and the turn per sample: within the block, the pitch is constant
+        // Compute the phase at the block's start and the turn per sample: within a block the pitch is
+        // constant
         Uint8 phase = group.phase + group.turn * (uint32_t)time + phaseOf(group.hertz * ahead0);
         Uint8 turn = group.turn + (Uint8)toInt(group.hertz * (ahead1 - ahead0) * (kTurn / kBlock));
         Phasor p = phasor(phase, amplitude), by = phasor(turn, exp2(group.fall));

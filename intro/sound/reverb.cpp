@@ -4,14 +4,14 @@
 
 namespace odraz {
 
-// Samples. Neither equal nor in small ratios, so that the lines' echoes seldom fall together; left and right
-// in turn.
+// In samples. Not in small ratios, so that the lines' echoes seldom coincide. The left and the right lanes
+// alternate.
 static constexpr Float8 kLengths = {1511, 2039, 2741, 3697, 1753, 2371, 3187, 4001};
 
 static constexpr int kDiffusers[] = {223, 467, 907}; // samples
 
-// The lengths of the lines at the beginning of a block. Each follows a triangle wave with a period of its
-// own, of some 20 seconds. Its speed is constant, so that all frequencies are detuned equally.
+// Returns the lines' lengths at the start of a block. Each follows a triangle wave with a different period,
+// about 20 seconds. The slope is constant, so that all frequencies are detuned equally.
 static Float8 drifted(int block) {
     Float8 turned = fmadd(toFloat(kLanes), 0.00002f, 0.0002f) * (float)block;
     return fmadd(abs(turned - round(turned)), 4 * kDrift, kLengths);
@@ -22,7 +22,7 @@ void renderReverb(Reverb &reverb, int block, const Float8 *in, Float8 *out) {
     constexpr float kRatio = kDecay / kDecayHigh;
     Float8 powers = kLengths * (-9.96578f / kSampleRate / kDecay); // log2 of the gain
     Float8 pole = powers * (0.173287f * (1 - kRatio * kRatio));
-    // The Hadamard matrix makes everything sqrt(8) times as large
+    // The Hadamard matrix amplifies by sqrt(8)
     Float8 gain = exp2(powers) * (1.f - pole) * 0.353553391f;
 
     Float8 delay = drifted(block), step = (drifted(block + 1) - delay) * (1.f / kBlock);
@@ -53,11 +53,11 @@ void renderReverb(Reverb &reverb, int block, const Float8 *in, Float8 *out) {
 }
 
 void renderEcho(Echo &echo, int block, const Float8 *in, Float8 *dry, Float8 *wet) {
-    constexpr Float8 kEnters = {1, 1, 1, 1}; // on the left
+    constexpr Float8 kLeft = {1, 1, 1, 1};
     Float8 *line = echo.line + block % Echo::kBlocks * kBlock;
     for (int n = 0; n < kBlock; ++n) {
         Float8 late = line[n], both = in[n] + (Float8)_mm256_permute2f128_ps(in[n], in[n], 1);
-        line[n] = fmadd((Float8)_mm256_permute2f128_ps(late, late, 1), 0.5f, both * kEnters);
+        line[n] = fmadd((Float8)_mm256_permute2f128_ps(late, late, 1), 0.5f, both * kLeft);
         dry[n] += late;
         wet[n] = fmadd(late, 0.3f, wet[n]);
     }

@@ -7,24 +7,24 @@ static constexpr int kChannels = 8;
 static_assert(sizeof(CameraKey) == (kChannels + 1) * sizeof(float));
 static const float *channels(const CameraKey &key) { return &key.row + 1; }
 
-// The velocity at key i, per row, in one channel.
+// Returns the velocity of a channel at key i, per row.
 static float velocity(CameraPath path, int i, int channel) {
     auto slope = [&](int k) { // from key k to key k + 1
         const CameraKey &a = path.keys[k], &b = path.keys[k + 1];
-        float way = channels(b)[channel] - channels(a)[channel];
-        return b.row > a.row ? way / (b.row - a.row) : 0;
+        float difference = channels(b)[channel] - channels(a)[channel];
+        return b.row > a.row ? difference / (b.row - a.row) : 0;
     };
     int last = path.count - 1;
     if (last == 0) return 0;
     if (i > 0 && i < last) {
         float h0 = path.keys[i].row - path.keys[i - 1].row, h1 = path.keys[i + 1].row - path.keys[i].row;
-        if (h0 <= 0 || h1 <= 0) return 0; // two keys on one row: the path stops there instead of tearing
+        if (h0 <= 0 || h1 <= 0) return 0; // two keys on one row: the path stops instead of jumping
         return (slope(i - 1) * h1 + slope(i) * h0) / (h0 + h1);
     }
-    // The first and last keys have no acceleration; a channel that does not change stands still
-    float here = slope(i ? last - 1 : 0);
-    if (last == 1 || here == 0) return here;
-    return here * 1.5f - velocity(path, i ? last - 1 : 1, channel) * 0.5f;
+    // No acceleration at the first and the last key; a channel that does not change there rests
+    float end = slope(i ? last - 1 : 0);
+    if (last == 1 || end == 0) return end;
+    return end * 1.5f - velocity(path, i ? last - 1 : 1, channel) * 0.5f;
 }
 
 CameraKey pose(CameraPath path, float row) {
@@ -38,7 +38,7 @@ CameraKey pose(CameraPath path, float row) {
         float t = (row - a.row) / h;
         float *out = &result.row + 1;
         for (int c = 0; c < kChannels; ++c) {
-            // Hermite as a + t (v0 + t (..)), which is exact at t = 0
+            // The Hermite curve as p0 + t (v0 + t (..)), which is exact at t = 0
             float p0 = channels(a)[c], p1 = channels(b)[c];
             float v0 = velocity(path, i, c) * h, v1 = velocity(path, i + 1, c) * h;
             float d = p1 - p0;

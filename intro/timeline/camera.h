@@ -1,10 +1,10 @@
-// The camera's path through a shot: keys joined by non-uniform cubic Hermite curves.
+// A camera's path through a shot: keys joined by non-uniform cubic Hermite curves.
 //
-// The velocity at an inner key is that of the parabola through the key and its two neighbours in time. So the
-// path is C1 however unevenly the keys are spaced. At the first and the last key there is no acceleration:
-// shots begin and end in motion, but a value that does not change up to the neighbouring key rests. Two keys
-// on one row make the velocity there 0: the camera eases to a stop. Before the first key and after the last
-// one the pose holds. Two keys make a straight path at even speed, one key a still.
+// The velocity at an inner key is the slope of the parabola through the key and its two neighbours in time,
+// so the path is C1 however unevenly the keys are spaced. The first and the last key have no acceleration:
+// shots begin and end in motion, but a value that is equal at the neighbouring key rests. Two keys on one row
+// make the velocity there 0: the camera eases to a stop. The pose holds before the first key and after the
+// last one. Two keys make a straight path at constant speed, one key a still.
 #pragma once
 
 #include "base/vec3.h"
@@ -25,7 +25,7 @@ struct CameraPath {
 
 template <int N> constexpr CameraPath path(const CameraKey (&keys)[N]) { return {keys, N}; }
 
-// The pose at any finite row, returned as a key of that row. An empty path looks from the origin along -z.
+// Returns the pose at any finite row, as a key on that row. An empty path looks from the origin along -z.
 CameraKey pose(CameraPath path, float row);
 
 } // namespace odraz

@@ -1,5 +1,5 @@
-// Fewer bits for the numbers of a key, so that they pack well. It is a path's smoothness that the eye sees,
-// not where its keys lie to the millimetre.
+// Rounds the numbers of a key to fewer bits, so that they pack well. The eye sees whether a path is smooth,
+// not where its keys are to the millimetre.
 #pragma once
 
 #include "base/float8.h"
@@ -9,7 +9,7 @@
 
 namespace odraz {
 
-// The key with `count` significant bits, up to 24, in each number but its row and roll.
+// Returns the key with `count` significant bits, up to 24, in each number except row and roll.
 constexpr CameraKey withBits(CameraKey key, int count) {
     int unit = 1 << (24 - count);
     for (float *x :

@@ -1,5 +1,5 @@
-// A table of keys that may be replaced while the film plays: what odraz-debug has in place of the film's
-// constants (timeline/keys.h). All tables of a program make a list.
+// A table of keys that can be replaced while the film plays. odraz-debug has these instead of constants
+// (timeline/keys.h). All tables of a program form a list.
 #pragma once
 
 #include "timeline/key_bits.h"
@@ -9,21 +9,21 @@ namespace odraz {
 
 inline constexpr int kMostKeys = 1024;
 
-// The interpolations of GNU Rocket that the film does not use. Only a KeyTable may have them.
+// Interpolations of GNU Rocket that the film does not use. Only a KeyTable may have them.
 inline constexpr Interpolation kStep = (Interpolation)2, kRamp = (Interpolation)3;
 
 struct KeyTable {
-    const char *name, *file; // "kLamp"; of its source, "./intro/show/scenes/hall.keys"
-    bool camera;             // a path: its keys are `poses`, else `keys`
-    float start = 0;         // the row of the scene that a track's rows count from
-    int bits = 24;           // of a path's numbers
+    const char *name, *file; // such as "kLamp" and "./intro/show/scenes/hall.keys"
+    bool camera;             // true: its keys are `poses`; false: `keys`
+    float start = 0;         // the scene's row from which a track's rows count
+    int bits = 24;           // per number of a path
     int count = 0;
     union {
         Key keys[kMostKeys];
         CameraKey poses[kMostKeys];
     };
-    KeyTable *next;                           // in the list; null: it is the last
-    static inline KeyTable *newest = nullptr; // where the list begins
+    KeyTable *next;                           // the next table of the list, or null
+    static inline KeyTable *newest = nullptr; // the head of the list
 
     KeyTable(const char *name, const char *file, float start, std::initializer_list<Key> list)
         : name(name), file(file), camera(false), start(start), next(newest) {
@@ -40,7 +40,7 @@ struct KeyTable {
 inline const KeyTable &track(const KeyTable &table) { return table; }
 inline CameraPath path(const KeyTable &table) { return {table.poses, table.count}; }
 
-// The value at any finite row, steps and ramps included.
+// Returns the value at any finite row, with steps and ramps.
 float value(const KeyTable &table, float row);
 
 } // namespace odraz

@@ -1,4 +1,4 @@
-// Keys as data: a file NAME.keys holds tables of keys, and the code that reads them includes it.
+// Keys as data: a file NAME.keys contains tables of keys, and code includes it.
 //
 //     // The lamp's light
 //     TRACK(kLamp)
@@ -9,11 +9,11 @@
 //         {128, {4.97, 2.6, 0.514}, {0, 0.48, 0}, 0, 38.7}, // row, eye, target, roll, field of view
 //     END
 //
-// A line is empty or holds a head, a key or END; a comment may end it, or stand alone. A row is a number, or
-// that of an event, plus or minus a number. Rows count from the start of the scene that the file is named
-// after; those of TRACK(kLamp, rowOf(kLampLights)) count from an event. PATH(kSink, 12)
-// rounds the numbers of its keys to 12 significant bits (key_bits.h); 24 are all. odraz-debug reads and
-// writes these files (maker/keys/key_file.h).
+// A line is empty or contains a head, a key, END or only a comment; any line may end with a comment. A row is
+// a number, or rowOf(an event) plus or minus a number. Rows count from the start of the scene that the file
+// is named after; in TRACK(kLamp, rowOf(kLampLights)) they count from the event. PATH(kSink, 12) rounds the
+// numbers of its keys to 12 significant bits (key_bits.h); 24 are all. odraz-debug reads and writes these
+// files (maker/keys/key_file.h).
 #pragma once
 
 #include "timeline/key_bits.h"
@@ -33,7 +33,7 @@ using enum Interpolation;
 #define TRACK(name, ...) static KeyTable name = {#name, __FILE__, float{__VA_ARGS__}, {
 #define PATH(name, bits) static KeyTable name = {#name, __FILE__, bits, {
 #define END }};
-#define KEYED // in front of the type of what refers to tables: it changes with them
+#define KEYED // precedes the type of data that refer to tables, which change here
 
 #else
 

@@ -5,16 +5,17 @@
 
 namespace odraz {
 
-inline constexpr int kCadences = 5; // that the governor chooses from, in the order of its enum
+inline constexpr int kCadences = 5; // which the governor chooses from, in the order of its enum
 
 struct Pace {
-    int leastWidth = 640; // the fewest pixels across that are traced
-    float halving = 1;    // steps of coarseness that halve the time of a picture
-    // The squared error that each cadence adds, in units of that of a picture of `play`
+    int leastWidth = 640; // the smallest width traced, in pixels
+    float halving = 1;    // number of steps of coarseness that halve a picture's time
+    // The squared error that each cadence adds, as a multiple of the squared error of quality `play`
     float penalty[kCadences] = {0, 0.2f, 0.8f, 1.5f, 6};
 };
 
-// A Pace in six bytes, for tables: in 16 pixels and in tenths. The first cadence adds no error.
+// A Pace in six bytes, for tables: the width in units of 16 pixels, the others in tenths. The first cadence
+// adds no error.
 struct PackedPace {
     uint8_t leastWidth, halving, penalty[kCadences - 1];
 

@@ -6,16 +6,15 @@
 
 namespace odraz {
 
-// A shot runs from its row to the row of the next shot, the last one to the end of the film. Cuts between
-// shots are hard. A scene counts its story time from the first of its shots, so a cut within a scene does not
-// break the motion.
+// A shot lasts from its row to the row of the next shot, or to the end of the film. Cuts between shots are
+// hard. A scene's story time counts from its first shot, so a cut within a scene does not interrupt motion.
 struct Shot {
     float row;       // film row at which it starts
-    int scene;       // index of the scene it shows
-    float storyRow;  // film row at which that scene's story starts
-    CameraPath path; // its rows count from the start of the scene's story
-    float fadeIn;    // rows over which it comes up from black
-    float fadeOut;   // rows over which it goes down to black before its end
+    int scene;       // index of the scene that it shows
+    float storyRow;  // film row at which the scene's story starts
+    CameraPath path; // its rows count from storyRow
+    float fadeIn;    // rows over which it fades in from black
+    float fadeOut;   // rows over which it fades to black before its end
 };
 
 struct ShotList {
@@ -30,8 +29,8 @@ struct Moment {
     float fade;     // 0 black .. 1 full
 };
 
-// What plays at a film row. Before the start this is the first picture of the first shot, after the end the
-// last picture of the last shot.
+// Returns what plays at a film row: before the film the start of the first shot, after it the end of the last
+// shot.
 Moment momentAt(ShotList list, double at);
 
 } // namespace odraz

@@ -1,8 +1,8 @@
-// A value over time, as keys. It has those interpolations of GNU Rocket that the film uses.
+// A value over time, as keys, with those interpolations of GNU Rocket that the film uses.
 //
-// Time is in rows, kRowsPerSecond of them: a row is a sixteenth note at 120 beats a minute, and a bar has
-// kRowsPerBar. Keys are in ascending order of rows. Before the first key its value holds, after the last key
-// the last value. An empty track is 0. A key's interpolation applies up to the next key.
+// Time is in rows, kRowsPerSecond a second and kRowsPerBar a bar: a row is a sixteenth note at 120 beats a
+// minute. Keys are in ascending order of rows. The first key's value holds before it, and the last key's
+// value after it. An empty track is 0. A key's interpolation applies up to the next key.
 #pragma once
 
 namespace odraz {
@@ -28,7 +28,7 @@ struct Track {
 
 template <int N> constexpr Track track(const Key (&keys)[N]) { return {keys, N}; }
 
-// The track's value at any finite row.
+// Returns the track's value at any finite row.
 float value(Track track, float row);
 
 } // namespace odraz

@@ -1,5 +1,5 @@
-// Scene 7. The word that the last ball mirrored, on the marble of scene 1. Text states what the film is, how
-// many bytes it has, who made it and what it ran on, and greets those it stands on.
+// Scene 7. The word that the last ball mirrored, on the marble of scene 1. The text says what the film is,
+// its size in bytes, who made it and on which processor it runs, and greets the authors of its methods.
 #include "base/maths.h"
 #include "base/text.h"
 #include "show/font.h"
@@ -13,22 +13,22 @@ namespace odraz {
 
 enum { kMarble, kSilver };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kSilver] = &kMirror};
-static constexpr float kLastBeat = 92; // then all is black, and the room rings out
-// Pages of text begin and end; then the word stands alone for two seconds
+static constexpr float kLastBeat = 92; // then black, while the reverberation fades
+// The start of each page of text and the end of the last; then the word is alone for two seconds
 static constexpr float kPages[] = {rowOf(kLine1), rowOf(kLine2), rowOf(kLine3), kLastBeat - 16};
 
 void poseCredits(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
-    // The light wanders over the stone until the end
-    float way = in.row * 0.03f;
-    scene.add(Light{{way - 2.4f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f});
-    scene.add(Light{{2.6f, 1.7f, -2.6f + way}, {3.2f, 4.4f, 6.8f}, 0.2f});
+    // The light moves over the stone until the end
+    float shift = in.row * 0.03f;
+    scene.add(Light{{shift - 2.4f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f});
+    scene.add(Light{{2.6f, 1.7f, -2.6f + shift}, {3.2f, 4.4f, 6.8f}, 0.2f});
     scene.add(Light{{0, 0.4f, 1.5f}, {0.3f, 0.14f, 0.06f}, 0.1f}); // the word's
-    // No bright vein crosses what it mirrors of the word
+    // The shift keeps bright veins out of the word's reflection
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {-4, -2.75f, 5.5f};
     scene.add(sphere({-1.95f, 0.6f, -1.2f}, 0.6f, kSilver));
     int tube = scene.add(lamp({4.5f, 1.6f, 0.5f}));
-    standText(scene, "odraz", {-1.17f, 0.055f, 0}, 0.045f, 100, tube);
+    addText(scene, "odraz", {-1.17f, 0.055f, 0}, 0.045f, 100, tube);
     scene.ballsOcclude = true;
     scene.ambientLow = {0.01f, 0.01f, 0.014f};
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};

@@ -1,5 +1,5 @@
-// Scene 3. Flake: the mirrored ball grows balls, and those balls grow balls; we fly between them, and the
-// light travels with us. Source of the figure: the "balls" of Haines' Standard Procedural Databases.
+// Scene 3. Flake: balls grow on a mirror ball, and balls on those balls. The camera flies between them with a
+// light. The figure is "balls" of Haines' Standard Procedural Databases.
 #include "base/maths.h"
 #include "show/materials.h"
 #include "show/scenes.h"
@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kLevels = 3; // 1 + 9 + 81 + 729 balls
 constexpr int kShades = 6;
-// Detail is chosen as for a picture of kLines lines, whatever its size and the lens. kPixelsPerUnit: the
-// pixels of a length of 1 at distance 1
+// Detail is chosen for a picture of kLines lines, whatever its actual size and lens. kPixelsPerUnit: the size
+// in pixels of a length of 1 at distance 1
 constexpr float kLines = 720, kPixelsPerUnit = kLines * 25 / 18;
 constexpr float kGenerations[kLevels] = {rowOf(kGeneration1), rowOf(kGeneration2), rowOf(kGeneration3)};
 
@@ -23,14 +23,14 @@ struct Flake {
     CameraKey camera;
     float grown[kLevels], turn;
     int silver, copper;
-    int pearls[2][kShades]; // [warm][how much of a mirror]
+    int pearls[2][kShades]; // [warm][shade]: the larger the shade, the more they reflect
 
-    // A ball and what grows on it: six around its waist, three above, all sixty degrees apart.
+    // Adds a ball and the balls on it: six around its equator and three above, all sixty degrees apart.
     void add(int level, const Vec3 &centre, float radius, const Mat3 &frame) {
-        // Detail by projected size: a ball of a few pixels mirrors nothing, and still smaller ones grow as we
-        // come near
-        float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
-              pixels = radius / away * kPixelsPerUnit;
+        // Choose detail by projected size: balls of a few pixels mirror nothing, and smaller ones grow as the
+        // camera approaches
+        float distance = max(length(centre - camera.eye) - 2 * radius, 0.1f),
+              pixels = radius / distance * kPixelsPerUnit;
         int shade = clamp((int)(pixels * 0.04f) - level, 0, kShades - 1);
         scene.add(sphere(centre, radius, level > 1 ? pearls[level & 1][shade] : level ? copper : silver));
         float size = grown[min(level, kLevels - 1)] * (1.f / 3) * saturate(pixels * 0.05f - 0.4f);
@@ -60,15 +60,15 @@ void poseFlake(const SceneInput &in, Scene &scene) {
     scene.add(plane({0, 0, 0}, scene.add(kSlate)));
     flake.add(0, {0, 2.5f, 0}, 2.5f, kIdentity);
 
-    // The sun, and a lamp that travels with us, behind us to one side; from afar it shines brighter, so that
-    // what stands against the sun is not black
+    // Add the sun, and a lamp that travels behind the camera to one side. It is brighter far away, so that
+    // balls in front of the sun are not black
     Vec3 eye = flake.camera.eye, back = normalize(eye - flake.camera.target);
     scene.add(Light{kDuskSun * 3.f, {4600, 2900, 1700}, 1.8f});
     scene.add(Light{eye + back * 0.6f + Vec3{back.z, 0.7f, -back.x} * 0.9f,
                     Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.03f), 0.1f});
     scene.ambientLow = {0.13f, 0.115f, 0.135f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
-    // It begins in a blue twilight
+    // Begin in a blue twilight
     float late = saturate(1 - in.row * in.row * (1.f / 16384));
     scene.sky = duskSky(in.row + 192, late);
     scene.exposure = 0.75f;

@@ -1,6 +1,5 @@
-// Scene 1. Black; a light is born over dark marble, rises behind a ball of glass; the ball gathers
-// it on the stone in a caustic that wanders. Then a word of light is written there, 5 cm above the marble,
-// which mirrors it.
+// Scene 1. Black; a light appears over dark marble and rises behind a ball of glass, which focuses it on the
+// stone in a moving caustic. Then a word of light is written there, 5 cm above the marble, which mirrors it.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -24,7 +23,7 @@ void posePoint(const SceneInput &in, Scene &scene) {
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({-0.8f, 0.5f, 0.6f}, 0.5f, kClear));
     Vec3 place = {-0.42f, 0.055f, -0.7f};
-    standText(scene, "odraz", place, 0.045f, written, tube);
+    addText(scene, "odraz", place, 0.045f, written, tube);
 
     Vec3 point = {value(track(kPasses), in.row), value(track(kRises), in.row), -0.55f};
     if (key > 0) scene.add(sphere(point, 0.03f, glow));
@@ -35,7 +34,7 @@ void posePoint(const SceneInput &in, Scene &scene) {
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
     scene.sky = plainSky(Rgb{0.004f, 0.005f, 0.008f} * key, Rgb{0.016f, 0.021f, 0.034f} * key);
-    // A cold glow from behind at the right, beyond the picture: the ball's edge gathers it
+    // Add a cold glow from behind on the right, outside the picture: it shows in the ball's edge
     scene.sky.sun = normalize(Vec3{0.9f, 0.15f, -0.5f});
     scene.sky.near = Rgb{0.9f, 1.6f, 3.6f} * saturate(fmadd(in.row, 1 / 64.f, -0.375f));
     scene.sky.glow = scene.sky.near * 0.004f;

@@ -1,5 +1,5 @@
 // Scene 2. Whitted's table: mirror and glass balls circle over a checker of stone and wood, on dark ground
-// that mirrors them, before a burning sky.
+// that mirrors them, in front of a burning sky.
 #include "base/maths.h"
 #include "show/materials.h"
 #include "show/scenes.h"
@@ -13,7 +13,7 @@ constexpr const Material *kMaterials[] = {
     [kBoard] = &kBoards,  [kEdge] = &kOak,   [kGround] = &kSlate,    [kClear] = &kGlass,
     [kSilver] = &kMirror, [kRed] = &kCopper, [kStone] = &kDarkMarble};
 
-// One of the four that frame the table: mitred enough for the eye, the grain along each side.
+// One of the four sides of the table's frame. Corners look mitred, and the grain runs along each side.
 constexpr Shape side(int i) {
     float at = i & 1 ? -3.11f : 3.11f;
     bool alongX = i < 2;
@@ -23,7 +23,7 @@ constexpr Shape side(int i) {
     s.textureShift = {0.15f, 0.9f + 0.7f * (float)i, 2.0f * (float)i};
     return s;
 }
-// What does not move: the table, the ground, and a large mirror ball in the middle.
+// Shapes that do not move: the table, the ground, and a large mirror ball in the middle.
 constexpr Shape kShapes[] = {
     box({0, -0.06f, 0}, {3.0f, 0.06f, 3.0f}, kBoard),
     side(0),
@@ -33,8 +33,8 @@ constexpr Shape kShapes[] = {
     plane({0, -0.22f, 0}, kGround),
     sphere({0, 0.8f, 0}, 0.8f, kSilver),
 };
-// In the order in which they set off, a beat apart: five that circle it, the foremost first, so that none
-// meets another; three further out, the last of which crosses the lens at the end; and one above.
+// Balls in the order in which they start, a beat apart: five that circle the mirror ball, the foremost first,
+// so that none meets another; three further out, the last of which passes the lens at the end; and one above.
 constexpr struct {
     float angle, distance, radius, speed, lift;
     int material;
@@ -45,9 +45,9 @@ constexpr struct {
     {3.65f, 2.35f, 0.2f, 1, 0, kSilver},     {1.55f, 2.35f, 0.3f, 1, 0, kClear},
     {2.4f, 0.95f, 0.24f, -1, 1.35f, kClear},
 };
-constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians a row
+constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians per row
 constexpr Light kFill = {{6, 5, -4}, {9, 14, 24}};
-// The sun; and as it stands for the second shot, a macro under glass: so high that the board lies in the
+// The sun, and its position in the second shot, a close-up under glass: so high that the board is in the
 // focus of the balls
 constexpr float kMacroFrom = 64, kMacroTo = 128; // rows
 constexpr Light kKeyLights[] = {
@@ -64,14 +64,14 @@ void poseTable(const SceneInput &in, Scene &scene) {
     scene.add(kFill);
     float rows = in.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
-        // It sets off from rest and reaches its speed within a beat
+        // Start from rest and reach full speed within a beat
         float speeds = clamp(rows, 0.f, kBeat),
               turn = (speeds * speeds * (0.5f / kBeat) + max(rows - kBeat, 0.f)) * kSpeed;
         rows -= kBeat;
         float angle = m.angle + turn * m.speed;
-        Vec3 place = {m.distance * cos(angle), m.radius + m.lift, m.distance * sin(angle)};
-        Shape *s = scene.add(sphere(place, m.radius, m.material));
-        // Roll without slipping, by the length of the way divided by the ball's radius
+        Vec3 centre = {m.distance * cos(angle), m.radius + m.lift, m.distance * sin(angle)};
+        Shape *s = scene.add(sphere(centre, m.radius, m.material));
+        // Roll without slipping: the angle is the length of the path divided by the radius
         float roll = -turn * m.speed * m.distance / m.radius;
         Mat3 outward = {{cos(angle), 0, sin(angle)}, {0, 1, 0}, {-sin(angle), 0, cos(angle)}};
         Mat3 rolled = {{1, 0, 0}, {0, cos(roll), sin(roll)}, {0, -sin(roll), cos(roll)}};
@@ -83,7 +83,7 @@ void poseTable(const SceneInput &in, Scene &scene) {
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky(in.row);
-    if (in.row < kMacroFrom) scene.sky.cloudScale = 0.5f; // where clouds are half of the picture
+    if (in.row < kMacroFrom) scene.sky.cloudScale = 0.5f; // clouds are half of the picture there
     scene.exposure = 0.93f;
 }
 

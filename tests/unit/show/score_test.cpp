@@ -196,7 +196,7 @@ TEST(Score, IsNarrowWhereItIsDryAndWidestInTheFinale) {
     for (int row = 0; row < (int)kFilm.endRow; ++row) {
         m->voiceCount = 0;
         playRow(*m, row);
-        at.push_back(m->narrow);
+        at.push_back(m->crossfeed);
     }
     auto in = [&](SceneId scene, int row) { return at[(size_t)(firstRow(scene) + row)]; };
     EXPECT_GT(in(kPatches, 0), 0.3f) << "at once, after a silence";

@@ -1,4 +1,4 @@
-// The mixer: refused notes, stolen voices, silence that costs nothing, and seeking.
+// The mixer: refused notes, stolen voices, silence, the compressor and seeking.
 #include "sound/mixer.h"
 
 #include "show/score.h"
@@ -45,12 +45,12 @@ std::vector<float> rendered(Mixer &m, int blocks) {
 }
 
 // Counts the denormal numbers in a struct of floats.
-template <class T> long denormals(const T &of) {
-    const float *from = (const float *)&of, *to = (const float *)(&of + 1);
+template <class T> long denormals(const T &data) {
+    const float *from = (const float *)&data, *to = (const float *)(&data + 1);
     return std::count_if(from, to, [](float v) { return std::fpclassify(v) == FP_SUBNORMAL; });
 }
 
-// The largest of some samples.
+// Returns the largest absolute value of some samples.
 float largest(std::span<const float> samples) {
     float most = 0;
     for (float x : samples) most = std::max(most, std::fabs(x));
@@ -64,7 +64,7 @@ TEST(Mixer, IsSilentWithoutVoices) {
     EXPECT_EQ(largest(rendered(*m, 400)), 0);
 }
 
-TEST(Mixer, RefusesWhatIsNoNote) {
+TEST(Mixer, RefusesInvalidNotes) {
     float nan = std::nanf("");
     auto m = mixer(nothing);
     for (Note bad : {Note{&kString, nan, 1, 1, 1}, Note{&kString, 0, 1, 1, 1}, Note{&kString, 60, nan, 1, 1},
@@ -94,9 +94,9 @@ TEST(Mixer, HoldsAllVoicesAndStealsTheQuietestWithoutAStep) {
         ASSERT_LE(m->voiceCount, kVoices);
     }
     EXPECT_GT(most, kVoices - kVoicesAtOnce);
-    // The notes of the last row are in, those of the next are not: there is room again
+    // The notes of the last row sound, and there is room for the notes of the next
     EXPECT_EQ(m->voiceCount, kVoices - kVoicesAtOnce);
-    // Clicks show as second differences: compare them while voices are stolen with those before
+    // Clicks show as second differences: compare the largest while voices are stolen with the largest before
     double before = 0, after = 0;
     size_t full = (size_t)(kVoices / kVoicesAtOnce) * kBlocksPerRow * 2 * kBlock;
     for (size_t i = 4; i + 4 < out.size(); ++i) {
@@ -107,7 +107,7 @@ TEST(Mixer, HoldsAllVoicesAndStealsTheQuietestWithoutAStep) {
     EXPECT_LT(after, before * 1.5);
 }
 
-TEST(Mixer, LeavesNoDenormalsAndLetsOthersHaveThem) {
+TEST(Mixer, LeavesNoDenormalsAndRestoresTheirMode) {
     unsigned control = _mm_getcsr();
     auto m = mixer(once);
     std::vector<float> out = rendered(*m, 40 * 200);
@@ -127,8 +127,8 @@ TEST(Mixer, StaysWithinItsPeak) {
     EXPECT_NEAR(largest(rendered(*m, 4000)), 0.68f, 1e-4f) << "-3.3 dB";
 }
 
-// 12 dB more of a lasting sound are 9 dB more.
-TEST(Mixer, PressesDownWhatIsLoudForLong) {
+// A lasting sound that is 12 dB louder is 9 dB louder in the mix.
+TEST(Mixer, CompressesLastingSounds) {
     auto dbOf = [](float level) {
         Instrument kind = {.level = level, .tilt = 9, .decay = 1000};
         auto m = mixer(nothing);
@@ -141,24 +141,24 @@ TEST(Mixer, PressesDownWhatIsLoudForLong) {
     EXPECT_NEAR(dbOf(0.4f) - dbOf(0.1f), 9, 0.5);
 }
 
-// Silence comes within 30 ms, is complete, and ends within one.
-TEST(Mixer, IsSilentWhileItIsHushed) {
+// Silence begins within 30 ms, is complete, and ends within 1 ms.
+TEST(Mixer, IsSilentWhileMuted) {
     static constexpr Instrument kLasting = {.level = 0.2f, .tilt = 9, .decay = 1000, .room = 1, .echo = 1};
     auto m = mixer([](Mixer &m, int row) {
         if (row == 0) playNote(m, {&kLasting, 69, 1, 100, 1});
-        m.hushed = row == 8 || row == 9;
+        m.muted = row == 8 || row == 9;
     });
-    std::vector<float> before = rendered(*m, 8 * kBlocksPerRow), hushed = rendered(*m, 2 * kBlocksPerRow),
+    std::vector<float> before = rendered(*m, 8 * kBlocksPerRow), muted = rendered(*m, 2 * kBlocksPerRow),
                        after = rendered(*m, 1);
-    EXPECT_EQ(largest(std::span(hushed).subspan((size_t)(2 * 0.03 * kSampleRate))), 0);
+    EXPECT_EQ(largest(std::span(muted).subspan((size_t)(2 * 0.03 * kSampleRate))), 0);
     float most = largest(std::span(before).last(4800));
     EXPECT_GT(largest(after), 0.8f * most);
     EXPECT_LT(std::fabs(after[0]), 0.05f * most);
 }
 
-// After seeking, the music has the same voices as after playing. The room and the echo agree except for what
-// has faded away.
-TEST(Mixer, SeeksToWhatWouldBePlayed) {
+// After seeking, the same voices sound as after playing. Room and echo differ only by sound that has faded
+// away.
+TEST(Mixer, SeeksToTheSameSound) {
     for (int second : {3, 47, 121}) {
         if (kSanitized && second == 121) continue;
         auto played = mixer(playRow), sought = mixer(playRow);

@@ -1,4 +1,5 @@
-// Bands of noise: the filter has the response it should, swept or not, and both sides differ.
+// Bands of noise: the filter's response matches its closed form, stays bounded when swept, and all bands
+// differ.
 #include "base/maths.h"
 #include "base/random.h"
 #include "tests/support/voice.h"
@@ -14,9 +15,9 @@ constexpr Instrument kBands = {.noise = 0.2f, .stretch = 1.3f, .decay = 1e6f, .s
 
 } // namespace
 
-// The closed form of the analogue band-pass g s / (1 + k s + s^2) under the bilinear transform is a filter of
-// two poles. Fed the same noise, in double precision, it gives the same samples.
-TEST(Noise, IsFilteredAsInClosedForm) {
+// The bilinear transform of the analogue band-pass g s / (1 + k s + s^2) is a filter with two poles. In
+// double precision, it gives the same samples for the same noise.
+TEST(Noise, MatchesTheFiltersClosedForm) {
     for (float key : {30.f, 69.f, 93.f}) {
         std::unique_ptr<Voice> voice = begun({&kBands, key, 1, 100, 0});
         Uint8 phase = voice->group[0].phase;
@@ -32,7 +33,7 @@ TEST(Noise, IsFilteredAsInClosedForm) {
                 double x = (double)(int32_t)pcg(phase[lane] + (uint32_t)n) / 2147483648.;
                 double y = (g * (x - x2) - a1 * y1 - a2 * y2) / a0;
                 x2 = x1, x1 = x, y2 = y1, y1 = y;
-                if (n < kBlock) continue; // the attack
+                if (n < kBlock) continue; // skip the attack
                 double got = (double)out[n][lane] / (double)amplitude[lane];
                 error += (got - y) * (got - y);
                 power += y * y;
@@ -43,7 +44,7 @@ TEST(Noise, IsFilteredAsInClosedForm) {
     }
 }
 
-// A sweep over the whole range, up or down within a block or two, neither rings nor grows.
+// A sweep over the whole range within a block or two, up or down, neither rings nor grows.
 TEST(Noise, StaysBoundedHoweverItIsSwept) {
     for (float bend : {-0.99f, 0.f, 5.f})
         for (float time : {-0.5f, 0.002f, 1.f})

@@ -1,4 +1,4 @@
-// Notes: in tune, without aliases or clicks, and independent of where blocks join.
+// Notes: in tune, without aliases or clicks, and independent of block boundaries.
 #include "show/score.h"
 #include "tests/support/voice.h"
 #include "tools/measure/detect/recording.h"
@@ -12,7 +12,7 @@ using namespace odraz::measure;
 
 namespace {
 
-// The left side of a note, from its start.
+// Renders the left channel of a note, from its start.
 std::vector<double> render(const Instrument &kind, float key, double seconds, float velocity = 1,
                            float length = 100) {
     std::vector<double> out;
@@ -21,7 +21,8 @@ std::vector<double> render(const Instrument &kind, float key, double seconds, fl
     return out;
 }
 
-// By how many cents a sound is off a frequency, from how far its phase drifts between two times (in samples).
+// Returns how many cents a sound is off a frequency, from the drift of its phase between two times (in
+// samples).
 double centsOff(const std::vector<double> &x, size_t from, size_t to, double hertz) {
     auto phaseAt = [&](size_t from) { // in turns
         constexpr size_t kSize = 16384;
@@ -57,7 +58,7 @@ TEST(Note, HasThePartialsOfItsInstrument) {
     Instrument bell = {.partials = 4, .stretch = 1.5f, .decay = 1000};
     std::vector<double> x = render(bell, 69, 1.5);
     for (int k = 1; k <= 4; ++k) EXPECT_LT(centsOff(x, 24000, 36000, 440 * std::pow(k, 1.5)), 0.5) << k;
-    // Left and right are out of tune by the same
+    // Left and right are detuned symmetrically
     bell.detune = 0.001f;
     auto voice = begun({&bell, 69, 1, 1, 1});
     for (int lane = 0; lane < 4; ++lane)
@@ -65,7 +66,7 @@ TEST(Note, HasThePartialsOfItsInstrument) {
                     1.001 / 0.999, 1e-6);
 }
 
-// Everything outside the partials is below -80 dB: harmonics up to 20 kHz, under a window with lower
+// Everything outside the partials (harmonics up to 20 kHz) is below -80 dB, under a window with lower
 // sidelobes.
 TEST(Note, DoesNotAlias) {
     Instrument full = {.partials = 32, .decay = 1000};
@@ -86,7 +87,7 @@ TEST(Note, DoesNotAlias) {
             bool partial = k >= 1 && k <= 32 && k * pitch < kHighest && std::fabs(hertz - k * pitch) < 6;
             (partial ? own : other) = std::max(partial ? own : other, std::norm(f[i]));
         }
-        std::printf("key %g: what is no partial is at %.1f dB\n", (double)key, db(other / own));
+        std::printf("key %g: aliases are at %.1f dB\n", (double)key, db(other / own));
         EXPECT_LT(db(other / own), -80);
     }
 }
@@ -107,8 +108,8 @@ TEST(Note, BendsWithoutAliasing) {
     EXPECT_LT(db(above / inside), -79);
 }
 
-// A period's frequency, between two of its rising zeros, swings as far as it must, and hardly at the start.
-TEST(Note, HasItsVibratoOnceItHasBegun) {
+// The frequency, measured between rising zeros, swings by the vibrato's amplitude, but hardly at the start.
+TEST(Note, FadesInItsVibrato) {
     Instrument sung = kSine;
     sung.vibrato = 0.01f;
     std::vector<double> x = render(sung, 69, 3);
@@ -131,7 +132,7 @@ TEST(Note, HasItsVibratoOnceItHasBegun) {
 
 TEST(Note, IsAFunctionOfTime) {
     for (const Instrument &kind : kInstruments) {
-        if (kind.noise > 0) continue; // the filters have a state
+        if (kind.noise > 0) continue; // its filters have a state
         auto voice = begun({&kind, 57, 0.7f, 1, 1}, 1234);
         std::vector<Float8> all = rendered(*voice, 10. * kBlock / kSampleRate);
         Float8 one[kBlock] = {};
@@ -161,9 +162,8 @@ TEST(Note, BeginsAndEndsInSilence) {
     }
 }
 
-// Of a struck note, the first 5 ms are the loudest: its partials begin together, and rise within a
-// millisecond.
-TEST(Note, IsLoudestAtOnceIfStruck) {
+// The first 5 ms of a struck note are its loudest: its partials begin in phase and rise within a millisecond.
+TEST(Note, IsLoudestAtItsStartIfStruck) {
     for (InstrumentId id : {kGlassDrop, kPiano, kWood, kPulse, kDrum, kBrush, kImpact}) {
         std::vector<double> x = render(kInstruments[id], 57, 0.2);
         double first = 0, later = 0;

@@ -1,4 +1,4 @@
-// The room fades as it was designed to, and ends in silence.
+// The room decays as designed, and is dense; the echo alternates sides.
 #include "sound/reverb.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@ using namespace odraz;
 
 namespace {
 
-// The response of the room to an impulse in one lane.
+// Returns the room's response to an impulse in one lane.
 std::vector<Float8> response(double seconds, int lane) {
     auto room = std::make_unique<Reverb>();
     std::vector<Float8> out;
@@ -22,7 +22,7 @@ std::vector<Float8> response(double seconds, int lane) {
     }
     return out;
 }
-// ... summed over lanes of both sides.
+// Returns that response summed over lanes of both channels.
 std::vector<double> impulse(double seconds) {
     std::vector<double> out;
     for (Float8 x : response(seconds, 2))
@@ -30,7 +30,7 @@ std::vector<double> impulse(double seconds) {
     return out;
 }
 
-// Filters a band around a frequency: a resonator, applied four times.
+// Filters a band around a frequency, by a resonator applied four times.
 std::vector<double> band(std::vector<double> x, double hertz) {
     double r = 1 - M_PI * hertz / 3 / kSampleRate, c = 2 * r * std::cos(2 * M_PI * hertz / kSampleRate);
     for (int pass = 0; pass < 4; ++pass) {
@@ -43,7 +43,8 @@ std::vector<double> band(std::vector<double> x, double hertz) {
     return x;
 }
 
-// The decay time in seconds for 60 dB, from -5 to -35 dB of the energy still to come. Schroeder, 1965.
+// Returns the decay time for 60 dB in seconds, from the remaining energy between -5 and -35 dB. Schroeder,
+// 1965.
 double decayTime(const std::vector<double> &x) {
     std::vector<double> rest(x.size() + 1);
     for (size_t i = x.size(); i-- > 0;) rest[i] = rest[i + 1] + x[i] * x[i];
@@ -53,7 +54,7 @@ double decayTime(const std::vector<double> &x) {
     return (double)(b - a) * 2 / kSampleRate;
 }
 
-// The designed decay time of a frequency: between the two given times, by the loss of a mean line's low-pass.
+// Returns the designed decay time of a frequency, between kDecay and kDecayHigh, from a mean line's low-pass.
 double designed(double hertz) {
     double length = 2650, log2gain = -9.96578 * length / kSampleRate / (double)kDecay,
            ratio = (double)(kDecay / kDecayHigh), pole = log2gain * 0.173287 * (1 - ratio * ratio),
@@ -88,12 +89,12 @@ TEST(Reverb, IsDenseAndOnBothSides) {
             loud += i >= 120 * kBlock && std::fabs(out[i][0]) > 1e-7f;
         }
         EXPECT_NEAR(std::log2(left / right), 0, 0.6) << lane;
-        EXPECT_GT(loud, 80 * kBlock / 2) << "half a second later single echoes are no longer heard";
+        EXPECT_GT(loud, 80 * kBlock / 2) << "half a second later single echoes cannot be heard";
     }
 }
 
-// What enters as an impulse is spread by the allpasses, with its energy.
-TEST(Reverb, HasFirstEchoesThatAreNoClicks) {
+// The allpasses spread an impulse without a loss of energy.
+TEST(Reverb, HasNoClicksAsFirstEchoes) {
     double most = 0, sum = 0;
     for (double x : impulse(0.1)) most = std::max(most, x * x), sum += x * x;
     EXPECT_LT(most, 0.1 * sum);

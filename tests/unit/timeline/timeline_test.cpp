@@ -39,7 +39,7 @@ TEST(Track, MeetsEveryKeyAndInterpolatesAsRocketDoes) {
     }
 }
 
-TEST(Track, TakesTheLaterOfTwoKeysOnOneRow) {
+TEST(Track, UsesTheLaterOfTwoKeysOnOneRow) {
     static constexpr Key keys[] = {{0, 1, Linear}, {4, 2, Linear}, {4, 7, Linear}, {8, 8, Linear}};
     EXPECT_EQ(value(track(keys), 4), 7);
     EXPECT_NEAR(value(track(keys), 3.9999), 2, 1e-3);
@@ -66,14 +66,14 @@ TEST(Camera, MeetsItsKeysAndHoldsOutside) {
     EXPECT_EQ(pose(path(kKeys), 1e7).eye.x, -2.2f);
 }
 
-TEST(Camera, IsContinuousInPlaceAndVelocity) {
+TEST(Camera, IsContinuousInPositionAndVelocity) {
     double h = 1e-3, before = 0, steepest = 0;
     for (double row = 0; row < 41 - h; row += h) {
         double v = ((double)pose(path(kKeys), row + h).eye.x - (double)pose(path(kKeys), row).eye.x) / h;
         if (row > 0) steepest = std::fmax(steepest, std::fabs(v - before));
         before = v;
     }
-    EXPECT_LT(steepest, 0.02); // a jump in velocity would be of the size of the velocities, about 1 a row
+    EXPECT_LT(steepest, 0.02); // a jump would be as large as the velocities, about 1 a row
 }
 
 TEST(Camera, BeginsAndEndsInMotionAndRestsWhereKeysAreEqual) {
@@ -116,7 +116,7 @@ TEST(Shots, CutHardAndFadeAtTheirEdges) {
     EXPECT_FLOAT_EQ(momentAt(list, 1).fade, 0.25f);
     EXPECT_FLOAT_EQ(momentAt(list, 15).fade, 0.5f);
     EXPECT_FLOAT_EQ(momentAt(list, 44).fade, 0.5f);
-    EXPECT_EQ(momentAt(list, 50).storyRow, 34); // the story runs on across the cut
+    EXPECT_EQ(momentAt(list, 50).storyRow, 34); // the story continues across the cut
 }
 
 TEST(Shots, ClampOutsideTheFilm) {

@@ -11,13 +11,13 @@ constexpr const char *const kChords[] = {
     [kStage] = "DBADD",
 };
 
-// Scene, bars from and to; instrument, octave, tones at once, room; strokes in rows; velocity at the start and
-// at the end; line.
+// .bars: from and to. .sound: instrument, octave, tones at once, room, per cent to the left. .strokes: their
+// number, and over how many rows. .velocity: at the start and at the end.
 static constexpr Part kParts[] = {
-    {kStage, 0, 4, {kPad, 3, 4, 100}, 1, 16, 70, 90, "0"},
-    {kStage, 0, 4, {kPiano, 2, 1, 60}, 1, 16, 80, 90, "0"},
-    {kStage, 0, 3, {kPiano, 4, 1, 100}, 8, 16, 40, 65, "02143524"},
-    {kStage, 0, 4, {kPiano, 5, 1, 120}, 1, 4, 80, 100, "D-aGF-EDE-CED---"},
+    {.scene = kStage, .bars = {0, 4}, .sound = {kPad, 3, 4, 100}, .strokes = {1, 16}, .velocity = {70, 90}, .line = "0"},
+    {.scene = kStage, .bars = {0, 4}, .sound = {kPiano, 2, 1, 60}, .strokes = {1, 16}, .velocity = {80, 90}, .line = "0"},
+    {.scene = kStage, .bars = {0, 3}, .sound = {kPiano, 4, 1, 100}, .strokes = {8, 16}, .velocity = {40, 65}, .line = "02143524"},
+    {.scene = kStage, .bars = {0, 4}, .sound = {kPiano, 5, 1, 120}, .strokes = {1, 4}, .velocity = {80, 100}, .line = "D-aGF-EDE-CED---"},
 };
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
@@ -27,7 +27,7 @@ static constexpr EventSound kEventSounds[] = {
 };
 // clang-format on
 
-// The share of each side that the other takes, per cent: less is wider.
-static int narrowAt(int, int) { return 12; }
+// Returns the share of each channel that the other gets, per cent: less is wider.
+static int crossfeedAt(int, int) { return 12; }
 
 } // namespace odraz

@@ -46,7 +46,7 @@ void poseStage(const SceneInput &in, Scene &scene) {
     while (word[letters]) ++letters;
     float unit = min(0.046f, 0.29f / (float)letters), written = row - rowOf(kWordComes);
     int tube = scene.add(lamp({2.6f, 0.9f, 0.27f}));
-    standText(scene, word, {-5.6f * unit * (float)letters, 0.06f, 1.7f}, unit, 6 * written, tube);
+    addText(scene, word, {-5.6f * unit * (float)letters, 0.06f, 1.7f}, unit, 6 * written, tube);
 
     scene.add(Light{kDuskSun, {620, 390, 210}, 0.6f}); // 1.2 m wide: shadows are soft
     scene.ballsOcclude = true;

@@ -1,4 +1,4 @@
-#include "show/half_cube.h"
+#include "show/hemicube_view.h"
 
 #include "base/maths.h"
 #include "trace/picture/overlay.h"
@@ -7,38 +7,39 @@ namespace odraz {
 
 namespace {
 
-constexpr float kHalfSide = 1.5f;            // metres
-constexpr float kUnfolded = 0.19f;           // half a side of the cross's faces, in heights of the picture
-constexpr float kBrightened = 5;             // factor, because what it sees is dark
-constexpr Rgb kSky = {0.30f, 0.34f, 0.40f};  // in windows
-constexpr Rgb kLine = {0.30f, 0.16f, 0.10f}; // between the patches that it sees
+constexpr float kHalfSide = 1.5f;  // metres
+constexpr float kUnfolded = 0.19f; // half the side of the cross's faces, as a share of the picture's height
+constexpr float kBrightened = 5;   // factor on the patches' colours, which are dark
+constexpr Rgb kSky = {0.30f, 0.34f, 0.40f};  // colour of windows
+constexpr Rgb kLine = {0.30f, 0.16f, 0.10f}; // colour between patches
 constexpr Rgb kEdge = {1.6f, 0.7f, 0.34f};
 
-// The faces in the order in which they hide each other: the far sides, the near ones, the top. Each has its
-// first row of pixels, in halves of the top's, and the side of the patch, along u and v, that it looks to.
+// The faces from back to front: the far sides, the near ones, the top. `row`: its first row of pixels in
+// units of half the top's size; u, v: the direction that it faces.
 constexpr struct { int8_t row, u, v; } kFaces[] = {{4, -1, 0}, {5, 0, -1}, {2, 1, 0}, {3, 0, 1}, {0, 0, 0}};
 
 } // namespace
 
-void drawHalfCube(const Hall &hall, float rise, float open, const View &view, Frame &frame) {
+void drawHemicube(const Hall &hall, float rise, float open, const View &view, Frame &frame) {
     if (rise <= 0) return;
     const Model &m = hall.model;
     const Patch &patch = m.patches[hall.visited];
     const Chart &c = m.charts[patch.chart];
     float h = (float)frame.height, size = h * kUnfolded;
-    // The middle of its bottom, and its half sides: on the patch, and moved towards the cross by the share
-    // that it is open. Through such a long lens the sides are alike everywhere
+    // Compute the centre of the bottom and the half sides, over the patch and moved towards the cross by
+    // `open`. The lens is so long that parallel sides have equal lengths
     float on[4][2], now[4][2] = {{view.width - 0.51f * h, 0.5f * h}, {-size, 0}, {0, size}, {0, 0}};
-    const Vec3 ways[4] = {{}, c.u, c.v, c.n};
-    for (int i = 0; i < 4; ++i) view.project(patch.p + ways[i] * (kHalfSide * rise), on[i][0], on[i][1]);
+    const Vec3 sides[4] = {{}, c.u, c.v, c.n};
+    for (int i = 0; i < 4; ++i) view.project(patch.p + sides[i] * (kHalfSide * rise), on[i][0], on[i][1]);
     Stroke line = {on[0][0], on[0][1], 0, 0};
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 4; ++i) now[i][k] = lerp(i ? on[i][k] - on[0][k] : on[0][k], now[i][k], open);
-    // A line leads to it from its patch
+    // Draw a line from the patch to the hemicube
     line.x1 = now[0][0], line.y1 = now[0][1];
     drawStrokes(frame, &line, 1, h * 0.0012f, kEdge, 0.5f * open);
     for (const auto &f : kFaces) {
-        // Its first pixel's corner, and its sides along columns and rows. What was below lies further out
+        // Compute the corner of its first pixel and its sides along columns and rows. Unfolded, its lower
+        // edge is the outer one
         float o[2], a[2], b[2], limits[2] = {view.width, h};
         int from[2], to[2];
         for (int k = 0; k < 2; ++k) {
@@ -70,7 +71,7 @@ void drawHalfCube(const Hall &hall, float rise, float open, const View &view, Fr
             }
         Stroke edges[4];
         for (int k = 0; k < 4; ++k) {
-            // Two along columns, two along rows
+            // two along columns, two along rows
             float *side = k & 1 ? a : b, *other = k & 1 ? b : a, far = k < 2 ? 0 : 1,
                   x = o[0] + other[0] * far, y = o[1] + other[1] * far;
             edges[k] = {x, y, x + side[0], y + side[1]};
