@@ -66,6 +66,9 @@ EXPORT(sound) float *music(int blocks) {
     for (int i = 0; i < blocks; ++i) soundBlock(*theSound, out + (size_t)i * 2 * kSoundBlock);
     return out;
 }
+EXPORT(rate) int rate() { return kSoundRate; }
+EXPORT(block) int blockSize() { return kSoundBlock; }
+// Moves to a block of the film. Returns 0 if there is not enough memory.
 EXPORT(seek) int seek(int block) {
     if (!theSound) {
         size_t bytes = soundMemory() + 64;

@@ -1,19 +1,21 @@
-// Music: a worker composes it, and it is scheduled ten seconds ahead, so that it goes on whatever the machine does.
-const kRate = 48000, kBlock = 240, kChunk = 100, seconds = kChunk * kBlock / kRate // a chunk: so many blocks, which last so long
-const kComposed = 10, kFirst = 2 // seconds ahead, and those before the click
+// Music: a worker composes it ten seconds ahead, so that it plays on even if the machine is busy.
+const kChunk = 100, chunkSeconds = () => kChunk * x.block() / x.rate() // a chunk of music: 100 blocks
+const kComposed = 10, kFirst = 2 // seconds to compose ahead, and before the click
+// zero: when the music begins, on the clock of `audio`; asked, scheduled: numbers of chunks; settled: until then, in
+// milliseconds, the film's clock is set by what is heard, later it is corrected; waiting: chunks to schedule
 let composer, audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0, waiting = []
 const startComposer = () => composer = startWorker(d => {
   if (d.turn == turn) waiting.push(d), schedule()
 }, 'compose', module, blockAt(from), turn)
-const blockAt = time => Math.round(time * kRate / kBlock)
+const blockAt = time => Math.round(time * x.rate() / x.block())
 const openSound = () => {
   try {
-    audio = new AudioContext({ sampleRate: kRate })
+    audio = new AudioContext({ sampleRate: x.rate() })
     audio.resume()
     connect()
   } catch { silent = 1 }
 }
-// What is scheduled is heard no more
+// Connects a new output, and silences what was scheduled before
 const connect = () => {
   const before = gain
   before?.disconnect()
@@ -28,20 +30,20 @@ const seekMusic = () => {
 }
 const compose = () => {
   const most = playing ? kComposed + Math.max(0, filmAt() - from) : kFirst
-  for (; !silent && asked * seconds < most; ++asked) composer.postMessage(['sound', kChunk])
+  for (; !silent && asked * chunkSeconds() < most; ++asked) composer.postMessage(['sound', kChunk])
 }
 const schedule = () => {
   while (zero != null && waiting.length) {
-    const s = audio.createBufferSource(), when = zero + scheduled++ * seconds
+    const s = audio.createBufferSource(), when = zero + scheduled++ * chunkSeconds()
     const late = Math.max(0, audio.currentTime + 0.02 - when)
     const { left, right } = waiting.shift()
-    s.buffer = audio.createBuffer(2, left.length, kRate)
+    s.buffer = audio.createBuffer(2, left.length, x.rate())
     s.buffer.copyToChannel(left, 0), s.buffer.copyToChannel(right, 1)
     s.connect(gain)
-    if (late < seconds) s.start(when + late, late)
+    if (late < chunkSeconds()) s.start(when + late, late)
   }
 }
-// The film's time that is heard now
+// The film's time that is heard at t milliseconds
 const heardAt = t => {
   const { contextTime, performanceTime } = audio.getOutputTimestamp?.() ?? {}
   return from - zero + (contextTime > 0 ? contextTime + (t - performanceTime) / 1e3

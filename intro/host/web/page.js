@@ -1,16 +1,17 @@
-// The film as a page: main() gets the program (main_web.cpp) as bytes, and the scripts of its workers as text.
+// The film as a page: main() gets the program (main_web.cpp) as bytes, and the scripts of its workers as text. Times are
+// seconds of the film, or milliseconds (t) of the page's clock.
 const find = selector => document.querySelector(selector), now = () => performance.now()
 const canvas = find('canvas'), bar = find('i'), button = find('b'), word = find('p'), printed = find('pre')
 const draw = canvas.getContext('2d', { alpha: false })
 const q = new URLSearchParams(location.search), full = q.get('full') != '0'
-let x, module, url, duration, from, over
-let playing, since, clicked // whether the viewer has asked for it; when we began to wait for pictures, and first so
+let x, module, url, duration, from, over // x: the functions of the page's instance; from: where the film begins
+let playing, since, clicked // playing: after the click; since: when waiting for pictures began; clicked: the click's time
 const say = text => { if (word.textContent != text) word.textContent = text }
 const fail = what => { over = 1; button.textContent = ''; say(what) }
 
-// --- The clock stands while something holds the film, or while its sound does ---
+// --- The film's clock, which stops while `holds` has a reason or the system has stopped the sound ---
 const holds = new Set
-let stopped, going, begun // begun: or it waits for the first pictures from there
+let stopped, going, begun // stopped: the film's time while it is stopped; begun: its first pictures are ready
 const filmAt = () => !begun ? -1e9 : going ? x.at(now()) : stopped
 const check = () => {
   const t = now(), goes = begun && !holds.size && (silent || audio.state == 'running')
@@ -32,15 +33,15 @@ const release = why => {
   audio?.resume(), check()
 }
 
-// --- A refresh of the screen ---
+// --- Each refresh of the screen ---
 const begin = t => {
   const needs = x.can(from) == 1, share = x.ready()
   bar.style.width = 100 * (needs ? solved * 0.8 : 0.8 + share / 5) + '%'
   say(needs ? 'The light of the hall is being solved.' : '')
   const sounds = audio?.state == 'running'
   if (!sounds && t - since > 1500) silent = 1
-  const heard = silent || sounds && waiting.length > 3
-  if (heard && (share == 1 || x.can(from) == 2)) bar.style.width = 0, release('start')
+  const audible = silent || sounds && waiting.length > 3
+  if (audible && (share == 1 || x.can(from) == 2)) bar.style.width = 0, release('start')
 }
 const step = (t = now()) => {
   if (over) return
@@ -59,7 +60,7 @@ const step = (t = now()) => {
     bar.style.width = 100 * solved + '%'
   }
   compose()
-  give()
+  assign()
   requestAnimationFrame(step)
 }
 const statistics = () => {
@@ -76,7 +77,7 @@ const end = () => {
 
 // --- The viewer ---
 const fullScreen = () => full && document.documentElement.requestFullscreen?.()
-  .then(() => screen.orientation.lock('landscape')).catch(() => {}) // phones turn it
+  .then(() => screen.orientation.lock('landscape')).catch(() => {}) // phones turn the page
 const play = () => {
   if (over) return
   if (playing) return pause()
@@ -92,7 +93,7 @@ const play = () => {
 const pause = () => {
   if (holds.has('pause')) release('pause')
   else if (going) hold('pause'), say('\u275a\u275a')
-  else if (!holds.size) audio?.resume() // the system has stopped it
+  else if (!holds.size) audio?.resume() // the system has stopped the sound
 }
 const seek = by => {
   if (!begun || over) return
@@ -102,7 +103,7 @@ const seek = by => {
   ++turn, beginPictures(), seekMusic()
 }
 const key = e => {
-  const is = letter => [e.key.toUpperCase(), e.code.slice(3)].includes(letter) // on a key, or in its place
+  const is = letter => [e.key.toUpperCase(), e.code.slice(3)].includes(letter) // the key's letter, or its place on the keyboard
   if (e.key == 'Enter' || e.key == ' ') play()
   if (e.key == 'ArrowLeft') seek(-5)
   if (e.key == 'ArrowRight') seek(5)
@@ -110,7 +111,7 @@ const key = e => {
   if (is('F')) document.fullscreenElement ? document.exitFullscreen() : fullScreen()
   if (e.key == 'Escape' && playing) end()
 }
-// Whether a function of no parameters that returns a vector may have this code
+// Whether the browser accepts this code in a function without parameters that returns a vector
 const can = code => {
   const body = [1, code.length + 2, 0, ...code, 11]
   const parts = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, body.length, ...body]

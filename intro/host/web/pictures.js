@@ -1,38 +1,40 @@
-// Pictures: workers trace them, as the program plans, and they wait here, by their times, until it shows them.
+// Pictures: the program plans them, workers trace them, and they wait here, by their times, until the program shows them.
 const pictures = new Map, cores = navigator.hardwareConcurrency || 2
+// count: number of tracers; idle: tracers without a picture; spare: free buffers; lit: number of tracers with the hall's
+// light; solved: progress of the solver, 0 .. 1; unlit: why the hall has no light
 let count, w, h, tracers = [], solver, idle, spare = [], lit, solved, unlit
-let turn = 0, shown = 0, skipped = 0, first = 0 // turn: how often the viewer has sought
-const startWorker = (heard, ...first) => {
+let turn = 0, shown = 0, skipped = 0, first = 0 // turn: number of seeks; first: when the first picture was shown
+const startWorker = (receive, ...first) => {
   const k = new Worker(url)
   k.onerror = e => fail('The film has stopped: ' + e.message)
-  k.onmessage = ({ data }) => data.wrong ? (k == solver ? leaveOut : fail)(data.wrong) : heard(data, k)
+  k.onmessage = ({ data }) => data.wrong ? (k == solver ? leaveOut : fail)(data.wrong) : receive(data, k)
   k.postMessage(first)
   return k
 }
 const paint = rgba => draw.putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), w, h), 0, 0)
 const forget = (time, rgba) => { spare.push(rgba), pictures.delete(time) }
-// From then on; what was planned before is forgotten
+// Plans pictures from `from` on, and forgets all older ones
 const beginPictures = () => {
   pictures.forEach((rgba, time) => forget(time, rgba))
   x.begin(from, w, h, count)
 }
-const give = () => {
+const assign = () => {
   for (let at; idle.length && !over && (at = x.plan(filmAt())); ) {
     const [time, level, width, height] = new Float64Array(x.memory.buffer, at, 4), rgba = spare.pop()
     idle.pop().postMessage(['picture', { turn, time, level, width, height }, rgba], rgba ? [rgba.buffer] : [])
   }
 }
-// The light of the hall, which goes from worker to worker, so that it stands in memory once
+// Passes the hall's light on to the next worker. The message is moved, not copied
 const light = hall => {
   const to = tracers[lit++] ?? solver
   to.postMessage(['light', hall], [hall.pages.buffer])
-  if (lit == count) x.hall(0), release('hall'), give()
+  if (lit == count) x.hall(0), release('hall'), assign()
 }
 const leaveOut = why => {
   unlit = `The light of the hall could not be solved (${why}): its scenes are left out.`
-  x.hall(2), release('hall'), give()
+  x.hall(2), release('hall'), assign()
 }
-const heardTracer = (d, k) => {
+const receiveFromTracer = (d, k) => {
   if (d.hall) return light(d.hall)
   if (d.still) return playing || paint(d.rgba)
   if (d.turn == turn) {
@@ -40,9 +42,9 @@ const heardTracer = (d, k) => {
     pictures.set(d.time, d.rgba)
   } else if (d.rgba)
     spare.push(d.rgba)
-  idle.push(k), give()
+  idle.push(k), assign()
 }
-// Shows what is due when the film is at that time, and forgets what was before
+// Shows the picture that is due when the film is at `film`, and forgets it and all earlier ones
 const showDue = (film, t) => {
   const due = x.due(film)
   if (due < 0) return
@@ -52,8 +54,8 @@ const showDue = (film, t) => {
   for (const [time, rgba] of pictures)
     if (time <= due) skipped += time < due, forget(time, rgba)
 }
-// What workers draw is as large as the screen, so that they are ready before the click; or as the page at the click,
-// which may have had another size, or none
+// Starts the workers. Pictures have the screen's size, so that workers can start before the click. In a page that does
+// not fill the screen they have the page's size, which may have changed at the click: then all workers start again
 const prepare = () => {
   const dpr = devicePixelRatio || 1, most = cores > 4 ? 1920 : 1280
   const [across, down] = (full ? [screen.width, screen.height] : [innerWidth || 1280, innerHeight || 720])
@@ -65,9 +67,9 @@ const prepare = () => {
   solver?.terminate()
   canvas.width = w = wide, canvas.height = h = high
   idle = [], unlit = null, lit = solved = 0
-  x.hall(1), beginPictures() // 0: lit, 1: not yet, 2: never
+  x.hall(1), beginPictures() // 0: the hall is lit, 1: not yet, 2: never (Traceable of page_player.h)
   spare = []
-  tracers = Array.from({ length: count }, () => startWorker(heardTracer, 'trace', module, w, h))
+  tracers = Array.from({ length: count }, () => startWorker(receiveFromTracer, 'trace', module, w, h))
   tracers[0].postMessage(['picture', { time: 35, level: 1, width: 0, height: 0, still: 1 }])
   solver = startWorker(d => {
     if (d.progress) solved = d.progress

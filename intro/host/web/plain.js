@@ -1,5 +1,5 @@
-// A program for browsers without relaxed SIMD, made of one with it: what it multiplies and adds is rounded twice. Such
-// instructions are known by their bytes: packer/web/page.cpp has seen that nothing else looks like them.
+// Converts a program with relaxed SIMD for browsers without it: a multiply-add is then rounded twice. It finds the
+// instructions by their bytes: packer/web/page.cpp has checked that no other bytes look like them.
 const plain = wasm => {
   let i = 8
   const out = [...wasm.slice(0, i)], types = [], functions = []
@@ -16,7 +16,7 @@ const plain = wasm => {
   const copy = (to, from) => { for (const b of from) to.push(b) }
   const each = f => { for (let n = number(); n--; ) f() }
   const skip = n => { i += n }
-  // One more local holds the last operand of a multiply-add
+  // Add a local to each function, for the last operand of a multiply-add
   const rewrite = (to, type) => {
     const body = [], size = number(), end = i + size, groups = number(), from = i, operand = []
     let local = types[type]

@@ -1,9 +1,9 @@
-// What a worker of the page does. Messages in: [what, ...]; out: objects, whose members say what they are.
+// A worker of the page. It receives messages [name, arguments...], and posts objects whose members are the results.
 const kPage = 65536
-let module, x, w, h, turn // turn: how often the viewer has sought
+let module, x, w, h, turn // turn: number of seeks
 const bytes = () => new Uint8Array(x.memory.buffer)
 const page = i => bytes().subarray(i * kPage, (i + 1) * kPage)
-// The numbers of the pages of memory that are not empty
+// Returns the numbers of the pages of memory that are not empty
 const used = () => {
   const all = new Int32Array(x.memory.buffer), each = kPage / 4, which = []
   for (let i = 0; i < all.length; i += each) {
@@ -20,7 +20,7 @@ const make = gl => {
 }
 const text = at => { let s = ''; for (const b = bytes(); b[at]; ) s += String.fromCharCode(b[at++]); return s }
 const load = hall => { const at = x.load(w, h, hall); if (at) postMessage({ wrong: text(at) }); return !at }
-const does = {
+const handlers = {
   trace(m, width, height) {
     module = m, w = width, h = height
     make()
@@ -44,7 +44,7 @@ const does = {
     which.forEach((i, k) => pages.set(page(i), k * kPage))
     postMessage({ hall: { which, pages, count: bytes().length / kPage } }, [pages.buffer])
   },
-  // Takes over that memory, and hands its pages on
+  // Copies these pages to this worker's memory, and posts them for the next worker
   light(hall) {
     for (const i of used()) page(i).fill(0)
     x.memory.grow(hall.count - bytes().length / kPage)
@@ -54,17 +54,17 @@ const does = {
   compose(m, ...all) {
     module = m
     make()
-    does.seek(...all)
+    handlers.seek(...all)
   },
   seek(block, t) {
     turn = t
     if (!x.seek(block)) postMessage({ wrong: 'there is not enough memory' })
   },
   sound(blocks) {
-    const n = blocks * 240, all = new Float32Array(x.memory.buffer, x.sound(blocks), 2 * n)
+    const n = blocks * x.block(), all = new Float32Array(x.memory.buffer, x.sound(blocks), 2 * n)
     const left = new Float32Array(n), right = new Float32Array(n)
     for (let i = 0; i < n; ++i) left[i] = all[2 * i], right[i] = all[2 * i + 1]
     postMessage({ left, right, turn }, [left.buffer, right.buffer])
   },
 }
-onmessage = ({ data: [what, ...all] }) => does[what](...all)
+onmessage = ({ data: [what, ...all] }) => handlers[what](...all)
