@@ -13,9 +13,6 @@ namespace {
 
 constexpr int64_t kNap = 500000; // nanoseconds
 
-Statistics theStatistics;
-Music theMusic;
-
 // Plays the film. It makes the pictures on a separate thread. Zero at the start.
 struct Player {
     Intro *intro;
@@ -24,13 +21,15 @@ struct Player {
     double to;  // seconds of the film
     bool ended; // no more pictures are made
     Queue queue;
+    Statistics statistics;
+    Music music;
 
     bool leaves() const { return __atomic_load_n(leave, __ATOMIC_RELAXED); }
 
     bool goesOn(double time) const { return time < to && !leaves(); }
     int64_t now() const { return nanoseconds(); }
     double filmAt(int64_t now) const {
-        return theMusic.clock.started() ? theMusic.clock.at(now) : Governor::kNotBegun;
+        return music.clock.started() ? music.clock.at(now) : Governor::kNotBegun;
     }
     int sceneOf(double time) const { return sceneAt(time); }
     double startOf(double time) const { return shotStart(time); }
@@ -53,10 +52,8 @@ struct Player {
     }
 };
 
-Player thePlayer;
-
-[[gnu::force_align_arg_pointer]] void *make(void *) {
-    Player &p = thePlayer;
+[[gnu::force_align_arg_pointer]] void *make(void *player) {
+    Player &p = *(Player *)player;
     Governor governor;
     const Options &o = *p.options;
     if (o.quality == QualityName::Count && !o.sized) governor.width = o.width, governor.height = o.height;
@@ -70,9 +67,9 @@ Player thePlayer;
 int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const int *leave, int64_t began,
          const Recorder *recorder) {
     double from = seconds(o.from), to = seconds(o.to);
-    Player &p = thePlayer;
+    static Player p; // too large for the stack
     p.intro = &intro, p.options = &o, p.leave = leave, p.to = to;
-    if (startThread(make, nullptr)) {
+    if (startThread(make, &p)) {
         Message m;
         m << "no thread to trace on: " << kMoreThreads;
         return showError(m.data);
@@ -81,15 +78,15 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     // The film and its sound begin when the first pictures are ready
     while (p.queue.ready() < Queue::kAhead && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE) && !p.leaves())
         sleepFor(kNap);
-    startMusic(theMusic, sound, from, leave);
+    startMusic(p.music, sound, from, leave);
     int64_t firstShown = 0;
     for (double time = from;;) {
         int64_t before = nanoseconds();
-        theMusic.clock.watch(before, processorNanoseconds());
+        p.music.clock.watch(before, processorNanoseconds());
         bool stands = __atomic_load_n(&window.paused, __ATOMIC_RELAXED);
-        theMusic.playback.pause(stands);
-        if (stands) theMusic.clock.start(time, before);
-        time = theMusic.clock.at(before);
+        p.music.playback.pause(stands);
+        if (stands) p.music.clock.start(time, before);
+        time = p.music.clock.at(before);
         if (time < from) time = from; // the first sound is still on its way
         if (time >= to || p.leaves()) break;
         Queue::Action action = p.queue.action(time);
@@ -107,13 +104,13 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
         }
         if (recorder)
             recorder->record(recorder->context, m,
-                             action == Queue::kShow ? theMusic.clock.at(nanoseconds()) : -1);
-        theStatistics.add(m, time - from, presenting);
+                             action == Queue::kShow ? p.music.clock.at(nanoseconds()) : -1);
+        p.statistics.add(m, time - from, presenting);
         p.queue.remove();
     }
-    endMusic(theMusic);
+    endMusic(p.music);
     return o.stats && firstShown
-               ? printStatistics(theStatistics, theMusic.clock, (double)(firstShown - began) * 1e-9)
+               ? printStatistics(p.statistics, p.music.clock, (double)(firstShown - began) * 1e-9)
                : 0;
 }
 
