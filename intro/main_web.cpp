@@ -41,7 +41,7 @@ EXPORT(load) const char *loadFilm(int width, int height, int hall) {
     IntroSettings settings = {width, height};
     size_t bytes = memoryNeeded(settings, 1, hall);
     Arena arena = {grow(bytes), bytes, 0};
-    if (!arena.base) return "there is not enough memory";
+    if (!arena.base) return "not enough memory";
     theWorkers = serialWorkers();
     static Gl gl;
     if (hall) fillGl(gl);

@@ -104,7 +104,7 @@ constexpr Option kOptions[] = {
     {"--quality", "NAME", "draft, play, film, reference or live",
      " (default: what keeps up; film for dumps);\n                     live: as played, for --fps 60",
      readQuality},
-    {"--threads", "N", "1 to 64", " (default: as many as there are processors)",
+    {"--threads", "N", "1 to 64", " (default: the number of processors)",
      [](const char *p, Options &o) { return readCount(p, kMaxWorkers, o.threads) && !*p; }},
     {"--doctor", "", "list what this machine has and lacks", "",
      [](const char *, Options &o) { return o.doctor = true; }},

@@ -24,7 +24,7 @@ struct Options {
     const char *wav = nullptr;  // a file, "-" for standard output
     int width = 1280, height = 720;
     bool sized = false;                       // whether --size was given
-    int threads = 0;                          // 0: as many as there are processors
+    int threads = 0;                          // 0: one for each processor
     QualityName quality = QualityName::Count; // Count: not given
     bool live = false;                        // whether every other frame is made from its neighbours
     Decimal from = {0, 1}, to = {0, 0};       // scale 0: not given

@@ -57,7 +57,7 @@ std::string listOf(std::vector<ShownPicture> rows) {
 // Checks the options and the output before the film is played. Returns an exit status.
 static int checkOptions(const Options &o, const char *to) {
     const char *wrong = nullptr;
-    if (o.dump || o.wav) wrong = "--shown plays: leave out --dump and --wav";
+    if (o.dump || o.wav) wrong = "--shown plays the film: leave out --dump and --wav";
     if (o.quality != QualityName::Count) wrong = "--shown plays as the governor decides: leave out --quality";
     if (o.stats && isStdout(to)) wrong = "--shown - and --stats cannot both go to standard output";
     if (wrong) return printError(wrong), 2;

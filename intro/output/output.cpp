@@ -23,7 +23,7 @@ int checkOutput(const char *to, bool stdoutClosed) {
     if (!isStdout(to)) return 0;
     if (stdoutClosed) return cannotWrite("standard output", "it is closed");
     if (!isTerminal(1)) return 0;
-    printError("what goes to - is not text: send it to a program or a file, not to the terminal");
+    printError("refusing to write binary data to the terminal: redirect it");
     return 2;
 }
 

@@ -159,7 +159,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     w.x.XInitThreads();
     w.drawing = w.x.XOpenDisplay(nullptr);
     w.events = w.x.XOpenDisplay(nullptr);
-    if (!w.drawing || !w.events) return "no X display: set DISPLAY (XWayland serves too), or use --dump";
+    if (!w.drawing || !w.events) return "no X display: set DISPLAY (XWayland works too), or use --dump";
     w.x.XSetErrorHandler(ignoreError);
     w.x.XSetIOErrorHandler(displayGone);
 

@@ -58,7 +58,7 @@ const handlers = {
   },
   seek(block, t) {
     turn = t
-    if (!x.seek(block)) postMessage({ wrong: 'there is not enough memory' })
+    if (!x.seek(block)) postMessage({ wrong: 'not enough memory' })
   },
   sound(blocks) {
     const n = blocks * x.block(), all = new Float32Array(x.memory.buffer, x.sound(blocks), 2 * n)

@@ -29,8 +29,8 @@ void *takeMemory(size_t bytes) { return VirtualAlloc(nullptr, bytes, kReserve | 
 const char *jitForbidden() {
     return mayTake(4096, kReserve | kCommit, kReadWriteExecute)
                ? nullptr
-               : "nothing may run here that was written (arbitrary code guard), as software OpenGL must: "
-                 "allow it, or dump what needs no hall";
+               : "arbitrary code guard forbids what software OpenGL does: allow it, or dump what needs no "
+                 "hall";
 }
 
 bool couldAddress(size_t bytes) { return mayTake(bytes, kReserve, kNothing); }
