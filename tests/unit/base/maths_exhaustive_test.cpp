@@ -1,6 +1,6 @@
-// Compares every float of each function's stated range with libm in double precision: the errors must be
-// those that base/maths.h states. With ODRAZ_EVERY=N in the environment it tests one group of eight in N,
-// which takes seconds.
+// Compares every float of each function's stated range with libm in double precision: the errors must not
+// exceed those stated in base/maths.h. With ODRAZ_EVERY=N in the environment it tests one group of eight in
+// N, which takes seconds.
 #include "base/maths.h"
 
 #include <algorithm>
@@ -21,7 +21,8 @@ uint64_t step() {
     return 8 * std::max<uint64_t>(1, every ? std::strtoull(every, nullptr, 10) : 1);
 }
 
-// The largest excess(eight lanes of x) over all floats with bits in [first, last], on all cores.
+// Returns the largest excess(x), where x has eight lanes, over all floats with bits in [first, last]. Uses
+// all cores.
 template <class Excess> double worst(uint32_t first, uint32_t last, Excess excess) {
     unsigned count = std::max(1u, std::thread::hardware_concurrency());
     std::atomic<uint64_t> next{first};
@@ -33,10 +34,9 @@ template <class Excess> double worst(uint32_t first, uint32_t last, Excess exces
             const uint64_t eights = step();
             for (uint64_t begin; (begin = next.fetch_add(kBlock)) <= last;)
                 for (uint64_t i = begin; i < begin + kBlock && i <= last; i += eights) {
-                    int32_t past =
-                        (int32_t)std::min<uint64_t>(7, last - i); // lanes beyond the range repeat its end
-                    Float8 x =
-                        fromBits(select(kLanes < past, kLanes, broadcast(past)) + (int32_t)(uint32_t)i);
+                    // Lanes beyond the range repeat its last float
+                    int32_t end = (int32_t)std::min<uint64_t>(7, last - i);
+                    Float8 x = fromBits(select(kLanes < end, kLanes, broadcast(end)) + (int32_t)(uint32_t)i);
                     most[t] = std::max(most[t], excess(x));
                 }
         });
@@ -44,7 +44,7 @@ template <class Excess> double worst(uint32_t first, uint32_t last, Excess exces
     return *std::max_element(most.begin(), most.end());
 }
 
-// The largest |y - right(x)| of eight lanes, as a share of bound(right(x)).
+// Returns the largest |y - right(x)| / bound(right(x)) of eight lanes.
 template <class Right, class Bound> double largestError(Float8 x, Float8 y, Right right, Bound bound) {
     double most = 0;
     for (int k = 0; k < 8; ++k) {
@@ -68,7 +68,7 @@ uint32_t of(float x) { return (uint32_t)bits(x); }
 
 } // namespace
 
-// Negative arguments follow by symmetry, which is itself checked for each of them.
+// Tests positive arguments. Negative ones follow by symmetry, which is checked for each of them.
 template <class Own, class Library> static void expectPeriodic(Own own, Library library, float sign) {
     double found = worst(0, of(8192), [&](Float8 x) { return absoluteError(x, own(x), library); });
     EXPECT_LE(printed("largest error", found), 1.0e-7);
@@ -109,8 +109,8 @@ TEST(Exhaustive, log2) {
               1);
 }
 
-// Pairs of arguments are too many to test all. This tests every x of [2^-20, 2] for the exponents that the
-// film uses and some near them.
+// There are too many pairs of arguments to test all. This tests every x of [2^-20, 2], with the exponents of
+// the film and some near them.
 TEST(Exhaustive, pow) {
     for (float y : {1 / 2.4f, 1.f, 5.f, 20.f, 64.f, 400.f}) {
         auto excess = [y](Float8 x) {

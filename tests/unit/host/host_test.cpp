@@ -29,16 +29,16 @@ TEST(Threads, RunEveryPieceOnceRoundAfterRound) {
     static int abort = 0;
     Workers workers;
     ASSERT_EQ(startWorkers(workers, 4, &abort), nullptr);
-    std::vector<int> seen(1000), who(1000);
+    std::vector<int> seen(1000), workerOf(1000);
     for (int round = 1; round <= 2000; ++round) {
         int pieces = round % 7 == 0 ? 1 : round % 5 == 0 ? 0 : 1000 / (round % 40 + 1);
         std::fill(seen.begin(), seen.end(), 0);
         parallelFor(workers, pieces, [&](int i, int worker) {
             ++seen[(size_t)i];
-            who[(size_t)i] = worker;
+            workerOf[(size_t)i] = worker;
         });
         for (int i = 0; i < 1000; ++i) ASSERT_EQ(seen[(size_t)i], i < pieces) << round;
-        for (int i = 0; i < pieces; ++i) ASSERT_TRUE(who[(size_t)i] >= 0 && who[(size_t)i] < 4);
+        for (int i = 0; i < pieces; ++i) ASSERT_TRUE(workerOf[(size_t)i] >= 0 && workerOf[(size_t)i] < 4);
     }
     abort = 1;
     int ran = 0;
@@ -46,8 +46,8 @@ TEST(Threads, RunEveryPieceOnceRoundAfterRound) {
     EXPECT_EQ(ran, 0);
 }
 
-// Compared with the compiler's library, not with the kernel: under some hypervisors the kernel hides
-// features. machine.sh tests this for processors that lack something.
+// Compares with the compiler's library, not with the kernel: under some hypervisors the kernel hides
+// features. machine.sh tests processors that lack a feature.
 TEST(Machine, DetectsTheProcessorsFeatures) {
     EXPECT_EQ(cpuSuffices(), __builtin_cpu_supports("x86-64-v3") != 0);
 }
@@ -66,7 +66,7 @@ TEST(Machine, CountsTheProcessorsThatItMayUse) {
     ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 
-// The time lies between two readings of the same clock through libc.
+// The time is between two readings of the same clock through libc.
 TEST(Machine, ReadsTheMonotonicClock) {
     auto clock = [] {
         timespec t;
@@ -78,7 +78,7 @@ TEST(Machine, ReadsTheMonotonicClock) {
     EXPECT_LE(now, after);
 }
 
-// The words of the processor's brand string, without trademarks and clock rate.
+// Compares with the processor's brand string, without trademarks and clock rate.
 TEST(Machine, NamesTheProcessor) {
     char name[50];
     std::memset(name, 'x', sizeof name);
@@ -133,10 +133,10 @@ TEST_F(Files, AreWholeOrAbsent) {
     EXPECT_STREQ(writeAll(9999, "x", 1), "it is closed");
 }
 
-// The name of a file's temporary part may be in use: a link must not be followed, and a pipe must not be
-// waited for.
+// If the name of the temporary file is in use, a link must not be followed, and a pipe must not be waited
+// for.
 TEST_F(Files, LeaveOthersPartsAlone) {
-    std::string theirs = folder + "/theirs";
+    std::string theirs = folder + "/theirs"; // somebody else's file
     common::writeWhole(theirs, "precious");
     auto part = [&](int i) {
         std::string digits = std::to_string(getpid() + i); // the last name first

@@ -1,5 +1,5 @@
-// In-betweens: they are close to the truth, closer than a cheap traced picture, and the same with any number
-// of threads.
+// Tests in-betweens: they are close to the truth, closer than a cheap traced picture, and the same with any
+// number of threads.
 #include "inside.h"
 #include "show/materials.h"
 #include "tests/support/headless_gl.h"
@@ -25,13 +25,14 @@ Intro &film() {
 
 const Quality &named(QualityName name) { return kQualities[(int)name]; }
 
-// The radiance, before the letters are drawn.
+// Returns the radiance of a traced picture, before the letters are drawn.
 std::vector<float> traced(Intro &intro, double seconds, const Quality &quality) {
     View view = poseAt(intro.film, seconds).view(kWidth, kHeight);
     traceFrame(intro.tracer, *intro.workers, *intro.film.scene, view, quality, intro.frame);
     return planesOf(intro.frame);
 }
-// An in-between made from two pictures `gap` sixtieths apart, the first of them `before` sixtieths earlier.
+// Returns the radiance of an in-between. Its two pictures are `gap` sixtieths apart, and the first one is
+// `before` sixtieths earlier.
 std::vector<float> made(Intro &intro, double seconds, double gap = 2, double before = 1) {
     picture(intro, 0, seconds - before * kStep, named(QualityName::Play));
     picture(intro, 1, seconds + (gap - before) * kStep, named(QualityName::Play));
@@ -58,8 +59,8 @@ double decibels(const Intro &intro, const std::vector<float> &a, const std::vect
 
 } // namespace
 
-// A picture of `play` and an in-between take about as long as two drafts, and what is seen of them must be
-// worth it: their mean squared error is less than a draft's, or so small that nobody could tell.
+// A picture of `play` and an in-between take about as long as two drafts, so they must look better: their
+// mean squared error is less than a draft's, or too small to see.
 TEST(Between, PairsAreNearerToTheTruthThanDrafts) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (double seconds : {14., 30., 56., 66., 90., 107., 126., 144., 156.}) {
@@ -67,12 +68,12 @@ TEST(Between, PairsAreNearerToTheTruthThanDrafts) {
         double draft = decibels(film(), truth, traced(film(), seconds, named(QualityName::Draft)));
         double play = decibels(film(), truth, traced(film(), seconds, named(QualityName::Play)));
         double between = decibels(film(), truth, made(film(), seconds));
-        double anew = (double)tracedAnew(film().between) / (kWidth * kHeight);
+        double retraced = (double)tracedAnew(film().between) / (kWidth * kHeight);
         double pair = -10 * std::log10((std::pow(10, -play / 10) + std::pow(10, -between / 10)) / 2);
         std::printf("%s at %g s: %.1f dB, play %.1f, draft %.1f, traced again %.2f %%\n",
-                    sceneName(sceneAt(seconds)), seconds, between, play, draft, 100 * anew);
+                    sceneName(sceneAt(seconds)), seconds, between, play, draft, 100 * retraced);
         EXPECT_GT(pair, std::fmin(draft, 42)) << seconds; // above that no difference is seen
-        EXPECT_LT(anew, 0.4) << seconds;                  // or a traced picture would be as cheap
+        EXPECT_LT(retraced, 0.4) << seconds;              // otherwise a traced picture would be as cheap
     }
 }
 
@@ -86,7 +87,7 @@ TEST(Between, OfTwoEqualPicturesIsThatPicture) {
     }
 }
 
-// A ball that rolls on the spot looks the same at all moments, also if its mirror is a little dull.
+// A ball that rolls on the spot always looks the same, even if its mirror is slightly dull.
 TEST(Between, ReflectionsDoNotRollWithABall) {
     Intro &intro = film();
     View view = lookAt({0, 1.2f, 4}, {0, 0.8f, 0}, 0, 40, kWidth, kHeight);
@@ -107,20 +108,20 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
     };
     Traced now = {intro.frame, intro.film.scene, view};
     auto still = planesOf(trace(now, 0).frame);
-    constexpr float kTurn = 0.045f; // as the largest ball of scene odraz at its fastest
+    constexpr float kTurn = 0.045f; // the fastest turn of the largest ball of scene odraz
     Traced before = trace(intro.slots[0].traced, -kTurn), after = trace(intro.slots[1].traced, kTurn);
     tracedAnew(intro.between);
     traceBetween(intro.between, intro.tracer, *intro.workers, {before, after, 0.5f, 2}, now,
                  named(QualityName::Play));
     double alike = decibels(intro, still, planesOf(now.frame));
-    double anew = (double)tracedAnew(intro.between) / (kWidth * kHeight);
-    std::printf("%.1f dB, traced again %.2f %%\n", alike, 100 * anew);
+    double retraced = (double)tracedAnew(intro.between) / (kWidth * kHeight);
+    std::printf("%.1f dB, traced again %.2f %%\n", alike, 100 * retraced);
     EXPECT_GT(alike, 50);
-    EXPECT_LT(anew, 0.005);
+    EXPECT_LT(retraced, 0.005);
 }
 
-// At any fraction of a wider gap it is about as near as a draft: with twice its squared error at most, which
-// is not seen in pictures that stand for a sixtieth of a second, or so near that nobody could tell.
+// At any fraction of a wider gap the squared error is at most twice a draft's, which is not visible in a
+// picture shown for a sixtieth of a second, or too small to see.
 TEST(Between, IsNearAtEveryFraction) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (double seconds : {20., 44., 98., 150.}) {
@@ -134,7 +135,7 @@ TEST(Between, IsNearAtEveryFraction) {
     }
 }
 
-// The nearer a moment is to one of the pictures, the more it shows of it.
+// The nearer an in-between is to one of the pictures, the more similar they are.
 TEST(Between, GoesFromOneToTheOther) {
     Intro &intro = film();
     const Bytes first = bytesOf(picture(intro, 0, 30, named(QualityName::Play))),
@@ -153,8 +154,8 @@ TEST(Between, GoesFromOneToTheOther) {
     }
 }
 
-// A player keeps several in-betweens; each has its place.
-TEST(Between, StaysInItsPlace) {
+// A player keeps several in-betweens, each in its buffer.
+TEST(Between, StaysInItsBuffer) {
     Intro &intro = film();
     picture(intro, 0, 30, named(QualityName::Draft));
     picture(intro, 1, 30 + 6 * kStep, named(QualityName::Draft));
@@ -167,8 +168,8 @@ TEST(Between, StaysInItsPlace) {
     for (size_t k = 0; k < kBetweenBuffers; ++k) EXPECT_TRUE(first[k] == bytesOf(pictures[k])) << k;
 }
 
-// Beside a cut it shows its own shot, and is made from the picture of that shot alone.
-TEST(Between, BesideACutIsOfItsOwnShot) {
+// Next to a cut an in-between shows its own shot, and is made only from the picture of that shot.
+TEST(Between, NextToACutIsOfItsOwnShot) {
     Intro &intro = film();
     double cut = kFilm.shots[4].row / kRowsPerSecond; // to another scene
     picture(intro, 0, cut - 2.5 * kStep, named(QualityName::Play));
@@ -183,7 +184,8 @@ TEST(Between, BesideACutIsOfItsOwnShot) {
     }
 }
 
-// Slots belong to the caller: any slot may hold the earlier picture, and making one between changes neither.
+// Slots belong to the caller: either slot may hold the earlier picture, and making an in-between changes
+// neither.
 TEST(Between, IsOfTheSlotsThatAreNamed) {
     Intro &intro = film();
     auto trace = [&](int slot, double seconds) { picture(intro, slot, seconds, named(QualityName::Play)); };
@@ -198,7 +200,7 @@ TEST(Between, IsOfTheSlotsThatAreNamed) {
     EXPECT_EQ(bytesOf(between(intro, 1, 0)), first);
 }
 
-// The result does not depend on the number of threads: at moments of the whole film, the gaps in turn.
+// The result does not depend on the number of threads, at moments of the whole film and for all gaps.
 TEST(Between, IsTheSameForAllThreads) {
     bool hall = !kSanitized;
     const Gl *gl = hall ? &headlessGl() : nullptr;

@@ -20,7 +20,7 @@ Options good(std::vector<const char *> args) {
     return o;
 }
 
-// A line of words with a blank between them.
+// Parses words separated by blanks, which must be wrong. Returns the error line.
 std::string bad(std::string line) {
     std::vector<const char *> args = {line.data()};
     for (char &c : line)
@@ -93,7 +93,7 @@ TEST(Options, ReportsWhatIsWrongInALine) {
 
 TEST(Options, LongRubbishIsCutOff) { EXPECT_LT(bad(std::string(5000, 'x')).size(), 256u); }
 
-// Decimals and rates are exact: frame n belongs to [from, to) when from <= n / fps < to.
+// Decimals and rates are exact: frame n is in [from, to) if from <= n / fps < to.
 TEST(Frames, AreCountedExactly) {
     EXPECT_EQ(first("0", "25"), 0);
     EXPECT_EQ(first("1", "25"), 25);

@@ -1,5 +1,5 @@
-// Pictures that are traced in fewer pixels than they have: those of a smaller film, scaled up; in any order;
-// and in-betweens of them.
+// Tests pictures that are traced in fewer pixels: they equal the pictures of a smaller film, scaled up, in
+// any order. Also tests in-betweens of them.
 #include "inside.h"
 #include "tests/support/loaded_film.h"
 #include "tools/picture/psnr.h"
@@ -55,16 +55,16 @@ TEST(TracedSize, LeavesNothingBehind) {
     }
 }
 
-// The two products differ in their last bit.
+// The two times differ in their last bit.
 TEST(TracedSize, AMomentHasItsOwnGrainHoweverItIsRounded) {
     Loaded film(kTracedWidth, kTracedHeight, false);
     EXPECT_TRUE(film.at(1551 / 60.0) == film.at(1551 * (1 / 60.0)));
 }
 
-// When the player changes the size, an in-between is made of pictures of two sizes, and is as near to the
-// truth as one of equal sizes, by less than 1.5 dB: a size may miss a line of the word's image in the marble,
-// or an edge that a ball of the flake mirrors.
-TEST(TracedSize, InBetweensMayBeOfTwo) {
+// When the player changes the size, an in-between is made from pictures of two sizes. Its PSNR is at most
+// 1.5 dB less than with equal sizes: one size may miss a line of the word's image in the marble, or an edge
+// that a ball of the flake mirrors.
+TEST(TracedSize, InBetweensMayHaveTwo) {
     Loaded film(kTracedWidth, kTracedHeight, true);
     for (double seconds : {kAtTable, kAtFlake, kAtCredits}) {
         auto made = [&](TracedSize before, TracedSize after) {

@@ -1,4 +1,4 @@
-// The music's last step: floats to samples of 16 bits, with dither.
+// Tests the music's last step: floats are rounded to samples of 16 bits, with dither.
 #include "output/samples.h"
 
 #include <cmath>
@@ -26,11 +26,11 @@ TEST(Samples, AreWithinOneAndAHalfOfTheirValue) {
             ASSERT_LE(std::fabs(sample - value * 32767.f), 1.5f) << value;
 }
 
-// The sum of two even distributions, each one step wide: without bias, its variance a sixth, and rounding's a
-// twelfth
+// The error is the dither, a difference of two uniform numbers with a variance of 1/6, plus the rounding
+// error with 1/12. It has no bias.
 TEST(Samples, AreDitheredByATriangle) {
     constexpr int kBlocks = 400;
-    for (float between : {0.f, 0.25f, 0.5f, 0.8f}) { // of two steps
+    for (float between : {0.f, 0.25f, 0.5f, 0.8f}) { // position between two steps
         double sum = 0, squares = 0;
         for (int number = 0; number < kBlocks; ++number)
             for (int16_t sample : samplesOf((1000 + between) / 32767, number)) {
@@ -44,7 +44,7 @@ TEST(Samples, AreDitheredByATriangle) {
     }
 }
 
-// A device and a file get the same samples, however often and in whatever order blocks are made
+// A device and a file get the same samples, even if blocks are made again or in another order.
 TEST(Samples, DependOnTheBlockAlone) {
     std::vector<int16_t> first = samplesOf(0.3f, 7);
     EXPECT_NE(samplesOf(0.3f, 8), first);

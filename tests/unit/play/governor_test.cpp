@@ -1,5 +1,5 @@
-// Tests the governor on simulated machines: the player's own makePictures() drives it, on a clock that only
-// the test moves.
+// Tests the governor on simulated machines: the player's makePictures() drives it, on a clock that only the
+// test advances.
 #include "tools/measure/seen/simulated_player.h"
 
 #include <algorithm>
@@ -14,44 +14,44 @@ using namespace odraz;
 
 namespace {
 
-// Seconds of one core that a picture takes at each quality, and that an in-between takes.
-struct Scene {
+// A scene: the seconds that a picture of each quality and an in-between take on one core.
+struct SceneCost {
     int id;
     double film, play, draft, make;
 };
-constexpr Scene kUsual = {0, 0.18, 0.07, 0.04, 0.016}, kCostly = {1, 0.54, 0.21, 0.12, 0.048};
-// A scene where an in-between takes longer than tracing the picture.
-constexpr Scene kEntangled = {2, 0.18, 0.07, 0.04, 0.06};
-constexpr double kAlone = 0.001; // seconds of a picture that only one core can work on
+constexpr SceneCost kUsual = {0, 0.18, 0.07, 0.04, 0.016}, kCostly = {1, 0.54, 0.21, 0.12, 0.048};
+// A scene whose in-betweens take longer than tracing the picture.
+constexpr SceneCost kEntangled = {2, 0.18, 0.07, 0.04, 0.06};
+constexpr double kAlone = 0.001; // seconds of each picture that only one core can work on
 
 struct Machine {
-    double cores, noise = 0; // noise: the share by which a time varies, up or down
+    double cores, noise = 0; // noise: share by which times vary, up or down
     unsigned seed = 1;
     double hiccupAt = -1;         // the first picture from this time of the film on takes one second longer
-    bool hiccupInBetween = false; // ... the in-between does
-    int width = 0, height = 0;    // of its screen, if pixels are traded
+    bool hiccupInBetween = false; // an in-between takes it, not a traced picture
+    int width = 0, height = 0;    // the screen's size, if fewer pixels may be traced
 };
 Machine withScreen(double cores, double noise = 0) {
     return {.cores = cores, .noise = noise, .width = 1280, .height = 720};
 }
 
-// What the governor decided after a traced picture.
+// The governor's decision after a traced picture.
 struct Decision {
-    double time; // of the film
-    Scene scene;
+    double time; // seconds of the film
+    SceneCost scene;
     Governor::Cadence cadence;
     float level;
-    bool dropped; // pictures are left out
+    bool dropped; // whether the next pictures are dropped
     TracedSize size;
 };
-using SceneAt = std::function<Scene(double)>;
+using SceneAt = std::function<SceneCost(double)>;
 using Penalty = std::array<float, kCadences>;
 constexpr Penalty kSomePairs = {0, 0.2f, 50, 50, 6}, kPairsAlone = {1e9, 0, 1e9, 1e9, 1e9};
 
 // Makes and shows pictures as the player does, on the clock of the test.
-class Player : public measure::SimulatedPlayer {
+class GovernedPlayer : public measure::SimulatedPlayer {
 public:
-    Player(const Machine &machine, double length, SceneAt sceneAt, const Penalty &penalty)
+    GovernedPlayer(const Machine &machine, double length, SceneAt sceneAt, const Penalty &penalty)
         : SimulatedPlayer(0), machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {
         governor.width = machine.width, governor.height = machine.height;
         std::copy(penalty.begin(), penalty.end(), pace.penalty);
@@ -76,7 +76,7 @@ public:
     double startOf(double time) const { return time < cut ? 0 : cut; }
     Pace paceOf(int) const { return pace; }
     void trace(FinishedPicture &m, int, const Governor &) {
-        Scene scene = sceneAt(m.time);
+        SceneCost scene = sceneAt(m.time);
         all.push_back({m.time, scene, {}, 0, false, governor.size()});
         spend(traceTime(scene) * pixels(), hiccup(m.time, false));
     }
@@ -86,15 +86,15 @@ public:
     }
 
     Pace pace;      // the same for all scenes
-    double cut = 0; // when the second shot begins
+    double cut = 0; // time at which the second shot begins
     Governor governor;
 
 private:
-    // The share of the screen's pixels that are traced: costs are about its 0.85th power.
+    // The cost relative to tracing all pixels: about the 0.85th power of the share of the pixels.
     double pixels() const {
         return machine.width ? std::pow((double)governor.size().width / machine.width, 1.7) : 1;
     }
-    double traceTime(const Scene &s) const {
+    double traceTime(const SceneCost &s) const {
         double t = governor.level();
         return t < 1 ? s.film * std::pow(s.play / s.film, t) : s.play * std::pow(s.draft / s.play, t - 1);
     }
@@ -103,39 +103,39 @@ private:
         machine.hiccupAt = -1;
         return 1;
     }
-    void spend(double oneCore, double besides) {
+    void spend(double oneCore, double hiccup) {
         std::uniform_real_distribution<double> vary(1 - machine.noise, 1 + machine.noise);
-        moment += std::llround(((kAlone + oneCore / machine.cores) * vary(random) + besides) * 1e9);
+        moment += std::llround(((kAlone + oneCore / machine.cores) * vary(random) + hiccup) * 1e9);
     }
 
     Machine machine;
     std::mt19937 random;
     SceneAt sceneAt;
-    double length; // of the film
+    double length; // seconds of the film
     std::vector<Decision> all;
 };
 
-SceneAt always(const Scene &scene) {
+SceneAt always(const SceneCost &scene) {
     return [=](double) { return scene; };
 }
 std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt = always(kUsual),
                              const Penalty &penalty = kSomePairs) {
-    return Player(machine, length, sceneAt, penalty).play();
+    return GovernedPlayer(machine, length, sceneAt, penalty).play();
 }
 std::vector<Decision> playedInPairs(const Machine &machine, double length, SceneAt sceneAt = always(kUsual)) {
     return played(machine, length, sceneAt, kPairsAlone);
 }
 // A costly scene between two usual ones, from 5 to 10 seconds.
-Scene costlyFromFiveToTen(double time) { return time < 5 || time >= 10 ? kUsual : kCostly; }
+SceneCost costlyFromFiveToTen(double time) { return time < 5 || time >= 10 ? kUsual : kCostly; }
 
 // Statistics between two times of the film.
-struct Seen {
-    int changes = 0, drops = 0, pictures = 0; // changes: how often the cadence changed
-    float least = 9, most = 0;                // of the level
+struct Summary {
+    int changes = 0, drops = 0, pictures = 0; // changes: number of changes of the cadence
+    float least = 9, most = 0;                // range of the level
     bool cadences[kCadences] = {};
 };
-Seen seen(const std::vector<Decision> &all, double from, double to) {
-    Seen s;
+Summary seen(const std::vector<Decision> &all, double from, double to) {
+    Summary s;
     for (size_t i = 1; i < all.size(); ++i) {
         const Decision &d = all[i];
         if (d.time < from || d.time >= to) continue;
@@ -151,14 +151,14 @@ Seen seen(const std::vector<Decision> &all, double from, double to) {
 
 } // namespace
 
-// Also where times vary by 30 %.
+// Also if times vary by 30 %.
 TEST(Governor, SettlesSoonAndNeverSwings) {
     for (int cores = 1; cores <= 16; ++cores)
         for (unsigned seed = 0; seed <= 10; ++seed) {
             bool noise = seed > 0;
             auto all = played({(double)cores, noise ? 0.3 : 0, seed}, 30);
             EXPECT_LE(seen(all, 0, 1).changes, 1) << cores << ' ' << seed;
-            Seen then = seen(all, noise ? 1 : 1.5, 30);
+            Summary then = seen(all, noise ? 1 : 1.5, 30);
             EXPECT_LE(then.changes, noise) << cores << ' ' << seed; // two cadences may be equally good
             EXPECT_TRUE(then.changes || then.most - then.least < (noise ? 0.6f : 0.03f))
                 << cores << ' ' << seed;
@@ -166,21 +166,21 @@ TEST(Governor, SettlesSoonAndNeverSwings) {
         }
 }
 
-// A scene that costs three times as much begins suddenly and ends; once as a new scene for
-// the governor, once within the same.
+// A costly part, three times as slow, begins and ends suddenly: once as another scene, once within the same
+// scene.
 TEST(Governor, TakesSteps) {
     for (bool sameScene : {false, true})
         for (double noise : {0., 0.3})
             for (double cores = 1; cores <= 16; cores *= 1.05)
                 for (unsigned seed = 1; seed <= (noise > 0 ? 5 : 1); ++seed) {
                     auto all = played({cores, noise, seed}, 30, [&](double time) {
-                        Scene s = (int)(time / 5) % 2 ? kCostly : kUsual;
+                        SceneCost s = (int)(time / 5) % 2 ? kCostly : kUsual;
                         if (sameScene) s.id = 0;
                         return s;
                     });
                     for (int step = 0; step < 6; ++step) {
-                        Seen whole = seen(all, step * 5, step * 5 + 5),
-                             then = seen(all, step * 5 + 1.5, step * 5 + 5);
+                        Summary whole = seen(all, step * 5, step * 5 + 5),
+                                then = seen(all, step * 5 + 1.5, step * 5 + 5);
                         EXPECT_LE(whole.changes, 2) << cores << ' ' << seed << ' ' << step;
                         EXPECT_LE(then.changes, noise > 0 || cores < 1.15)
                             << cores << ' ' << seed << ' ' << step;
@@ -192,12 +192,12 @@ TEST(Governor, TakesSteps) {
                 }
 }
 
-// One picture that takes a second longer does not change later ones.
+// A picture that takes a second longer does not change later ones.
 TEST(Governor, ForgetsAHiccup) {
     for (bool between : {false, true})
         for (int cores = 2; cores <= 16; ++cores) {
             auto all = played({.cores = (double)cores, .hiccupAt = 5, .hiccupInBetween = between}, 15);
-            Seen before = seen(all, 2, 5), later = seen(all, 7.2, 15), all15 = seen(all, 2, 15);
+            Summary before = seen(all, 2, 5), later = seen(all, 7.2, 15), all15 = seen(all, 2, 15);
             EXPECT_LE(all15.changes, 0) << cores << between;
             EXPECT_LT(all15.most - before.most, 0.5f) << cores << between;
             EXPECT_NEAR(later.least, before.least, 0.05f) << cores << between;
@@ -207,7 +207,7 @@ TEST(Governor, ForgetsAHiccup) {
 
 TEST(Governor, TracesAllSixtyWhereItCan) {
     auto all = played({16}, 10);
-    Seen then = seen(all, 1, 10);
+    Summary then = seen(all, 1, 10);
     EXPECT_TRUE(then.cadences[Governor::kSixty] && !then.cadences[Governor::kPairs]);
     EXPECT_EQ(then.pictures, 540);
     EXPECT_EQ(then.most, Governor::kFinest);
@@ -216,7 +216,7 @@ TEST(Governor, TracesAllSixtyWhereItCan) {
 TEST(Governor, LeavesSixtyWhenTheyCostTooMuch) {
     auto all = played({10}, 10, costlyFromFiveToTen);
     EXPECT_TRUE(seen(all, 4, 5).cadences[Governor::kSixty]);
-    Seen then = seen(all, 6, 10);
+    Summary then = seen(all, 6, 10);
     EXPECT_TRUE(then.cadences[Governor::kPairs] && !then.cadences[Governor::kSixty]);
 }
 
@@ -231,7 +231,7 @@ TEST(Governor, ShowsThirtyWhereMakingCostsMore) {
 
 TEST(Governor, LeavesPicturesOutWhereAllIsTooMuch) {
     auto all = playedInPairs({1}, 20);
-    Seen then = seen(all, 1, 20);
+    Summary then = seen(all, 1, 20);
     EXPECT_EQ(then.least, (float)Governor::kSteps);
     EXPECT_NEAR(then.pictures, 19 / (0.04 + 0.016 + 2 * kAlone), 10) << "no moment is lost";
     EXPECT_NEAR(all.back().time, 20, 0.1);
@@ -245,7 +245,7 @@ TEST(Governor, MixesQualities) {
         EXPECT_FLOAT_EQ(thresholdAt(level), kQualities[(int)name].threshold) << level;
     for (float level = 0; level < 1.99f; level += 0.01f)
         EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
-    // ... and has all of a named one's other knobs
+    // A blend has all other knobs of a named quality
     for (auto [level, like] :
          {std::pair{1.f, QualityName::Play}, {1.99f, QualityName::Play}, {2, QualityName::Draft}}) {
         g.coarseness = level;
@@ -258,7 +258,7 @@ TEST(Governor, MixesQualities) {
 TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
     for (double cores : {1., 1.5, 2., 3.}) {
         auto all = playedInPairs(withScreen(cores), 20);
-        Seen then = seen(all, 2, 20);
+        Summary then = seen(all, 2, 20);
         const Decision &last = all.back();
         EXPECT_EQ(then.drops, 0) << cores;
         EXPECT_TRUE(then.cadences[Governor::kPairs]) << cores;
@@ -269,7 +269,7 @@ TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
     }
 }
 
-// A size that goes up and down all the time would be seen as pulsation.
+// A size that rises and falls all the time would be visible as pulsation.
 TEST(Governor, DoesNotPump) {
     for (double noise : {0., 0.1, 0.3})
         for (double cores = 1; cores < 4; cores *= 1.1) {
@@ -281,13 +281,13 @@ TEST(Governor, DoesNotPump) {
                 changes += step != 0;
                 largest = std::max(largest, step);
             }
-            double most = noise == 0 ? 0 : noise < 0.2 ? 0.5 : 2; // a second
+            double most = noise == 0 ? 0 : noise < 0.2 ? 0.5 : 2; // changes a second
             EXPECT_LE(changes, most * 60 + 1) << noise << ' ' << cores;
             EXPECT_LE(largest, 64) << noise << ' ' << cores;
         }
 }
 
-// Where there is time again, pixels come back, and then quality.
+// When there is time again, the pixels return first, then the quality.
 TEST(Governor, ComesBackToAllPixels) {
     for (double cores : {2., 3., 4.}) {
         auto all = playedInPairs(withScreen(cores), 15, costlyFromFiveToTen);
@@ -300,9 +300,9 @@ TEST(Governor, ComesBackToAllPixels) {
     }
 }
 
-// Pixels that were given up in one cadence come back at once in a better one.
+// Pixels that were given up in one cadence return at once in a better one.
 TEST(Governor, TakesAllPixelsInABetterCadence) {
-    Scene easy = {0, .05, .02, .012, .004}, hard = {0, .36, .14, .08, .006};
+    SceneCost easy = {0, .05, .02, .012, .004}, hard = {0, .36, .14, .08, .006};
     auto all =
         played(withScreen(2), 10, [=](double t) { return t < 3 ? easy : hard; }, {0, 0.2f, 0.8f, 1.5f, 6});
     auto change = std::adjacent_find(all.begin(), all.end(), [](const Decision &a, const Decision &b) {
@@ -312,17 +312,17 @@ TEST(Governor, TakesAllPixelsInABetterCadence) {
     for (auto d = change + 2; d != all.end(); ++d) EXPECT_EQ(d->size.width, 1280) << d->time;
 }
 
-// A few pixels less would be blurred for nothing.
+// Slightly fewer pixels would blur the picture and save almost nothing.
 TEST(Governor, TracesAllPixelsOrClearlyFewer) {
     for (double cores = 1; cores < 4; cores *= 1.05)
         for (const Decision &d : playedInPairs(withScreen(cores, 0.1), 10))
             EXPECT_TRUE(d.size.width == 1280 || d.size.width <= 1248) << d.size.width << ' ' << cores;
 }
 
-// Thirty are shown where that costs the scene less than fewer pixels do. All in-betweens come back when there
-// is time.
+// Thirty pictures a second are shown if their penalty is less than the error of fewer pixels. All in-betweens
+// return when there is time.
 TEST(Governor, ShowsThirtyWhereThePenaltyIsLess) {
-    Scene easy = {0, .05, .02, .012, .005};
+    SceneCost easy = {0, .05, .02, .012, .005};
     auto all =
         played(withScreen(1), 20, [=](double time) { return time < 10 ? kUsual : easy; }, {0, 1, 50, 50, 4});
     EXPECT_TRUE(seen(all, 2, 10).cadences[Governor::kThirty]);
@@ -332,24 +332,24 @@ TEST(Governor, ShowsThirtyWhereThePenaltyIsLess) {
     EXPECT_LE(seen(all, 10, 20).changes, 2);
 }
 
-// On a screen far too large for the machine the film must not begin as a slide show.
+// The film must not begin as a slide show, even on a screen that is far too large for the machine.
 TEST(Governor, FindsItsWayDownQuickly) {
     auto all =
         playedInPairs({.cores = 1, .width = 2560, .height = 1440}, 10, always({0, 0.72, 0.28, 0.16, 0.064}));
-    Seen early = seen(all, 1.5, 2.5), late = seen(all, 8, 9);
+    Summary early = seen(all, 1.5, 2.5), late = seen(all, 8, 9);
     EXPECT_NEAR(early.most, late.most, 0.3);
     EXPECT_GT(early.pictures, 20);
 }
 
-// Where letters would be lost, pictures are left out instead.
+// If fewer pixels would make letters illegible, pictures are dropped instead.
 TEST(Governor, KeepsTheWidthThatTheSceneNeeds) {
-    Player player(withScreen(1), 10, always(kUsual), kPairsAlone);
+    GovernedPlayer player(withScreen(1), 10, always(kUsual), kPairsAlone);
     player.pace.leastWidth = 1280;
     for (const Decision &d : player.play()) EXPECT_EQ(d.size.width, 1280);
     EXPECT_EQ(player.governor.level(), 2);
 }
 
-// ... and does not swing between cadences, whatever their penalties.
+// The governor does not oscillate between cadences, whatever their penalties.
 TEST(Governor, StaysWithItsCadence) {
     bool taken[kCadences] = {};
     for (const Penalty &penalty : {Penalty{0, 0.2f, 0.8f, 1.5f, 6},
@@ -366,7 +366,7 @@ TEST(Governor, StaysWithItsCadence) {
     for (bool one : taken) EXPECT_TRUE(one);
 }
 
-// Three or five are made between two where that is less work than tracing, and the penalty is small.
+// Three or five in-betweens are made if that is less work than tracing, and the penalty is small.
 TEST(Governor, TracesFewWhereMakingIsCheap) {
     auto all = played(withScreen(2), 10, always(kUsual), {0, 0.1f, 0.1f, 0.1f, 9});
     EXPECT_TRUE(all.back().cadence >= Governor::kFours && all.back().cadence <= Governor::kSixes);
@@ -374,10 +374,10 @@ TEST(Governor, TracesFewWhereMakingIsCheap) {
     EXPECT_LT(all.back().level, 1);
 }
 
-// ... and the first picture of each shot is traced, on its sixtieth.
+// The first picture of each shot is traced, on its sixtieth.
 TEST(Governor, TracesAtCuts) {
     for (int sixtieth = 300; sixtieth < 312; ++sixtieth) {
-        Player player(withScreen(2), 10, always(kUsual), {0, 0.1f, 0.1f, 0.1f, 9});
+        GovernedPlayer player(withScreen(2), 10, always(kUsual), {0, 0.1f, 0.1f, 0.1f, 9});
         player.cut = sixtieth / 60.0;
         auto all = player.play();
         EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Decision &d) {
@@ -387,7 +387,7 @@ TEST(Governor, TracesAtCuts) {
     }
 }
 
-// ... from its first picture on, whatever the scene before gave up.
+// A scene that needs all pixels has them from its first picture on, whatever the previous scene gave up.
 TEST(Governor, IsNeverCoarserThanDraft) {
     Governor g;
     g.width = 1280, g.height = 720;

@@ -1,5 +1,5 @@
-// Tests that the page's player decides as the film's own does where both have one worker and no in-betweens,
-// and what it does with several.
+// Tests that the page's player decides as the film's player does if both have one worker and no in-betweens,
+// and tests it with several workers.
 #include "tools/measure/seen/simulated_player.h"
 
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kFrom = 3, kTo = 23;
 
-// A film of two scenes, the second of which costs more.
-struct Film {
-    double core; // how many times as fast a core is as usual
+// A film of two scenes. The second one costs more.
+struct TwoScenes {
+    double core; // speed of a core
     bool goesOn(double time) const { return time < kTo; }
     int sceneOf(double time) const { return time > 13; }
     double startOf(double time) const { return time > 13 ? 13 : 0; }
@@ -26,7 +26,7 @@ struct Film {
     }
 };
 
-// What was decided for a picture.
+// The decisions for a picture.
 struct Decided {
     double time;
     float level;
@@ -34,8 +34,8 @@ struct Decided {
     bool operator==(const Decided &) const = default;
 };
 
-struct Native : SimulatedPlayer, Film {
-    explicit Native(double core) : SimulatedPlayer(kFrom), Film{core} {}
+struct Native : SimulatedPlayer, TwoScenes {
+    explicit Native(double core) : SimulatedPlayer(kFrom), TwoScenes{core} {}
     std::vector<Decided> all;
 
     void trace(FinishedPicture &m, int, const GovernorOf<false> &governor) {
@@ -60,7 +60,7 @@ std::vector<Decided> native(double core) {
     return player.all;
 }
 
-struct Page : Film {
+struct Page : TwoScenes {
     std::vector<Decided> all;
     std::vector<double> shown;
 

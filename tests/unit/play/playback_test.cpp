@@ -1,4 +1,4 @@
-// The film's clock and its sound on devices that work, drift, stop, fail, lose sound and report wrong
+// Tests the film's clock and its sound on devices that work, drift, stop, fail, lose sound and report wrong
 // positions. Time is simulated.
 #include "play/playback.h"
 
@@ -16,15 +16,15 @@ constexpr int64_t kMillisecond = 1000000, kSecond = 1000 * kMillisecond;
 
 // A device with a buffer of some frames that plays at its own speed.
 struct Device {
-    int64_t holds = kSoundRate / 20,
-            behind = 0; // frames its buffer holds; further frames that it reports as queued
+    int64_t holds = kSoundRate / 20; // frames that its buffer holds
+    int64_t behind = 0;              // further frames that it delays the sound, and reports as queued
     double speed = 1;
-    int64_t stops = -1, goesOn = -1, dies = -1, returns = -1; // times
-    bool there = true, swallows = false;
-    int64_t error = 0; // frames that it adds to its reported position
+    int64_t stops = -1, goesOn = -1, dies = -1, returns = -1; // moments
+    bool there = true, swallows = false; // swallows: accepts everything, and plays nothing
+    int64_t error = 0;                   // frames that it adds to its reported delay
 
     int64_t now = 0;
-    double played = 0; // frames that it should have played by now
+    double played = 0; // frames to play now
     std::deque<int16_t> queue;
     struct PlayedFrame {
         int64_t when;
@@ -84,16 +84,17 @@ struct Source {
     }
 };
 
-// Plays for a time, and updates the film 30 times a second. Returns the distance of sound and film, in
-// milliseconds, for each frame played at full loudness between two times.
+// Plays a film with a device. The film is updated 30 times a second.
 struct Play {
     Device device;
     Source source;
     FilmClock clock = {};
-    std::vector<double> film;         // at every millisecond
-    int64_t frozen = -1, thawed = -1; // when the process is stopped
-    int64_t stands = -1, goesOn = -1; // when the viewer pauses
+    std::vector<double> film;         // the film's time at each millisecond
+    int64_t frozen = -1, thawed = -1; // moments at which the process is stopped, and continued
+    int64_t pauses = -1, goesOn = -1; // moments at which the viewer pauses, and continues
 
+    // Plays for `length`. Returns the errors between sound and film, in milliseconds, of all frames played at
+    // full loudness between two moments.
     std::vector<double> run(int64_t length, int64_t from, int64_t to, double begin = 0) {
         theDevice = &device;
         Playback player = {};
@@ -103,7 +104,7 @@ struct Play {
             device.pass(now);
             if (now < frozen || now >= thawed || frozen < 0) {
                 if (now >= 300 * kMillisecond && !clock.started()) clock.start(begin, now);
-                bool paused = now >= stands && now < goesOn;
+                bool paused = now >= pauses && now < goesOn;
                 player.pause(paused);
                 if (paused) clock.start(film.back(), now);
                 if (now >= picture && clock.started()) {
@@ -123,7 +124,7 @@ struct Play {
         }
         return off;
     }
-    // By how much the film's speed differs from 1 at most, over a tenth of a second.
+    // Returns the largest difference of the film's speed from 1, over a tenth of a second.
     double unsteady() const {
         double most = 0;
         for (size_t i = 400; i + 100 < film.size(); ++i)
@@ -217,7 +218,7 @@ TEST(Playback, AStoppedFilmGoesOnWhereItStopped) {
 
 TEST(Playback, StandsWhileTheViewerPauses) {
     Play p;
-    p.stands = 5 * kSecond;
+    p.pauses = 5 * kSecond;
     p.goesOn = 9 * kSecond;
     EXPECT_LT(largest(p.run(20 * kSecond, 10 * kSecond, 20 * kSecond)), 20);
     EXPECT_NEAR(p.film.back(), 16, 0.5);

@@ -1,4 +1,5 @@
-// Tests how the film splits the command line of Windows, which is a stand-in here.
+// Tests how the film splits the command line of Windows. The functions of Windows are replaced by those
+// below.
 #include "start/windows/command_line.h"
 
 #include "host/windows/windows.h"
@@ -9,9 +10,10 @@ using namespace odraz;
 
 namespace {
 
-std::string theLine; // in UTF-8, as it is when Windows has converted it
+std::string theLine; // in UTF-8, as after the conversion by Windows
 
-std::string split(const std::string &line) { // the arguments, each with a '|' behind it
+// Returns the arguments, each followed by a '|'.
+std::string split(const std::string &line) {
     theLine = line;
     Arguments &a = arguments();
     a = {};
@@ -32,8 +34,8 @@ int WideCharToMultiByte(uint32_t, uint32_t, const WCHAR *, int, char *to, int ro
 }
 extern "C" void odrazEarly(void **, uint32_t, uint32_t) {}
 
-// As CommandLineToArgvW does, except for doubled quotation marks in a quoted part, where Windows's own
-// libraries disagree
+// It splits as CommandLineToArgvW does, except for doubled quotation marks in a quoted part, where Windows's
+// own libraries disagree.
 TEST(CommandLine, IsSplitAsWindowsDoes) {
     const struct {
         const char *line, *arguments;
