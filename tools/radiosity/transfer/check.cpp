@@ -16,27 +16,11 @@ namespace {
 
 constexpr int kPictureRows = 512;
 
-// A lobe around a direction, as wide as a cosine to the power of `exponent`.
+// Adds a lobe around a direction, as wide as the cosine to the power of `exponent`.
 void addLobe(BandLight &to, int bands, const Vec3 &towards, float exponent, const Rgb &colour) {
     Float8 y[kMostSh];
     evaluateBands(broadcast(normalize(towards)), bands, y);
     for (int k = 0; k < bands * bands; ++k) to[(size_t)k] += colour * (y[k][0] * window(bandOf(k), exponent));
-}
-
-std::vector<Rgb> fresh(const Mesh &mesh, const TransferSettings &s, int rays, const Surroundings &around,
-                       Workers &workers, const int *stop) {
-    SolveSettings settings = s.solve;
-    settings.rays = rays;
-    settings.surroundings = around;
-    return solveModel(mesh, settings, {}, workers, stop, {}).solution.light;
-}
-
-void printErrors(const std::string &name, const std::vector<Rgb> &rows, const std::vector<Rgb> &clusters,
-                 const std::vector<Rgb> &exact, const std::vector<Rgb> *others) {
-    std::printf("    %-20s %9.3f %9.3f", name.c_str(), 100 * difference(rows, exact),
-                100 * difference(clusters, exact));
-    if (others) std::printf(" %9.2f", 100 * difference(rows, *others));
-    std::printf("\n");
 }
 
 } // namespace
@@ -48,20 +32,16 @@ std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ) {
     auto even = (float)std::sqrt(4 * std::numbers::pi);
     for (size_t i = 0; i < all.size(); ++i) {
         all[i].name = names[i];
-        all[i].light = {};
         all[i].light[0] = Rgb{0.7f, 0.8f, 1} * even;
     }
     addLobe(all[1].light, std::min(bands, 2), place(0, 1, 0), 1e6f, {1.5f, 1.7f, 2});
     addLobe(all[2].light, bands, place(0.8f, 0.35f, -0.5f), 12, {20, 12, 5});
     addLobe(all[3].light, bands, place(-0.6f, 0.7f, 0.4f), 12, {3, 6, 12});
     addLobe(all[3].light, bands, place(0.5f, 0.2f, 0.9f), 12, {14, 4, 2});
-    for (int k = 1; k < bands * bands; ++k)
-        for (int c = 0; c < 3; ++c) {
-            float random = unitFloat(pcg((uint32_t)(3 * k + c))) - 0.5f;
-            (c == 0   ? all[4].light[(size_t)k].x
-             : c == 1 ? all[4].light[(size_t)k].y
-                      : all[4].light[(size_t)k].z) = 2 * random;
-        }
+    for (int k = 1; k < bands * bands; ++k) {
+        auto random = [k](int c) { return 2 * (unitFloat(pcg((uint32_t)(3 * k + c))) - 0.5f); };
+        all[4].light[(size_t)k] = {random(0), random(1), random(2)};
+    }
     for (TriedSky &s : all) s.sky = pictureOf(s.light, bands, upIsZ);
     return all;
 }
@@ -88,22 +68,6 @@ SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ) {
     return sky;
 }
 
-// A solution for a sky alone, with dark lamps: by the room's rays, or with rays == 0 by the number of rays
-// that this light needs. A value other than 0 in `stop` ends it early, with incomplete light.
-static std::vector<Rgb> freshLight(const Mesh &mesh, const TransferSettings &settings, int rays,
-                                   const TriedSky &sky, Workers &workers, const int *stop) {
-    Mesh dark = mesh;
-    for (MeshMaterial &m : dark.materials) m.emits = {};
-    return fresh(dark, settings, rays, {sky.sky, sky.suns, {}}, workers, stop);
-}
-
-// A solution for the model's lamps alone.
-static std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays,
-                                   Workers &workers, const int *stop) {
-    return fresh(mesh, settings, rays,
-                 {{}, settings.solve.surroundings.suns, settings.solve.surroundings.lamps}, workers, stop);
-}
-
 double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     double lost = 0, all = 0;
     for (size_t i = 0; i < a.size(); ++i) {
@@ -113,104 +77,160 @@ double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     return all > 0 ? std::sqrt(lost / all) : lost > 0 ? INFINITY : 0;
 }
 
-// One subspace for all rows of a room, with the fewest axes that take as much memory as `floats`; without
-// axes if these are more than kMostRank.
-static Clusters oneSubspace(const TransferRoom &room, const std::vector<float> &rows,
-                            const std::vector<float> &scale, size_t floats, Workers &workers) {
-    Clusters one = {.count = 1,
-                    .rank = 0,
-                    .columns = room.columns(),
-                    .of = std::vector<int>(room.texels()),
-                    .axes = {},
-                    .weights = {}};
-    int rank = 1;
-    while (one.floats(rank) < floats) ++rank;
-    if (rank > kMostRank) return one;
-    return findClusters(rows, one.columns, scale, one.of, 1, rank, workers);
-}
+namespace {
+
+// Compares a room with solutions. Each print function returns false when `stop` is set.
+class RoomCheck {
+public:
+    RoomCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
+              Workers &workers, const int *stop)
+        : mesh(mesh), dark(mesh), settings(settings), room(room), rays(rays), workers(workers), stop(stop),
+          relighter(room) {
+        lighting.lamps.resize(room.lamps.size()), lighting.bands = room.bands;
+        for (MeshMaterial &m : dark.materials) m.emits = {};
+    }
+
+    bool printSkies() {
+        for (const TriedSky &sky : skies) {
+            exact.push_back(solveSky(sky, rays));
+            relight(sky.light);
+            std::vector<Rgb>
+                others; // by the number of rays that this light needs: slow, so not for all skies
+            if (exact.size() % 2) others = solveSky(sky, 0);
+            if (stopped()) return false;
+            printErrors(sky.name, exact.back(), others);
+        }
+        return true;
+    }
+    bool printLamps() {
+        if (room.lamps.empty()) return true;
+        std::fill(lighting.lamps.begin(), lighting.lamps.end(), 1.f);
+        relight({});
+        const Surroundings &given = settings.solve.surroundings;
+        std::vector<Rgb> lit = solve(mesh, rays, {{}, given.suns, given.lamps});
+        if (stopped()) return false;
+        printErrors("all lamps", lit, {});
+        std::fill(lighting.lamps.begin(), lighting.lamps.end(), 0.f);
+        return true;
+    }
+    bool printPictures(const std::vector<std::string> &paths) {
+        for (const std::string &path : paths) {
+            std::vector<std::string> notes;
+            Projected projected = readEnvironment(path, room.upIsZ, &notes);
+            TriedSky sky = {path.substr(path.rfind('/') + 1), projected.light, {}, {}};
+            sky.sky = readSky(path, room.upIsZ, sky.suns);
+            relight(sky.light);
+            std::vector<Rgb> lit = solveSky(sky, rays);
+            if (stopped()) return false;
+            printErrors(sky.name, lit, {});
+            notes.push_back(bandLossText(sky.name, projected, room.bands));
+            for (const std::string &note : notes) std::printf("        (%s)\n", note.c_str());
+        }
+        return true;
+    }
+    // Call it after printSkies(). As in the lecture, compares the same number of stored floats in one
+    // subspace and in one subspace per cluster.
+    bool printSubspaces() {
+        std::vector<float> rows = room.rows(), scale = columnScale(room, rows);
+        std::vector<int> ranks;
+        for (int rank = 4; rank < room.clusters.rank; rank += 4) ranks.push_back(rank);
+        ranks.push_back(room.clusters.rank);
+        Workers stopping = workers;
+        stopping.abort = stop;
+        for (int rank : ranks) {
+            Clusters many = room.clusters;
+            if (rank != many.rank)
+                many = findClusters(rows, room.columns(), scale, blocksOf(room.model, many.count), many.count,
+                                    rank, stopping);
+            if (stopped()) return false;
+            size_t floats = many.floats(rank);
+            std::printf("%7.2f %6d %12.3f %13.3f", (double)floats * 4e-6, rank,
+                        100 * compressionError(many, rows, scale, rank), 100 * worstError(many));
+            Clusters one = oneSubspace(rows, scale, floats, stopping);
+            if (stopped()) {
+                std::printf("\n"); // ends the row
+                return false;
+            }
+            if (one.rank == 0)
+                std::printf("     more than %d\n", kMostRank);
+            else
+                std::printf(" %8d %12.3f %13.3f\n", one.rank,
+                            100 * compressionError(one, rows, scale, one.rank), 100 * worstError(one));
+        }
+        return true;
+    }
+
+private:
+    const Mesh &mesh;
+    Mesh dark; // the mesh with dark lamps
+    const TransferSettings &settings;
+    const TransferRoom &room;
+    int rays;
+    Workers &workers;
+    const int *stop;
+    Relighter relighter;
+    Lighting lighting;
+    const std::vector<TriedSky> skies = bandLimitedSkies(room.bands, room.upIsZ);
+    std::vector<std::vector<Rgb>> exact; // the solution for each of `skies`
+    std::vector<Rgb> byRows, byClusters;
+
+    bool stopped() const { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; }
+
+    // Light by this number of rays (0: the number that it needs). A stopped solution is incomplete.
+    std::vector<Rgb> solve(const Mesh &model, int count, const Surroundings &surroundings) {
+        SolveSettings s = settings.solve;
+        s.rays = count;
+        s.surroundings = surroundings;
+        return solveModel(model, s, {}, workers, stop, {}).solution.light;
+    }
+    std::vector<Rgb> solveSky(const TriedSky &sky, int count) {
+        return solve(dark, count, {sky.sky, sky.suns, {}});
+    }
+    void relight(const BandLight &light) {
+        lighting.sky = light;
+        lighting.rank = -1, relighter.relight(lighting, byRows);
+        lighting.rank = room.clusters.rank, relighter.relight(lighting, byClusters);
+    }
+    void printErrors(const std::string &name, const std::vector<Rgb> &solved,
+                     const std::vector<Rgb> &others) const {
+        std::printf("    %-20s %9.3f %9.3f", name.c_str(), 100 * difference(byRows, solved),
+                    100 * difference(byClusters, solved));
+        if (!others.empty()) std::printf(" %9.2f", 100 * difference(byRows, others));
+        std::printf("\n");
+    }
+    // The largest error of these clusters' light under `skies`.
+    double worstError(const Clusters &c) {
+        double worst = 0;
+        std::vector<Rgb> light;
+        for (size_t i = 0; i < skies.size(); ++i) {
+            lighting.sky = skies[i].light, lighting.rank = c.rank;
+            relighter.relight(c, lighting, light);
+            worst = std::max(worst, difference(light, exact[i]));
+        }
+        return worst;
+    }
+    // One subspace for all rows that takes at least `floats` floats; rank 0 if that needs too many axes.
+    Clusters oneSubspace(const std::vector<float> &rows, const std::vector<float> &scale, size_t floats,
+                         Workers &stopping) const {
+        Clusters one;
+        one.count = 1, one.columns = room.columns(), one.of.resize(room.texels());
+        int rank = 1;
+        while (one.floats(rank) < floats) ++rank;
+        if (rank > kMostRank) return one;
+        return findClusters(rows, one.columns, scale, one.of, 1, rank, stopping);
+    }
+};
+
+} // namespace
 
 bool printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
                 const std::vector<std::string> &skies, Workers &workers, const int *stop) {
-    auto stopped = [stop] { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; };
-    Relighter relighter(room);
-    std::vector<Rgb> rows, clusters, shown;
-    Lighting lighting = {
-        .sky = {}, .lamps = std::vector<float>(room.lamps.size()), .bands = room.bands, .rank = -1};
-    auto relight = [&](const BandLight &light) {
-        lighting.sky = light;
-        lighting.rank = -1, relighter.relight(lighting, rows);
-        lighting.rank = room.clusters.rank, relighter.relight(lighting, clusters);
-    };
+    RoomCheck check(mesh, settings, room, rays, workers, stop);
     std::printf("\nerror against a solution for that light, %% rms   rows  clusters  rows, other rays\n");
-    std::vector<TriedSky> tried = bandLimitedSkies(room.bands, room.upIsZ);
-    std::vector<std::vector<Rgb>> exact;
-    for (const TriedSky &sky : tried) {
-        exact.push_back(freshLight(mesh, settings, rays, sky, workers, stop));
-        relight(sky.light);
-        std::vector<Rgb> others; // slow, so not for all skies
-        if (exact.size() % 2) others = freshLight(mesh, settings, 0, sky, workers, stop);
-        if (stopped()) return false;
-        printErrors(sky.name, rows, clusters, exact.back(), others.empty() ? nullptr : &others);
-    }
-    if (!room.lamps.empty()) {
-        std::fill(lighting.lamps.begin(), lighting.lamps.end(), 1.f);
-        relight({});
-        std::vector<Rgb> lit = freshLamps(mesh, settings, rays, workers, stop);
-        if (stopped()) return false;
-        printErrors("all lamps", rows, clusters, lit, nullptr);
-        std::fill(lighting.lamps.begin(), lighting.lamps.end(), 0.f);
-    }
-    for (const std::string &path : skies) {
-        std::vector<std::string> notes;
-        Projected projected = readEnvironment(path, room.upIsZ, &notes);
-        TriedSky sky = {path.substr(path.rfind('/') + 1), projected.light, {}, {}};
-        sky.sky = readSky(path, room.upIsZ, sky.suns);
-        relight(sky.light);
-        std::vector<Rgb> lit = freshLight(mesh, settings, rays, sky, workers, stop);
-        if (stopped()) return false;
-        printErrors(sky.name, rows, clusters, lit, nullptr);
-        notes.push_back(bandLossText(sky.name, projected, room.bands));
-        for (const std::string &note : notes) std::printf("        (%s)\n", note.c_str());
-    }
-
-    // As in the lecture: the same number of stored floats, in one subspace or in one for each cluster
+    if (!check.printSkies() || !check.printLamps() || !check.printPictures(skies)) return false;
     std::printf("\nerror %%                      clusters (CPCA)                    one subspace (PCA)\n"
                 "     MB   rank  of the rows  of the light     rank  of the rows  of the light\n");
-    std::vector<float> matrix = room.rows(), scale = columnScale(room, matrix);
-    auto worst = [&](const Clusters &c) {
-        double most = 0;
-        for (size_t i = 0; i < tried.size(); ++i) {
-            lighting.sky = tried[i].light, lighting.rank = c.rank;
-            relighter.relight(c, lighting, shown);
-            most = std::max(most, difference(shown, exact[i]));
-        }
-        return most;
-    };
-    std::vector<int> ranks;
-    for (int rank = 4; rank < room.clusters.rank; rank += 4) ranks.push_back(rank);
-    ranks.push_back(room.clusters.rank);
-    Workers stopping = workers;
-    stopping.abort = stop;
-    for (int rank : ranks) {
-        Clusters many = room.clusters;
-        if (rank != many.rank)
-            many = findClusters(matrix, room.columns(), scale, blocksOf(room.model, many.count), many.count,
-                                rank, stopping);
-        if (stopped()) return false;
-        size_t floats = many.floats(rank);
-        std::printf("%7.2f %6d %12.3f %13.3f", (double)floats * 4e-6, rank,
-                    100 * compressionError(many, matrix, scale, rank), 100 * worst(many));
-        Clusters one = oneSubspace(room, matrix, scale, floats, stopping);
-        if (stopped()) {
-            std::printf("\n"); // ends the row
-            return false;
-        }
-        if (one.rank == 0)
-            std::printf("     more than %d\n", kMostRank);
-        else
-            std::printf(" %8d %12.3f %13.3f\n", one.rank,
-                        100 * compressionError(one, matrix, scale, one.rank), 100 * worst(one));
-    }
+    if (!check.printSubspaces()) return false;
     std::printf(
         "of the rows: of the whole matrix (Frobenius); of the light: the worst of the skies above, rms\n");
     return true;
