@@ -1,5 +1,6 @@
 #include "tools/radiosity/export/atlas.h"
 
+#include "base/gl.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 
@@ -14,9 +15,9 @@ namespace odraz::radiosity {
 AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
     : solution(b), name(atlas.settings.radiosity ? "radiosity" : "light"),
       radiosity(atlas.settings.radiosity), pictured(false), one(one), pages(atlas.pages.size()) {
-    using Look = std::tuple<int, bool, float, float, float, float, float, float>;
-    std::map<Look, size_t> known;
-    std::vector<double> area; // of each pictured material, to average its reflectance
+    using Key = std::tuple<int, bool, float, float, float, float, float, float>;
+    std::map<Key, size_t> known;
+    std::vector<double> area; // area of each pictured material, to average its reflectance
     for (size_t i = 0; i < b.facets.size(); ++i) {
         const Facet &f = b.facets[i];
         const Chart &c = b.charts[(size_t)f.chart];
@@ -53,19 +54,9 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
 
 namespace {
 
-// JSON writes floats in the shortest exact form
+// JSON that writes floats in the shortest exact form
 using Json =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
-
-// OpenGL's constants, which glTF uses
-enum {
-    kFloats = 5126,
-    kNumbers = 5125,
-    kPointData = 34962,
-    kIndexData = 34963,
-    kLinear = 9729,
-    kClamp = 33071
-};
 
 template <class T> void put(std::string &to, const T &value) {
     to.append((const char *)&value, sizeof value);
@@ -94,51 +85,66 @@ Json materialOf(const AtlasModel &m, const AtlasMaterial &a) {
     return material;
 }
 
-} // namespace
-
-void writeGltf(const AtlasModel &m, const std::string &path, const std::string &binary) {
-    // Positions, normals and coordinates; then the triangles of each material
+// The binary file, and the JSON of its views and accessors. Each accessor has a view of its own.
+struct GltfBuffer {
     std::string bytes;
     Json views = Json::array(), accessors = Json::array();
-    auto add = [&](size_t begin, int target, int kind, size_t count, const char *type) {
+
+    // Describes the bytes from `begin` to the end.
+    void describe(size_t begin, int target, int component, size_t count, const char *type) {
         accessors.push_back(
-            {{"bufferView", views.size()}, {"componentType", kind}, {"count", count}, {"type", type}});
+            {{"bufferView", views.size()}, {"componentType", component}, {"count", count}, {"type", type}});
         views.push_back(
             {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}, {"target", target}});
-    };
+    }
+};
+
+// Adds positions, normals and coordinates on the pages, as accessors 0, 1 and 2.
+void addPoints(GltfBuffer &to, const AtlasModel &m) {
     size_t count = m.points.size();
     Vec3 lo = m.points.empty() ? Vec3{} : m.points[0].p, hi = lo;
     for (const AtlasPoint &p : m.points) {
-        put(bytes, p.p);
+        put(to.bytes, p.p);
         for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
             lo.*k = std::min(lo.*k, p.p.*k), hi.*k = std::max(hi.*k, p.p.*k);
     }
-    add(0, kPointData, kFloats, count, "VEC3");
-    accessors[0]["min"] = {lo.x, lo.y, lo.z}, accessors[0]["max"] = {hi.x, hi.y, hi.z};
-    size_t begin = bytes.size();
+    to.describe(0, GL_ARRAY_BUFFER, GL_FLOAT, count, "VEC3");
+    to.accessors[0]["min"] = {lo.x, lo.y, lo.z}, to.accessors[0]["max"] = {hi.x, hi.y, hi.z};
+    size_t begin = to.bytes.size();
     for (size_t i = 0; i + 1 < m.first.size(); ++i)
         for (int p = m.first[i]; p < m.first[i + 1]; ++p)
-            put(bytes, m.solution.charts[(size_t)m.solution.facets[i].chart].n);
-    add(begin, kPointData, kFloats, count, "VEC3");
-    begin = bytes.size();
-    for (const AtlasPoint &p : m.points) put(bytes, p.u), put(bytes, p.v);
-    add(begin, kPointData, kFloats, count, "VEC2");
+            put(to.bytes, m.solution.charts[(size_t)m.solution.facets[i].chart].n);
+    to.describe(begin, GL_ARRAY_BUFFER, GL_FLOAT, count, "VEC3");
+    begin = to.bytes.size();
+    for (const AtlasPoint &p : m.points) put(to.bytes, p.u), put(to.bytes, p.v);
+    to.describe(begin, GL_ARRAY_BUFFER, GL_FLOAT, count, "VEC2");
+}
+
+// Adds the triangles of material k. Returns them as a primitive.
+Json addTriangles(GltfBuffer &to, const AtlasModel &m, size_t k) {
+    size_t begin = to.bytes.size(), indices = to.accessors.size();
+    for (int i : m.materials[k].facets)
+        for (int p = m.first[(size_t)i]; p + 2 < m.first[(size_t)i + 1]; ++p)
+            for (int corner : {m.first[(size_t)i], p + 1, p + 2}) put(to.bytes, (uint32_t)corner);
+    to.describe(begin, GL_ELEMENT_ARRAY_BUFFER, GL_UNSIGNED_INT, (to.bytes.size() - begin) / 4, "SCALAR");
+    return {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}, {"TEXCOORD_1", 2}}},
+            {"indices", indices},
+            {"material", k}};
+}
+
+} // namespace
+
+void writeGltf(const AtlasModel &m, const std::string &path, const std::string &binary) {
+    GltfBuffer buffer;
+    addPoints(buffer, m);
     Json primitives = Json::array(), materials = Json::array(), images = Json::array(),
          textures = Json::array();
     Json extensions = {m.radiosity ? "KHR_materials_unlit" : "MOZ_lightmap"};
     bool bright = false;
-    for (const AtlasMaterial &a : m.materials) {
-        begin = bytes.size();
-        for (int i : a.facets)
-            for (int p = m.first[(size_t)i]; p + 2 < m.first[(size_t)i + 1]; ++p)
-                for (int corner : {m.first[(size_t)i], p + 1, p + 2}) put(bytes, (uint32_t)corner);
-        primitives.push_back(
-            {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}, {"TEXCOORD_1", 2}}},
-             {"indices", accessors.size()},
-             {"material", materials.size()}});
-        add(begin, kIndexData, kNumbers, (bytes.size() - begin) / 4, "SCALAR");
-        materials.push_back(materialOf(m, a));
-        bright |= maxComponent(a.emits) > 1;
+    for (size_t k = 0; k < m.materials.size(); ++k) {
+        primitives.push_back(addTriangles(buffer, m, k));
+        materials.push_back(materialOf(m, m.materials[k]));
+        bright |= maxComponent(m.materials[k].emits) > 1;
     }
     if (bright) extensions.push_back("KHR_materials_emissive_strength");
     for (size_t i = 0; i < m.pages * (m.pictured ? 2 : 1); ++i) {
@@ -146,7 +152,10 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
         images.push_back({{"uri", name + "-" + std::to_string(i % m.pages) + ".png"}});
         textures.push_back({{"source", i}, {"sampler", 0}});
     }
-    Json sampler = {{"magFilter", kLinear}, {"minFilter", kLinear}, {"wrapS", kClamp}, {"wrapT", kClamp}};
+    Json sampler = {{"magFilter", GL_LINEAR},
+                    {"minFilter", GL_LINEAR},
+                    {"wrapS", GL_CLAMP_TO_EDGE},
+                    {"wrapT", GL_CLAMP_TO_EDGE}};
     Json node = {{"mesh", 0}};
     if (const Vec3 &place = m.solution.place; length(place) > 0)
         node["translation"] = {place.x, place.y, place.z};
@@ -160,11 +169,11 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
                 {"textures", textures},
                 {"images", images},
                 {"samplers", Json::array({sampler})},
-                {"accessors", accessors},
-                {"bufferViews", views},
+                {"accessors", buffer.accessors},
+                {"bufferViews", buffer.views},
                 {"buffers", Json::array({{{"uri", binary.substr(binary.rfind('/') + 1)},
-                                          {"byteLength", bytes.size()}}})}};
-    common::writeWhole(binary, bytes);
+                                          {"byteLength", buffer.bytes.size()}}})}};
+    common::writeWhole(binary, buffer.bytes);
     common::writeWhole(path, all.dump() + "\n");
 }
 
