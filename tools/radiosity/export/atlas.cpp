@@ -19,8 +19,8 @@ namespace {
 
 int roundedUp(double x) { return ((int)std::ceil(x) + 3) / 4 * 4; } // for compressed textures
 
-// Finds the number of texels of each chart.
-void measure(const Solution &b, Atlas &atlas) {
+// Finds the number of texels along each chart's sides.
+void sizeCharts(const Solution &b, Atlas &atlas) {
     const AtlasSettings &s = atlas.settings;
     std::vector<uint8_t> pictured(b.charts.size());
     for (size_t i = 0; i < b.cells.size(); ++i) {
@@ -49,10 +49,11 @@ void measure(const Solution &b, Atlas &atlas) {
     }
 }
 
-// Charts of one size, packed side by side with padding. A model may have a million charts, and the packer's
-// time grows with the square of the number of rectangles.
+// Charts of one size with padding, packed side by side. Bundles keep the number of rectangles small: a model
+// may have a million charts, and the packer's time grows with the square of the number of rectangles.
 struct Bundle {
-    int width, height, side; // of each chart; the number of charts along a side
+    int width, height; // size of each chart
+    int side;          // number of charts along a side
     std::vector<size_t> charts;
 };
 
@@ -84,9 +85,9 @@ std::vector<Bundle> bundle(Atlas &atlas) {
 Atlas packAtlas(const Solution &b, const AtlasSettings &s) {
     Atlas atlas;
     atlas.settings = s;
-    atlas.there.resize(b.cells.size());
-    b.forPieces([&](int, int cell, const std::vector<SolutionPoint> &) { atlas.there[(size_t)cell] = 1; });
-    measure(b, atlas);
+    atlas.occupied.resize(b.cells.size());
+    b.forPieces([&](int, int cell, const std::vector<SolutionPoint> &) { atlas.occupied[(size_t)cell] = 1; });
+    sizeCharts(b, atlas);
 
     std::vector<Bundle> bundles = bundle(atlas);
     std::vector<stbrp_rect> left;
@@ -94,7 +95,7 @@ Atlas packAtlas(const Solution &b, const AtlasSettings &s) {
         left.push_back(
             {(int)i, bundles[i].width * bundles[i].side, bundles[i].height * bundles[i].side, 0, 0, 0});
     while (!left.empty()) {
-        // If everything fits on one page, choose the width for a square page; the height follows
+        // Make the page square if everything fits on it
         double area = 0;
         int widest = 1;
         for (const stbrp_rect &r : left) area += (double)r.w * r.h, widest = std::max(widest, r.w);
@@ -133,7 +134,7 @@ public:
     const std::vector<Rgb> &paint() {
         for (int j = 0; j < place.down; ++j)
             for (int i = 0; i < place.across; ++i) known[at(i, j)] = find(i, j, texels[at(i, j)]);
-        // Fill texels outside facets from the nearest ones, because mipmaps of a page mix them in
+        // Fill texels outside facets from their neighbours, because mipmaps include them
         for (int ring = 0; ring < 2 * atlas.settings.padding; ++ring)
             if (!spread()) break;
         return texels;
@@ -163,8 +164,8 @@ private:
         return {};
     }
 
-    // The mean of the light around a texel, over the adjacent cells that exist. If texels are as fine as
-    // elements, all of these have the same value there.
+    // Finds a texel's value, the mean around it over the adjacent cells that are occupied. If texels are as
+    // fine as elements, all of these have the same value there. Returns false if none is occupied.
     bool find(int i, int j, Rgb &to) const {
         float u = place.uOf(c, (float)i + 0.5f), v = place.vOf(c, (float)j + 0.5f);
         float wide = place.uOf(c, 1) - place.uOf(c, 0), tall = place.vOf(c, 1) - place.vOf(c, 0);
@@ -178,7 +179,7 @@ private:
                   t = v + (((float)(k / across) + 0.5f) / (float)down - 0.5f) * tall;
             if (s < 0 || t < 0 || s > c.width || t > c.height) continue;
             int cell = cellAt(c, {s, t});
-            if (!atlas.there[(size_t)cell]) continue;
+            if (!atlas.occupied[(size_t)cell]) continue;
             sum += place.exact ? valueIn(cell, u, v) : valueIn(cell, s, t);
             ++found;
         }
@@ -186,6 +187,7 @@ private:
         return found;
     }
 
+    // Gives unknown texels the mean of their known neighbours. Returns false if there are none.
     bool spread() {
         std::vector<uint8_t> were = known;
         bool more = false;

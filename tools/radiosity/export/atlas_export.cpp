@@ -1,4 +1,4 @@
-// Writes lightmaps into a folder: the pages, and the model with texture coordinates on them.
+// Writes lightmaps to a folder: the pages, and the model with texture coordinates on them.
 #include "tools/radiosity/export/atlas.h"
 
 #include "tools/common/folders.h"
@@ -18,8 +18,8 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The light that is 1 in a PNG: the 99th percentile of the texels, and a ninth more.
-float standsForOne(const Solution &b, bool radiosity) {
+// The light that 1 stands for in a PNG: the 99th percentile of the texels divided by 0.9.
+float lightOfOne(const Solution &b, bool radiosity) {
     std::vector<float> all;
     for (size_t i = 0; i < b.texels.size(); ++i) {
         size_t chart = (size_t)b.texels[i].chart;
@@ -114,7 +114,7 @@ void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &p
     if (b.facets.empty()) throw std::runtime_error("it has no polygon");
     common::NewFolder folder(path);
     Atlas atlas = packAtlas(b, s);
-    AtlasModel model(b, atlas, standsForOne(b, s.radiosity));
+    AtlasModel model(b, atlas, lightOfOne(b, s.radiosity));
     folder.write("model.obj", objOf(model));
     folder.write("model.mtl", mtlOf(model));
     writeGltf(model, folder / "model.gltf", folder / "model.bin");

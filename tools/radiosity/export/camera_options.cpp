@@ -14,7 +14,7 @@ Vec3d placeOf(const std::string &option, const std::string &text) {
     return {p[0], p[1], p[2]};
 }
 
-// Writes a point as an option, and sets it to the rounded value that was written.
+// Returns a point as an option, and sets the point to the rounded numbers of this option.
 std::string pointOption(const char *option, Vec3 &p, const Vec3 &place) {
     Vec3d at = toDouble(place) + toDouble(p);
     int digits = Solution::digitsAt(place) - 1;
@@ -43,7 +43,7 @@ void CameraOptions::addTo(common::CommandLine &line) {
             s.width = width, s.height = height;
         },
         "pixels (default " + std::to_string(s.width) + "x" + std::to_string(s.height) + ")");
-    line.option("--exposure", "STOPS", s.stops, {-20, 20}, "brighter by this many powers of two");
+    line.option("--exposure", "STOPS", s.stops, {-20, 20}, "brighter by STOPS powers of two");
     line.option("--tone", {"film", "log"}, s.logarithmic,
                 "use the film's curve, or show the logarithm of the light");
 }

@@ -20,14 +20,14 @@ void writeAtlas(const Solution &solution, const std::string &folder, const Atlas
     for (const std::string &note : notes) std::printf("%s\n", note.c_str());
 }
 
-// What can be written: a row each.
+// The kinds of output, one row each.
 constexpr struct ExportKind {
     const char *option, *value, *what;
     void (*write)(const Solution &solution, const std::string &to, const AtlasSettings &settings);
 } kExportKinds[] = {
     {"--csv", "FILE", "a line for every element",
      [](const Solution &b, const std::string &to, const AtlasSettings &) { exportCsv(b, to); }},
-    {"--ply", "FILE", "a mesh with colours at its points",
+    {"--ply", "FILE", "a mesh with sRGB colours at its points",
      [](const Solution &b, const std::string &to, const AtlasSettings &) { exportPolygons(b, to, true); }},
     {"--obj", "FILE", "the same as OBJ",
      [](const Solution &b, const std::string &to, const AtlasSettings &) { exportPolygons(b, to, false); }},

@@ -1,4 +1,3 @@
-// Exports a solved model for spreadsheets and viewers.
 #include "tools/radiosity/export/points_export.h"
 
 #include "tools/common/statistics.h"
@@ -14,7 +13,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// Converts radiosity to sRGB, 0 .. 1; the 99th percentile of the points becomes 0.9.
+// Converts radiosity to sRGB, 0 .. 1. The 99th percentile of the points becomes 0.9 in linear light.
 struct ColourScale {
     float scale = 1;
     explicit ColourScale(const Solution &solution) {
@@ -25,7 +24,7 @@ struct ColourScale {
         });
         if (all.empty()) return;
         float high = common::quantile(std::move(all), 0.99);
-        if (high > 1e-30f) scale = 0.9f / high; // a smaller value has no finite inverse
+        if (high > 1e-30f) scale = 0.9f / high; // the inverse of a smaller value may be infinite
     }
     float operator()(float x) const { return pictures::srgbOfLinear(x * scale); }
 };
@@ -44,8 +43,8 @@ struct LitCorners {
         });
         weld();
     }
+    // Merges points of equal position and radiosity.
     void weld() {
-        // Merge points of equal place and light
         std::vector<size_t> order(points.size()), to(points.size());
         for (size_t i = 0; i < order.size(); ++i) order[i] = i;
         auto less = [&](size_t a, size_t b) {
@@ -63,37 +62,34 @@ struct LitCorners {
     }
 };
 
-// A point's coordinates in the model.
+// A point in model coordinates.
 std::string placeText(const Solution &solution, const Vec3 &point) {
     const int digits = solution.digits();
     Vec3d p = solution.inModel(point);
     return common::format("%.*g %.*g %.*g", digits, p.x, digits, p.y, digits, p.z);
 }
 
-// A name as a field of CSV (RFC 4180).
-std::string quoted(const std::string &name) {
-    if (name.find_first_of(",\"") == name.npos) return name;
-    std::string text = "\"";
-    for (char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
-    return text + '"';
-}
-
 } // namespace
+
+std::string csvField(const std::string &text) {
+    if (text.find_first_of(",\"\n\r") == text.npos) return text;
+    std::string quoted = "\"";
+    for (char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + '"';
+}
 
 void exportCsv(const Solution &solution, const std::string &path) {
     std::string text = "polygon,x,y,z,nx,ny,nz,area,r,g,b,material\n";
     const int digits = solution.digits();
-    // The pieces of an element are consecutive
-    int chart = -1, cell = -1;
+    int chart = -1, cell = -1; // the pieces of an element are consecutive
     PieceSum sum;
     auto put = [&] {
         if (!(sum.area > 0)) return;
         Vec3 n = solution.charts[(size_t)chart].n;
-        Vec3d p = toDouble(solution.place) + Vec3d{sum.p[0], sum.p[1], sum.p[2]} / sum.area;
+        Vec3d p = toDouble(solution.place) + sum.p / sum.area, mean = sum.radiosity / sum.area;
         common::append(text, "%d,%.*g,%.*g,%.*g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g,%s\n", chart, digits, p.x,
-                       digits, p.y, digits, p.z, (double)n.x, (double)n.y, (double)n.z, sum.area,
-                       sum.radiosity[0] / sum.area, sum.radiosity[1] / sum.area, sum.radiosity[2] / sum.area,
-                       quoted(solution.materialOf(chart)).c_str());
+                       digits, p.y, digits, p.z, (double)n.x, (double)n.y, (double)n.z, sum.area, mean.x,
+                       mean.y, mean.z, csvField(solution.materialOf(chart)).c_str());
         sum = {};
     };
     solution.forPieces([&](int c, int e, const std::vector<SolutionPoint> &piece) {

@@ -1,4 +1,3 @@
-// Renders a solved model as a picture.
 #include "tools/radiosity/export/render.h"
 
 #include "base/maths.h"
@@ -26,36 +25,37 @@ void placeCamera(const Solution &solution, RenderSettings &s) {
     for (const Vec3 &p : corners)
         for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
             lo.*k = std::min(lo.*k, p.*k), hi.*k = std::max(hi.*k, p.*k);
-    // Look from the first octant; if hardly any lit front is visible from there, from the one with most
+    // Look from the first octant, or if hardly any front faces it, from the octant that most fronts face
     auto from = [&](int octant) {
         return normalize(
             Vec3{octant & 1 ? -0.5f : 0.5f, octant & 2 ? -0.55f : 0.55f, octant & 4 ? -0.8f : 0.8f});
     };
-    double faces[8] = {};
+    double fronts[8] = {};
     int best = 0;
     for (int k = 0; k < 8; ++k) {
         for (const Facet &f : solution.facets) {
             const Chart &c = solution.charts[(size_t)f.chart];
-            faces[k] += areaOf(outlineOf(f)) * (double)std::max(dot(upright(c.n, s.upIsZ), from(k)), 0.f);
+            fronts[k] += areaOf(outlineOf(f)) * (double)std::max(dot(upright(c.n, s.upIsZ), from(k)), 0.f);
         }
-        if (faces[k] > faces[best] * 1.001) best = k;
+        if (fronts[k] > fronts[best] * 1.001) best = k;
     }
-    Vec3 middle = (lo + hi) * 0.5f, away = from(faces[0] < 0.1 * faces[best] ? best : 0);
+    Vec3 middle = (lo + hi) * 0.5f, away = from(fronts[0] < 0.1 * fronts[best] ? best : 0);
     Vec3 right = normalize(cross(Vec3{0, 1, 0}, away)), up = cross(away, right);
-    float tall = std::tan(s.lens * (kPi / 360)) * 0.95f, wide = tall * (float)s.width / (float)s.height,
-          far = 0;
+    // Find the distance at which the field of view, less 5 %, holds all corners
+    float tanY = std::tan(s.lens * (kPi / 360)) * 0.95f, tanX = tanY * (float)s.width / (float)s.height,
+          distance = 0;
     for (const Vec3 &p : corners) {
         Vec3 c = p - middle;
-        far = std::max(far, dot(c, away) +
-                                std::max(std::fabs(dot(c, right)) / wide, std::fabs(dot(c, up)) / tall));
+        distance = std::max(
+            distance, dot(c, away) + std::max(std::fabs(dot(c, right)) / tanX, std::fabs(dot(c, up)) / tanY));
     }
-    s.eye = asInModel(middle + away * far, s.upIsZ);
+    s.eye = asInModel(middle + away * distance, s.upIsZ);
     s.target = asInModel(middle, s.upIsZ);
 }
 
 namespace {
 
-// A solution's radiosity as seen by a camera.
+// A solution's radiosity as a camera sees it.
 class RadiosityView {
 public:
     RadiosityView(const Solution &solution, const RenderSettings &s)
@@ -80,18 +80,18 @@ private:
     View view;
     bool upIsZ;
     Vec3 eye;
-    std::vector<int> charts; // of each triangle
+    std::vector<int> charts; // each triangle's chart
     RayTree tree;
 };
 
-// Traces every pixel once, then those that differ from their neighbours with 4 x 4 samples.
-void traceFrame(const RadiosityView &seen, Workers &workers, Frame &frame) {
+// Traces each pixel with one sample, and then pixels that differ from their neighbours with 4 x 4 samples.
+void traceFrame(const RadiosityView &view, Workers &workers, Frame &frame) {
     std::vector<RadiosityView::Hit> first((size_t)frame.width * (size_t)frame.height);
     auto at = [&](int x, int y) -> RadiosityView::Hit & {
         return first[(size_t)y * (size_t)frame.width + (size_t)x];
     };
     parallelFor(workers, frame.height, [&](int y, int) {
-        for (int x = 0; x < frame.width; ++x) at(x, y) = seen.at((float)x + 0.5f, (float)y + 0.5f);
+        for (int x = 0; x < frame.width; ++x) at(x, y) = view.at((float)x + 0.5f, (float)y + 0.5f);
     });
     auto differs = [](const RadiosityView::Hit &a, const RadiosityView::Hit &b) {
         auto far = [](float x, float y) { return std::fabs(x - y) > 0.05f * std::max(x, y); };
@@ -109,7 +109,7 @@ void traceFrame(const RadiosityView &seen, Workers &workers, Frame &frame) {
             if (edge) {
                 light = {};
                 for (int k = 0; k < 16; ++k)
-                    light += seen.at((float)x + ((float)(k & 3) + 0.5f) / 4,
+                    light += view.at((float)x + ((float)(k & 3) + 0.5f) / 4,
                                      (float)y + ((float)(k >> 2) + 0.5f) / 4)
                                  .light *
                              (1 / 16.f);
@@ -137,7 +137,7 @@ std::vector<Rgb> HeapFrame::pixels() const {
 Rgb logarithmicTone(const Rgb &c, float low, float high) {
     float light = maxComponent(c);
     if (!(light > 0)) return {};
-    // The darkest value is not black, so that it is visible
+    // Make the darkest value brighter than black, so that it is visible
     float rank = (std::log(light) - low) / std::max(high - low, 1e-3f),
           bright = 0.1f + 0.9f * std::clamp(rank, 0.f, 1.f);
     auto channel = [&](float x) { return bright * std::pow(std::max(x, 0.f) / light, 1 / 2.2f); };
@@ -147,11 +147,11 @@ Rgb logarithmicTone(const Rgb &c, float low, float high) {
 void render(const Solution &solution, const RenderSettings &s, Workers &workers, const std::string &path) {
     HeapFrame traced(s.width, s.height);
     traceFrame(RadiosityView(solution, s), workers, traced.frame);
-    std::vector<Rgb> seen = traced.pixels();
+    std::vector<Rgb> pixels = traced.pixels();
     std::vector<float> all;
-    for (const Rgb &c : seen)
+    for (const Rgb &c : pixels)
         if (float light = maxComponent(c); light > 0) all.push_back(light);
-    if (all.empty()) all.push_back(1); // all is black
+    if (all.empty()) all.push_back(1); // the picture is black
     auto part = [&](double share) { return std::max(common::quantile(all, share), 1e-30f); };
     float low = std::log(part(0.01)), high = std::log(part(0.998));
     bool film = !(s.constant > 0) && !s.logarithmic;
@@ -160,9 +160,9 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
         makeToneCurve(curve);
         develop(curve, traced.frame, workers, std::exp2(s.stops) * 0.5f / part(0.6), 0);
     }
-    pictures::Image picture = {s.width, s.height, std::vector<uint8_t>(seen.size() * 3)};
-    for (size_t i = 0; i < seen.size(); ++i) {
-        Rgb c = s.constant > 0 ? seen[i] * s.constant : logarithmicTone(seen[i], low, high);
+    pictures::Image picture = {s.width, s.height, std::vector<uint8_t>(pixels.size() * 3)};
+    for (size_t i = 0; i < pixels.size(); ++i) {
+        Rgb c = s.constant > 0 ? pixels[i] * s.constant : logarithmicTone(pixels[i], low, high);
         const float shown[3] = {c.x, c.y, c.z};
         for (size_t k = 0; k < 3; ++k)
             picture.rgb[i * 3 + k] =

@@ -11,17 +11,17 @@
 namespace odraz::radiosity {
 
 struct RenderSettings {
-    Vec3 eye, target; // in the solution's coordinates
+    Vec3 eye, target; // relative to `place`
     Vec3 place = {};  // Solution::place
     bool upIsZ = false;
     float lens = 60; // vertical field of view, degrees
     int width = 1280, height = 720;
-    bool logarithmic = false; // shows the logarithm of radiosity; otherwise uses the film's curve
-    float stops = 0;          // powers of two added to the automatic exposure
-    float constant = 0; // above 0: shows radiosity times this linearly, 1 is white, without curve or exposure
+    bool logarithmic = false; // show the logarithm of radiosity; otherwise use the film's curve
+    float stops = 0;          // the automatic exposure is multiplied by 2^stops
+    float constant = 0; // above 0: show radiosity times this constant, without curve or exposure; 1 is white
 };
 
-// A frame of the film's tracer.
+// A frame of the film's tracer, with its memory.
 struct HeapFrame {
     HeapArena memory;
     Frame frame = {};
@@ -32,17 +32,17 @@ struct HeapFrame {
         return frame.plane[plane][(size_t)y * (size_t)frame.stride + (size_t)x];
     }
     float &at(int plane, int x, int y) { return const_cast<float &>(std::as_const(*this).at(plane, x, y)); }
-    std::vector<Rgb> pixels() const; // in rows from top to bottom
+    std::vector<Rgb> pixels() const; // rows from top to bottom
 };
 
-// Places the camera above and to one side, so that the picture holds all facets.
+// Places the camera above the model and to one side, so that the picture shows all facets.
 void placeCamera(const Solution &solution, RenderSettings &settings);
 
-// A colour, 0 .. 1 and no longer linear, whose brightness is the position of its logarithm between `low` and
-// `high`.
+// Tone-maps light to a colour from 0 to 1 (not linear), whose brightness is the position of the light's
+// logarithm between `low` and `high`.
 Rgb logarithmicTone(const Rgb &light, float low, float high);
 
-// Writes a PNG. Throws std::runtime_error.
+// Renders a picture and writes it as PNG. Throws std::runtime_error.
 void render(const Solution &solution, const RenderSettings &settings, Workers &workers,
             const std::string &path);
 

@@ -27,8 +27,8 @@ const std::vector<MeshMaterial> kMaterials = {
 };
 
 struct ModelWriter : ObjWriter {
-    // A rectangle that is lit on the side of u x v. It is divided into steps as the area requires; no side of
-    // a step is more than twice the other.
+    // A rectangle that is lit on the side of u x v. If `area` requires it, it is divided into smaller
+    // rectangles, whose sides differ by a factor of 2 at most.
     void rect(const char *mtl, Vec3d corner, Vec3d u, Vec3d v) {
         use(mtl);
         int across = 1, down = 1;
@@ -47,7 +47,7 @@ struct ModelWriter : ObjWriter {
                 triangles += 2;
             }
     }
-    // A box seen from outside; it has a bottom if `bottom` names a material.
+    // A box seen from outside. It has a bottom if `bottom` names a material, and a top if it is below 10.
     void box(const char *mtl, Vec3d lo, Vec3d hi, const char *bottom) {
         double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         rect(mtl, {lo[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
@@ -97,7 +97,7 @@ void columns(ModelWriter &w) {
 }
 
 void corner(ModelWriter &w) {
-    // An L of three squares, 4 high; the lamp lights one end
+    // An L of three squares, 4 high, with a lamp at one end
     const double y = 4;
     for (Vec3d p : {Vec3d{0, 0, 0}, Vec3d{8, 0, 0}, Vec3d{8, 0, 8}}) {
         w.rect("floor", p, {0, 0, 8}, {8, 0, 0});
@@ -126,13 +126,13 @@ void furnace(ModelWriter &w) {
     }
 }
 
-// Two unit squares that face each other at the distance 1.
+// Two unit squares that face each other at distance 1.
 void squares(ModelWriter &w) {
     w.rect("receives", {0, 0, 0}, {0, 0, 1}, {1, 0, 0});
     w.rect("shines", {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
 }
 
-// A sphere seen from inside, with an uneven surface; triangles near the top are the lamp.
+// An uneven sphere seen from inside. The triangles near the top are the lamp.
 void cave(ModelWriter &w) {
     int rows = w.area > 0 ? std::max(4, (int)std::sqrt(1257 / w.area / 4)) : 20, columns = 2 * rows;
     auto at = [&](int i, int j) {
@@ -182,7 +182,7 @@ int runGenerate(common::CommandLine &line) {
     std::string kind, out;
     double area = 0;
     std::vector<MaterialChange> changes;
-    line.about("Writes an example model, and its materials beside it.");
+    line.about("Writes an example model, and its materials to a file next to it.");
     line.argument("KIND", kind,
                   "cube, columns, corner, vault or terrain; furnace or squares, whose light is known", false);
     line.option("-o", "MODEL.obj", out, "the model's file");

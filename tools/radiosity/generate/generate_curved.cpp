@@ -12,7 +12,7 @@ constexpr double kTurn = 2 * M_PI;
 
 struct Curved {
     ObjWriter &w;
-    double detail; // factor for numbers of steps along a side
+    double detail; // multiplies the numbers of steps along a side
     uint32_t state = 1;
 
     Curved(ObjWriter &w, double area) : w(w), detail(w.area > 0 ? std::sqrt(area / w.area) : 1) {}
@@ -22,8 +22,8 @@ struct Curved {
         state = state * 1664525 + 1013904223;
         return low + (high - low) * (state >> 8) / 16777216.;
     }
-    // A surface of revolution about an upright axis, seen from outside: (radius, height) as a function of v,
-    // bottom first.
+    // A surface of revolution about an upright axis, seen from outside. `profile` returns (radius, height) as
+    // a function of v, bottom first.
     void lathe(const char *mtl, Vec3d foot, int around, int along,
                const std::function<std::pair<double, double>(double)> &profile) {
         w.surface(mtl, steps(around), steps(along), true, [&](double u, double v) {
@@ -50,7 +50,7 @@ struct Curved {
                              tall * v};
         });
     }
-    // A cloth that hangs in the plane z, two centimetres thick.
+    // A cloth that hangs in a plane of constant z, two centimetres thick.
     void cloth(const char *mtl, Vec3d top, double wide, double tall) {
         for (int side = 0; side < 2; ++side)
             w.surface(mtl, steps(16), steps(14), false, [&](double u, double v) {
@@ -59,12 +59,12 @@ struct Curved {
                                    0.25 * std::sin(x * 25) * (1 - v * 0.7) + (side ? -0.01 : 0.01)};
             });
     }
-    // A wall in the plane x, from z0 to z1 and from 0 to high, with a round-headed window; seen from the side
-    // of `inside` (1: from larger x). The window's jambs are `deep`.
+    // A wall in the plane of this x, from z0 to z1 and from 0 to `high`, with a round-headed window, whose
+    // jambs are `deep`. It is seen from inside: from larger x if `inside` is 1, from smaller x if it is -1.
     void wallWithWindow(const char *mtl, double x, double z0, double z1, double high, double inside,
                         double deep) {
         double zm = (z0 + z1) / 2, r = (z1 - z0) * 0.22, low = high * 0.35, spring = high * 0.62;
-        // The wall around the window: straight lines from its outline to the border of the wall
+        // Divide the wall along straight lines from the window's outline to the wall's border
         auto outline = [&](double u) {
             double a = u * kTurn, c = std::cos(a), s = std::sin(a), half = (spring - low) / 2, y;
             y = (spring + low) / 2 + (s >= 0 ? half + r * s : -half);
@@ -93,7 +93,7 @@ struct Curved {
 
 void makeVault(ObjWriter &w) {
     Curved c(w, 0.06);
-    const double wide = 6, high = 6, far = 15;
+    const double wide = 6, high = 6, far = 15; // half the width, the walls' height, half the length
     c.w.surface("floor", c.steps(12), c.steps(30), false, [&](double u, double v) {
         return Vec3d{-wide + 2 * wide * u, 0, far - 2 * far * v};
     });
@@ -148,7 +148,7 @@ void makeTerrain(ObjWriter &w) {
         double x = -half + 2 * half * u, z = half - 2 * half * v;
         return Vec3d{x, hills(x, z), z};
     });
-    // Start the walls below the hills
+    // Begin the walls below the hills
     auto wall = [&](const char *mtl, Vec3d corner, Vec3d u, Vec3d v) {
         int a = w.number(corner), b = w.number(corner + u), d = w.number(corner + u + v),
             e = w.number(corner + v);

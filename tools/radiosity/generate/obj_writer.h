@@ -1,4 +1,4 @@
-// Writes Wavefront OBJ polygon by polygon, for the generated models.
+// Writes a generated model as Wavefront OBJ, polygon by polygon.
 #pragma once
 
 #include "tools/common/text.h"
@@ -9,20 +9,22 @@
 
 namespace odraz::radiosity {
 
-// The text of an OBJ, in which each point is listed once.
+// Builds the text of an OBJ, in which each point is listed once.
 struct ObjWriter {
-    double area = 0; // largest area of triangles; 0: polygons stay undivided
+    double area = 0; // largest area of a triangle; 0: polygons stay undivided
     size_t triangles = 0;
     std::string points, faces;
     std::map<Vec3d, int> numbers;
     const char *material = "";
 
+    // The number of a point from 1 on. Adds the point if it is new.
     int number(Vec3d p) {
         for (size_t k = 0; k < 3; ++k) p[k] = std::round(p[k] * 1e6) / 1e6 + 0.0;
         auto [entry, added] = numbers.try_emplace(p, (int)numbers.size() + 1);
         if (added) common::append(points, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
         return entry->second;
     }
+    // Selects a material.
     void use(const char *mtl) {
         if (mtl != material) faces += "usemtl " + std::string(mtl) + "\n";
         material = mtl;
@@ -32,8 +34,8 @@ struct ObjWriter {
         common::append(faces, "f %d %d %d\n", a, b, c);
         ++triangles;
     }
-    // The surface f(u, v), u and v in 0 .. 1, as columns x rows squares of two triangles each, lit on the
-    // side of df/du x df/dv. `around`: its sides u = 0 and u = 1 coincide.
+    // The surface f(u, v) for u and v in 0 .. 1, lit on the side of df/du x df/dv. It is divided into
+    // columns x rows squares of two triangles each. `around`: its sides u = 0 and u = 1 coincide.
     template <class F> void surface(const char *mtl, int columns, int rows, bool around, F &&f) {
         auto at = [&](int i, int j) {
             return number(f((double)(around ? i % columns : i) / columns, (double)j / rows));
@@ -47,12 +49,11 @@ struct ObjWriter {
     }
 };
 
-// Models of many small polygons, with curved walls, many small objects, and objects that touch.
-// A nave under a barrel vault with two rows of columns, arched windows to the sky, cloths, and vases, balls
-// and rings on the floor: 30,000 triangles, or the number that follows from ObjWriter::area. It has no lamp.
+// A nave under a barrel vault, without lamps: two rows of columns, arched windows to the sky, cloths, and on
+// the floor vases, balls and rings. It has 30,000 triangles, or the number that ObjWriter::area requires.
 void makeVault(ObjWriter &w);
 
-// A closed room with a lamp. Its floor is hilly, with boulders.
+// A closed room with a lamp, a hilly floor, and boulders.
 void makeTerrain(ObjWriter &w);
 
 } // namespace odraz::radiosity

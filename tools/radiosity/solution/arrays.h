@@ -12,7 +12,7 @@
 
 namespace odraz::radiosity {
 
-// FNV-1a by words, which is faster than by bytes; high bits are mixed into low ones.
+// FNV-1a over 8-byte words, which is faster than over bytes. High bits are mixed into low ones.
 inline uint64_t checksum(const char *p, size_t size) {
     uint64_t sum = common::kFnvStart;
     for (; size >= 8; p += 8, size -= 8) {
@@ -29,7 +29,7 @@ inline std::string withChecksum(const std::string &magic, const std::string &bod
     uint64_t sum = checksum(body.data(), body.size());
     return magic + std::string((const char *)&sum, sizeof sum) + body;
 }
-// Where the part after the checksum begins; npos if that part is damaged, 0 if the file is of another kind.
+// The offset of the part after the checksum; npos if that part is damaged, 0 if the file is of another kind.
 inline size_t bodyOf(std::string_view file, const std::string &magic) {
     size_t at = magic.size() + sizeof(uint64_t);
     if (file.size() < at || file.compare(0, magic.size(), magic) != 0) return 0;
@@ -38,7 +38,7 @@ inline size_t bodyOf(std::string_view file, const std::string &magic) {
     return sum == checksum(file.data() + at, file.size() - at) ? at : std::string::npos;
 }
 
-// Writes arrays, each as its count, the size of an item, and its bytes.
+// Appends arrays. Each is its count, the size of one item, and the items' bytes.
 template <class... Arrays> void put(std::string &to, const Arrays &...all) {
     auto one = [&to](const auto &from) {
         const uint64_t head[2] = {std::size(from), sizeof *std::data(from)};
@@ -48,7 +48,7 @@ template <class... Arrays> void put(std::string &to, const Arrays &...all) {
     (one(all), ...);
 }
 
-// Finds an array in place, without a copy. False also if it is not aligned for its items.
+// Reads an array in place, without a copy. Also returns false if it is not aligned for its items.
 template <class T> bool getOne(std::string_view from, size_t &at, std::span<const T> &to) {
     uint64_t head[2];
     if (from.size() - at < sizeof head) return false;
@@ -61,14 +61,14 @@ template <class T> bool getOne(std::string_view from, size_t &at, std::span<cons
     at += head[0] * sizeof(T);
     return true;
 }
-// ... of characters
+// Reads characters in place.
 inline bool getOne(std::string_view from, size_t &at, std::string_view &to) {
     std::span<const char> found;
     if (!getOne(from, at, found)) return false;
     to = {found.data(), found.size()};
     return true;
 }
-// Copies an array, wherever it lies.
+// Copies an array, however it is aligned.
 template <class T> bool getOne(std::string_view from, size_t &at, std::vector<T> &to) {
     struct [[gnu::packed]] Item {
         char bytes[sizeof(T)];
@@ -79,7 +79,7 @@ template <class T> bool getOne(std::string_view from, size_t &at, std::vector<T>
     if (!to.empty()) std::memcpy((void *)to.data(), found.data(), found.size_bytes());
     return true;
 }
-// Reads arrays that put() wrote, from `at` on; false if they are not there.
+// Reads arrays that put() wrote, from offset `at` on, and moves `at` past them. False if one cannot be read.
 template <class... Arrays> bool get(std::string_view from, size_t &at, Arrays &...all) {
     return (getOne(from, at, all) && ...);
 }

@@ -13,7 +13,7 @@ void SavedState::save(const std::string &path) const {
     body.reserve(rows.size() + 65536);
     put(body, std::vector<uint64_t>{model, words.size()});
     for (const std::string &word : words) put(body, word);
-    // Rows are used in place, so align them for their items
+    // Align the rows for their items, because they are used in place
     put(body, std::string(8 - (sizeof kStateMagic - 1 + body.size()) % 8, '\0'), rows);
     common::writeWhole(path, withChecksum(kStateMagic, body));
 }
@@ -34,7 +34,7 @@ SavedState::SavedState(const std::string &path) : file(common::readWholeFile(pat
     model = head[0];
 }
 
-// The checksum of a picture's file; 0 if it cannot be read.
+// The checksum of a picture file; 0 if it cannot be read.
 static uint64_t sumOfPicture(const MeshPicture &p) {
     try {
         const std::string all = p.bytes ? *p.bytes : common::readWhole(p.path);

@@ -1,5 +1,5 @@
-// OUT.state, kept beside a solution that was stopped: the rows (form factors) found so far. Solving continues
-// from it and ends with the same bytes.
+// OUT.state, saved next to a solution that was stopped: the rows (form factors) found so far. A run that
+// resumes from it ends with the same bytes as an uninterrupted run.
 #pragma once
 
 #include "tools/common/whole_file.h"
@@ -15,15 +15,14 @@ namespace odraz::radiosity {
 
 struct SavedState {
     SavedState() = default;
-    // Reads a file. Throws Refused, with the file's name first, if it is of another kind, damaged or from
-    // another version.
+    // Reads a file. Throws Refused, with the file's name first, if it is damaged or not of this version.
     explicit SavedState(const std::string &path);
     SavedState(const SavedState &) = delete;
-    // Writes beside `path` and renames. Throws std::runtime_error.
+    // Writes a temporary file next to `path` and renames it. Throws std::runtime_error.
     void save(const std::string &path) const;
 
-    std::vector<std::string> words; // of the command, after `solve`
-    uint64_t model = 0;             // sumOf() it
+    std::vector<std::string> words; // the command's arguments after `solve`
+    uint64_t model = 0;             // sumOf() the model
     std::string_view rows;          // as SolveSettings::keep gets them
 
 private:

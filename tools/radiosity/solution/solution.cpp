@@ -13,10 +13,10 @@ namespace odraz::radiosity {
 
 namespace {
 
-// Whether a number is finite, and small enough that products of several are too.
+// Whether a number is finite, and so small that products of several such numbers are finite too.
 bool moderate(float x) { return std::fabs(x) < 1e18f; }
 bool moderate(const Vec3 &v) { return moderate(v.x) && moderate(v.y) && moderate(v.z); }
-// Whether `count` items from `first` on lie within `all`
+// Whether `count` items from index `first` on lie within a list of `all`.
 bool within(int first, int64_t count, size_t all) {
     return first >= 0 && count >= 0 && (int64_t)first + count <= (int64_t)all;
 }
@@ -124,7 +124,7 @@ Rgb Solution::reflectsOf(int cell) const {
     return cellReflects.empty() ? reflects[(size_t)cells[(size_t)cell].chart] : cellReflects[(size_t)cell];
 }
 
-Rgb Solution::bilinear(const std::vector<Rgb> &of, int cell, float u, float v) const {
+Rgb Solution::bilinear(const std::vector<Rgb> &texelValues, int cell, float u, float v) const {
     // The position within the cell
     const Chart &c = charts[(size_t)cells[(size_t)cell].chart];
     const int *corner = cells[(size_t)cell].corner;
@@ -134,7 +134,7 @@ Rgb Solution::bilinear(const std::vector<Rgb> &of, int cell, float u, float v) c
     };
     float x = share(u / c.width * (float)c.across, low.x, high.x),
           y = share(v / c.height * (float)c.down, low.y, high.y);
-    auto l = [&](int k) { return of[(size_t)corner[k]]; };
+    auto l = [&](int k) { return texelValues[(size_t)corner[k]]; };
     return lerp(lerp(l(0), l(1), x), lerp(l(2), l(3), x), y);
 }
 
@@ -145,7 +145,7 @@ Rgb Solution::radiosityIn(int cell, float u, float v) const {
     return gloss.empty() ? all : all + bilinear(gloss, cell, u, v);
 }
 
-Solution::Spot Solution::spotAt(int chart, const Vec3 &p) const {
+Solution::CellPoint Solution::cellPointAt(int chart, const Vec3 &p) const {
     const Chart &c = charts[(size_t)chart];
     float u = std::clamp(dot(p - c.corner, c.u), 0.f, c.width),
           v = std::clamp(dot(p - c.corner, c.v), 0.f, c.height);
@@ -153,12 +153,12 @@ Solution::Spot Solution::spotAt(int chart, const Vec3 &p) const {
 }
 
 Rgb Solution::lightAt(int chart, const Vec3 &p) const {
-    Spot s = spotAt(chart, p);
+    CellPoint s = cellPointAt(chart, p);
     return lightIn(s.cell, s.u, s.v);
 }
 
 Rgb Solution::radiosityAt(int chart, const Vec3 &p) const {
-    Spot s = spotAt(chart, p);
+    CellPoint s = cellPointAt(chart, p);
     return radiosityIn(s.cell, s.u, s.v);
 }
 

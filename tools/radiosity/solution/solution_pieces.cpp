@@ -9,17 +9,13 @@
 namespace odraz::radiosity {
 
 void PieceSum::add(const std::vector<SolutionPoint> &piece) {
-    // As a fan of triangles
+    // Divide the piece into a fan of triangles
     for (size_t i = 2; i < piece.size(); ++i) {
         const SolutionPoint *t[3] = {&piece[0], &piece[i - 1], &piece[i]};
         double part = (double)length(cross(t[1]->p - t[0]->p, t[2]->p - t[0]->p)) / 2;
         area += part;
-        for (const SolutionPoint *q : t) {
-            const float place[3] = {q->p.x, q->p.y, q->p.z};
-            const float light[3] = {q->radiosity.x, q->radiosity.y, q->radiosity.z};
-            for (int k = 0; k < 3; ++k)
-                p[k] += part / 3 * (double)place[k], radiosity[k] += part / 3 * (double)light[k];
-        }
+        for (const SolutionPoint *q : t)
+            p = p + toDouble(q->p) * (part / 3), radiosity = radiosity + toDouble(q->radiosity) * (part / 3);
     }
 }
 
@@ -32,7 +28,7 @@ size_t Solution::elements() const {
 
 namespace {
 
-// Lists the facets that may lie in each cell, so that not every cell searches all facets.
+// Lists, for each cell, the facets that may overlap it, so that a cell need not search all facets.
 class FacetsByCell {
 public:
     FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets) : charts(charts) {
@@ -40,7 +36,7 @@ public:
             if (c.facetsCount <= kFew) continue;
             auto &lists = many[&c];
             lists.resize((size_t)c.across * (size_t)c.down);
-            // Facets of a plane do not overlap, except in forged files: limit the work
+            // Limit the work: facets in one plane do not overlap, except in forged files
             int64_t room = 64 * ((int64_t)lists.size() + c.facetsCount);
             for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount && room >= 0; ++f)
                 room -= list(f, outlineOf(facets[(size_t)f]), c, lists);
@@ -59,7 +55,7 @@ private:
     static constexpr int kFew = 16;
     const std::vector<Chart> &charts;
 
-    // Goes row by row, because slivers cross many cells. Returns the number of steps.
+    // Adds a facet to its cells' lists, by rows, since slivers cross many cells. Returns the number of steps.
     static int64_t list(int facet, const Outline &outline, const Chart &c,
                         std::vector<std::vector<int>> &lists) {
         float wide = c.width / (float)c.across, tall = c.height / (float)c.down, low = c.height, high = 0;

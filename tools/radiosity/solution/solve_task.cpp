@@ -9,7 +9,7 @@
 namespace odraz::radiosity {
 
 double cellSide(const Mesh &mesh, const SolveSettings &s) {
-    // Final rays are for quality, so elements are smaller
+    // Elements are smaller with final rays, which are for quality
     double element = s.element > 0 ? s.element : areaOf(mesh) / (s.finalRays > 0 ? 120000 : 30000);
     return std::sqrt(element);
 }
@@ -31,7 +31,7 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
     int coarse = 0;
     for (Chart &c : regions.charts) {
         coarse += (double)std::max(c.width, c.height) > (kMaxAcross + 1) * side;
-        // Make a chart that is about as large as an element one element
+        // A chart about as large as an element becomes one element
         if ((double)(c.width * c.height) < 3 * side * side) c.across = c.down = 1;
     }
     if (coarse > 0)
@@ -40,7 +40,7 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
                                " elements: their elements are longer than --element asks");
     solution.place = mesh.place;
     this->settings.surroundings.moveTo(mesh.place);
-    std::vector<int> begin; // where each material's name begins
+    std::vector<int> begin; // offset of each material's name
     for (const MeshMaterial &m : mesh.materials) {
         begin.push_back((int)solution.names.size());
         solution.names.insert(solution.names.end(), m.name.c_str(), m.name.c_str() + m.name.size() + 1);

@@ -1,4 +1,4 @@
-// A model that is being solved: the input and the results that both methods share.
+// The solving of one model: the input and the results that both methods share.
 #pragma once
 
 #include "tools/radiosity/divide/element_reflectance.h"
@@ -13,19 +13,19 @@ inline constexpr const char *kStepNames[] = {"dividing", "form factors", "direct
                                              "final rays"};
 static_assert(std::size(kStepNames) == kSolveSteps && (int)SolveStep::kFinalRays == kSolveSteps - 1);
 
-// The results besides light.
+// All results except light.
 struct SolveReport {
-    bool whole = false;               // false: it was stopped before all rows and sweeps were done
-    int rows = 0;                     // rows found, of sites or patches
-    int sweeps = 0;                   // or bounces
+    bool whole = false;               // all rows and sweeps were done; false: it was stopped before
+    int rows = 0;                     // number of sites' or patches' rows found
+    int sweeps = 0;                   // number of sweeps or bounces
     float residual = 0;               // after the last sweep
     double seconds[kSolveSteps] = {}; // processor time of each step
     double allSeconds = 0;
-    std::vector<std::string> notes; // for the user, one line each
+    std::vector<std::string> notes; // messages for the user, one line each
 
     // By rays
     int sites = 0;
-    size_t raysFromSite = 0; // the mean
+    size_t raysFromSite = 0; // mean number of rays
     // Between patches
     int patches = 0;
     int shots = 0; // if above 0, `residual` is the share of light not yet shot
@@ -33,9 +33,9 @@ struct SolveReport {
 
 struct SolveTask {
     const Mesh &mesh;
-    SolveSettings settings; // the places of its lamps are relative to the mesh's
-    Workers &workers;       // they watch no abort flag
-    const int *stop;        // a value other than 0 ends it early, with the light found so far
+    SolveSettings settings; // the positions of its lamps are relative to Mesh::place
+    Workers &workers;       // must not watch an abort flag
+    const int *stop;        // a value other than 0 ends the solving early, with the light found so far
     const SolveProgress &progress;
 
     Regions regions;             // the mesh as charts, divided into cells of cellSide()
@@ -43,34 +43,34 @@ struct SolveTask {
     Solution solution;           // both methods fill its cells, texels and light
     SolveReport report;
 
-    // Joins the mesh into regions, and sets the charts' reflectance and emission. Throws ModelError.
+    // Joins triangles to regions, and sets the charts' reflectance and emission. Throws ModelError.
     SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,
               const SolveProgress &progress);
 
+    // Reports progress.
     void show(SolveStep step, float done, float residual = -1) const;
-    // Adds the processor time since the last lap to a step.
+    // Adds the processor time since the last call to a step.
     void lap(SolveStep step);
     bool stopped() const { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; }
-    // Finds the reflectance of cells and charts with pictures.
+    // Finds the reflectance of cells and charts whose material has a picture.
     void findPictured(std::span<const Chart> charts, std::span<const Cell> cells,
                       std::vector<std::string> &notes);
-    // The share of solving that is done, 0 .. 1: on a logarithmic scale from the first residual to the one in
-    // the settings.
+    // The share of solving that is done, 0 .. 1: the residual on a logarithmic scale.
     float solvedShare(float residual);
     // Whether to compute light for the watcher now.
     bool watched() const { return settings.watcher && (!settings.lightIsDue || settings.lightIsDue()); }
 
 private:
-    double lastLap;           // seconds of processor time
-    double firstResidual = 0; // its logarithm; 0: none yet
+    double lastLap;           // processor time at the last lap, seconds
+    double firstResidual = 0; // logarithm of the first residual; 0: none yet
 };
 
 // The side of a cell, in the model's units.
 double cellSide(const Mesh &mesh, const SolveSettings &settings);
 
-// Throws std::runtime_error: SolveSettings::resumed does not belong to this model.
+// Throws std::runtime_error because SolveSettings::resumed does not belong to this model.
 [[noreturn]] void refuseResumed();
-// The same if `bytes` are needed and `most` are allowed; `remedy` names the option to change.
+// Throws std::runtime_error because `bytes` are needed and `most` are allowed. `remedy` names what to change.
 [[noreturn]] void refuseMemory(size_t bytes, size_t most, const char *remedy);
 
 } // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 
 namespace odraz::radiosity {
 
-// Adds an even sky to a model in which nothing emits.
+// Adds an even sky if nothing emits light.
 static void addEvenSky(SolveTask &task) {
     if (!task.settings.evenSky || emitsLight(task.mesh) || task.settings.surroundings.any()) return;
     task.settings.surroundings.sky = evenSky({1, 1, 1});

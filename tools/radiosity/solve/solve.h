@@ -9,16 +9,16 @@ namespace odraz::radiosity {
 struct Solved {
     Solution solution;
     SolveReport report;
-    Surroundings surroundings;            // light from outside: as given, or an even sky
-    std::unique_ptr<PatchSystem> patches; // the system of patches; null if solved by rays
+    Surroundings surroundings;            // light from outside, as given, or an even sky
+    std::unique_ptr<PatchSystem> patches; // null if solved by rays
 };
 
-// Only hemicubes use OpenGL. Workers must not watch an abort flag. A value other than 0 in `stop` ends it
-// early, with the light found so far. Throws ModelError, or std::runtime_error for other failures.
+// Solves a model. Only hemicubes use OpenGL. Workers must not watch an abort flag. A value other than 0 in
+// `stop` ends the solving early, with the light found so far. Throws ModelError or std::runtime_error.
 Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl, Workers &workers,
                   const int *stop, const SolveProgress &progress);
 
-// Returns solve(). A ModelError gets the model's name.
+// Returns solve(). Puts the model's name before the text of a ModelError.
 template <class Solve> auto solveNamed(const std::string &model, Solve &&solve) {
     try {
         return solve();

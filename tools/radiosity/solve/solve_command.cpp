@@ -13,21 +13,21 @@ namespace odraz::radiosity {
 
 namespace {
 
-int stop = 0; // becomes 1 with Ctrl-C
+int stop = 0; // Ctrl-C sets it to 1
 
-// The command line.
+// The parsed command line.
 struct SolveJob {
     // Reads the words after `solve`. Throws Refused.
     explicit SolveJob(std::vector<std::string> words) : line("radiosity solve", std::move(words)) {
         line.about("Computes the light in a model and writes it to OUT, a solution for the other commands.\n"
-                   "Ctrl-C stops early: it writes the light found so far and, by rays, OUT.state.");
+                   "Ctrl-C stops early and writes the light found so far; by rays, also OUT.state.");
         line.argument("MODEL", model,
                       "a Wavefront OBJ or glTF. Polygons are lit on the side from which their points run "
                       "counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke, map_Ke)",
                       false);
         line.option("-o", "OUT", out, "the file of the solution");
         line.option("--resume", "OUT.state", resume,
-                    "continue a stopped solution with its options, to the same bytes; takes no other option");
+                    "continue a stopped run with its options, to the same bytes; takes no other option");
         line.option("--keep-every", "S", keepEvery, {0.01, 1e9}, "by rays: write OUT.state every S seconds");
         options.addTo(line, SolveOptions::For::kSolve);
         line.parse();
@@ -40,15 +40,15 @@ struct SolveJob {
 
     common::CommandLine line;
     std::string model, out;
-    std::string resume;    // a state to continue from
+    std::string resume;    // file of a saved state to continue from
     double keepEvery = 60; // seconds
-    bool keeps = false;    // OUT is a file, beside which OUT.state can lie
+    bool keeps = false;    // OUT is a file, not a device, so OUT.state can be written next to it
     std::string state() const { return out + ".state"; }
     SolveOptions options;
-    std::unique_ptr<SavedState> saved; // the state that `resume` names; null: none
+    std::unique_ptr<SavedState> saved; // read from `resume`; null: none
 };
 
-// Reads a command, or the one in the state that it resumes. Throws Refused.
+// Reads the command line, or with --resume the one in the saved state. Throws Refused.
 std::unique_ptr<SolveJob> readSolveJob(const std::vector<std::string> &words) {
     auto job = std::make_unique<SolveJob>(words);
     if (std::string state = job->resume; !state.empty()) {
@@ -62,8 +62,8 @@ std::unique_ptr<SolveJob> readSolveJob(const std::vector<std::string> &words) {
     return job;
 }
 
-// Whether the even sky, which is added if nothing else emits, reaches no front: the model is closed and its
-// fronts face inwards.
+// Whether the even sky, which is added if nothing else emits, reaches no polygon's front, because the model
+// is closed and the fronts face inwards.
 bool staysDark(const Solution &b) {
     double light = 0;
     for (const Rgb &c : b.emits)
@@ -102,7 +102,7 @@ void printSolveReport(const Mesh &mesh, const Solved &solved, const SolveSetting
         std::printf("%d sweeps, residual %.1e\n", r.sweeps, (double)r.residual);
 }
 
-// Prints the mean radiosity of each material, emission included, for those with the largest areas.
+// Prints the mean radiosity, emission included, of the materials with the largest areas.
 void printMeans(const Solution &solution) {
     constexpr size_t kMost = 12;
     std::map<std::string, PieceSum> sums;
@@ -116,14 +116,15 @@ void printMeans(const Solution &solution) {
                      [](const auto &a, const auto &b) { return a.second.area > b.second.area; });
     std::printf("material             of the area   mean radiosity: red, green, blue\n");
     for (size_t i = 0; i < std::min(all.size(), kMost); ++i) {
-        const PieceSum &s = all[i].second;
-        std::printf("%-20.40s %9.1f %%   %.4g %.4g %.4g\n", all[i].first.c_str(), 100 * s.area / whole,
-                    s.radiosity[0] / s.area, s.radiosity[1] / s.area, s.radiosity[2] / s.area);
+        const auto &[name, sum] = all[i];
+        Vec3d mean = sum.radiosity / sum.area;
+        std::printf("%-20.40s %9.1f %%   %.4g %.4g %.4g\n", name.c_str(), 100 * sum.area / whole, mean.x,
+                    mean.y, mean.z);
     }
     if (all.size() > kMost) std::printf("... and %zu more\n", all.size() - kMost);
 }
 
-// Solves a job; if an even sky lights no front, solves it again with both sides lit.
+// Solves a model. If an even sky lights no front, solves it again with both sides lit.
 class SolveCommand {
 public:
     explicit SolveCommand(SolveJob &job) : job(job) {
@@ -131,7 +132,7 @@ public:
     }
 
     void run() {
-        std::vector<std::string> notes; // printed once nothing is refused, so that a refusal stays one line
+        std::vector<std::string> notes; // printed when nothing can be refused any more: a refusal is one line
         read(notes);
         job.options.addLights(mesh, job.options.settings.surroundings, notes);
         if (job.saved && job.saved->model != state.model)
@@ -156,7 +157,7 @@ public:
 
 private:
     SolveJob &job;
-    SavedState state; // the data written beside the solution
+    SavedState state; // written next to the solution
     Mesh mesh;
     Workers workers = allProcessors();
     Gl gl = {};
@@ -204,7 +205,7 @@ private:
     }
     void lightBacks() {
         job.options.read.twoSided = true;
-        std::vector<std::string> known; // notes already printed
+        std::vector<std::string> known; // the same notes, already printed
         read(known);
         state.words.push_back("--two-sided"); // for --resume
         job.options.settings.resumed = {};

@@ -50,10 +50,9 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
     }
     line.group(kAccuracy);
     if (command != For::kStudy)
-        line.option(
-            "--element", "AREA", s.element, {1e-18, 1e30},
-            std::string("area of an element, which keeps light; by default a 30000th of the model's area") +
-                (anyMethod ? ", with --final a 120000th" : ""));
+        line.option("--element", "AREA", s.element, {1e-18, 1e30},
+                    std::string("area of an element; by default a 30000th of the model's area") +
+                        (anyMethod ? ", with --final a 120000th" : ""));
     if (anyMethod)
         line.option("--bounces", "N", s.bounces, {0, 10000},
                     "follow light over N bounces; 0 is direct light alone");
@@ -73,8 +72,8 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
                     "find the light of lamps by shadow rays, or by hemicubes");
         line.option(
             "--shots", "N", s.shots, {1, 100000000},
-            "shoot light, from the brightest patches first, by at most N hemicubes, instead of finding all "
-            "rows; stop when the share of unshot light is below --residual");
+            "find no rows, but shoot light, from the brightest patches first, with at most N hemicubes; stop "
+            "when the share of unshot light is below --residual");
     }
     line.group(kLight);
     if (command == For::kSolve || command == For::kStudy)
@@ -83,7 +82,7 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
         "--sun", "ELEVATION,AZIMUTH,R,G,B", suns,
         "parallel light: degrees above the horizon, and from -z (+y if z is up) towards +x; R,G,B is the "
         "radiance of a white surface that faces it");
-    line.option("--lamp", "X,Y,Z,SIZE,R,G,B", lamps, "a ball, SIZE across, that emits this radiance");
+    line.option("--lamp", "X,Y,Z,SIZE,R,G,B", lamps, "a ball of diameter SIZE that emits this radiance");
     if (command != For::kView)
         line.option("--up", {"y", "z"}, upIsZ, "the axis that points up, for sky and sun");
     addMaterialChanges(line, read.changes);

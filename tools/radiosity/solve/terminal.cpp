@@ -9,7 +9,7 @@
 
 namespace odraz::radiosity {
 
-static int *theStop; // a signal handler has no parameter for it
+static int *theStop; // global, because a signal handler has no parameter for it
 
 void stopAt(int &stop, const std::vector<int> &signals) {
     theStop = &stop;

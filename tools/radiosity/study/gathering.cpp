@@ -12,9 +12,9 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kUnfolded = 480;         // pixels of a picture's side
-constexpr int kWithin = 3;             // points along a pixel's side, of which it is the mean
-constexpr double kLeastSeconds = 0.05; // for a measurement
+constexpr int kUnfolded = 480;         // pixels along a picture's side
+constexpr int kWithin = 3;             // samples along a pixel's side
+constexpr double kLeastSeconds = 0.05; // duration of a measurement
 
 } // namespace
 
@@ -41,7 +41,7 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
         radiosity[(size_t)i] = reference.radiosityAt(p.chart, p.p);
         if (p.share > 0 && maxComponent(reference.reflects[chart]) > 0) visible.push_back(i);
     }
-    // Spread by area, like the places of all other errors; a large patch counts once
+    // Spread the gathering patches by area, like the places of all other errors; take a large patch once
     std::vector<double> until;
     double area = 0;
     for (int i : visible) until.push_back(area += (double)model.patches[i].area);
@@ -66,7 +66,7 @@ Gathering::Result Gathering::measure(const Layout &layout) {
             eyes.push_back(layout.corners ? cornerEye(model, i, k)
                                           : hemicubeEye(model.patches[i].p, model.patches[i].n,
                                                         (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
-    // The first picture takes longer. Few patches are measured several times
+    // Draw once untimed, because the first picture takes longer. Measure a few patches several times
     drawHemicubes(hemicubes.h, model, &eyes[0], 1);
     Workers alone = serialWorkers();
     Stopwatch watch;
@@ -121,13 +121,13 @@ pictures::Image Gathering::unfolded(int patch, int px) {
         if (luminance(c) > 0) all.push_back(std::log(luminance(c)));
     float low = all.empty() ? 0 : common::quantile(all, 0.02),
           high = all.empty() ? 1 : common::quantile(all, 0.998);
-    // The raster at a point in -2 .. 2: the top face is -1 .. 1, the half faces' horizons lie at -2 and 2.
-    // Null outside the faces
+    // The raster's id at a point in -2 .. 2, or null outside the faces: the top face extends from -1 to 1,
+    // and the half faces end with the horizon at -2 and 2
     auto idAt = [&](float x, float y) -> const uint32_t * {
-        bool aside = std::fabs(x) > 1, above = std::fabs(y) > 1;
-        if (aside && above) return nullptr;
+        bool beyondX = std::fabs(x) > 1, beyondY = std::fabs(y) > 1;
+        if (beyondX && beyondY) return nullptr;
         int side = x > 1 ? 0 : y > 1 ? 1 : x < -1 ? 2 : y < -1 ? 3 : -1;
-        float along[4] = {y, -x, -y, x}, up = 2 - (aside ? std::fabs(x) : std::fabs(y)), n = (float)px;
+        float along[4] = {y, -x, -y, x}, up = 2 - (beyondX ? std::fabs(x) : std::fabs(y)), n = (float)px;
         float column = side < 0 ? x : along[side],
               line = side < 0 ? (y + 1) / 2 * n : n + ((float)side + up) * n / 2;
         // In odd rasters, a point between the rows of half faces belongs to the row above

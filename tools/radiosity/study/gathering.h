@@ -1,4 +1,4 @@
-// One gather by hemicubes at some patches of a model, from known light, to measure the effect of rasters,
+// One gather of known light by hemicubes at some patches of a model. It measures the effect of rasters,
 // anti-aliasing and hemicubes at corners alone.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace odraz::radiosity {
 
-// A hemicube's eye near corner k of a patch, a tenth of a side inside it; in the patch's middle if part of it
-// is hidden.
+// The eye of a hemicube near corner k of a patch, a tenth of a side inside it; in the middle of a patch that
+// is partly hidden.
 Eye cornerEye(const Model &model, int patch, int k);
 
 class Gathering {
@@ -18,20 +18,19 @@ public:
 
     size_t count() const { return patches.size(); }
 
-    // The hemicubes of a patch: one, several with different rotations, or four at its corners.
+    // The hemicubes of a patch: one, several that are rotated differently, or four at its corners.
     struct Layout {
         int px, turns;
         bool corners;
     };
     struct Result {
-        MeshErrors errors;        // of the light that arrives at the patches
-        double seconds;           // of the processor, a patch
-        std::vector<float> light; // luminance of the light that arrives at each
+        MeshErrors errors;        // errors of the light that arrives at the patches
+        double seconds;           // processor time per patch
+        std::vector<float> light; // luminance of the light that arrives at each patch
     };
     Result measure(const Layout &layout);
 
-    // The picture in a patch's hemicube, unfolded: the top face with the half faces around it, in the tone of
-    // logarithmicTone().
+    // The picture in a patch's hemicube, unfolded around its top face, by logarithmicTone().
     pictures::Image unfolded(int patch, int px);
     // The gathering patch that sees the largest number of patches.
     int patchSeeingMost();
@@ -39,10 +38,10 @@ public:
 private:
     Study &study;
     const Model &model;
-    std::vector<int> patches;    // that gather
-    std::vector<Rgb> radiosity;  // of all patches, by the reference
+    std::vector<int> patches;    // the gathering patches
+    std::vector<Rgb> radiosity;  // radiosity of all patches in the reference
     std::vector<float> outside;  // luminance of the light from outside at the gathering patches
-    std::vector<float> expected; // luminance of all light that arrives there, by the reference
+    std::vector<float> expected; // luminance of all light that arrives there in the reference
 };
 
 } // namespace odraz::radiosity

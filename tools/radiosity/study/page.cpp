@@ -1,6 +1,7 @@
 #include "tools/radiosity/study/page.h"
 
 #include "tools/common/text.h"
+#include "tools/radiosity/export/points_export.h"
 
 #include <cmath>
 #include <cstdio>
@@ -20,13 +21,6 @@ constexpr char kStyle[] =
     "figcaption{font-size:.85em;color:#555;max-width:26em}"
     "img{max-width:100%;height:auto}.plot{display:block;width:100%}.csv{font-size:.85em}";
 
-std::string csvCell(const std::string &text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string out = "\"";
-    for (char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-    return out + "\"";
-}
-
 std::string lineOf(const std::vector<std::string> &cells, auto &&each, const char *between) {
     std::string line;
     for (const std::string &cell : cells) line += (&cell == &cells[0] ? "" : between) + each(cell);
@@ -37,7 +31,7 @@ std::string lineOf(const std::vector<std::string> &cells, auto &&each, const cha
 
 std::string shown(double number, int digits) {
     if (!std::isfinite(number)) return "";
-    // Large whole numbers are written in full instead of with an exponent
+    // Write large numbers in full instead of with an exponent
     bool whole = std::fabs(number) >= std::pow(10, digits - 1) && std::fabs(number) < 1e12;
     return whole ? common::format("%.0f", number) : common::format("%.*g", digits, number);
 }
@@ -72,20 +66,19 @@ void Page::list(const std::vector<std::string> &items) {
 }
 
 void Page::table(const PageTable &t, bool whole) {
-    std::string csv = lineOf(t.columns, csvCell, ",") + "\n", rows;
+    std::string csv = lineOf(t.columns, csvField, ",") + "\n", rows;
     auto row = [&](const std::vector<std::string> &cells, const char *kind) {
-        // Words are aligned left, numbers right
+        // Align words left, numbers right
         auto cell = [&](const std::string &c) {
             bool words = c.find_first_not_of("0123456789.e+-") != std::string::npos;
-            return std::string("<") + kind +
-                   (words && *kind == 't' && kind[1] == 'd' ? " class=\"words\">" : ">") +
+            return std::string("<") + kind + (words && kind[1] == 'd' ? " class=\"words\">" : ">") +
                    common::htmlText(c) + "</" + kind + ">";
         };
         rows += "<tr>" + lineOf(cells, cell, "") + "</tr>\n";
     };
     row(t.heads, "th");
     for (const auto &cells : t.rows) {
-        csv += lineOf(cells, csvCell, ",") + "\n";
+        csv += lineOf(cells, csvField, ",") + "\n";
         row(cells, "td");
     }
     write(t.file + ".csv", csv);
@@ -94,7 +87,7 @@ void Page::table(const PageTable &t, bool whole) {
 }
 
 void Page::plot(const std::string &file, pictures::Plot plot) {
-    // Leave out points that are not measured, or not positive on a logarithmic scale
+    // Leave out points that were not measured, or are not positive on a logarithmic axis
     std::erase_if(plot.points, [&](const pictures::PlotPoint &p) {
         return !std::isfinite(p.x) || !std::isfinite(p.y) || (plot.logarithmicX && p.x <= 0) ||
                (plot.logarithmicY && p.y <= 0);

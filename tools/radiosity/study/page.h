@@ -1,5 +1,4 @@
-// A page of a study: HTML with tables, plots and pictures, and a CSV for every table. All files are in one
-// folder, and the page needs no other.
+// The page of a study in one folder: HTML with tables, plots and pictures, and a CSV for every table.
 #pragma once
 
 #include "tools/common/folders.h"
@@ -10,22 +9,22 @@
 
 namespace odraz::radiosity {
 
-// A number as text, with this number of significant digits; empty if it is not finite, that is, not measured.
+// A number as text with `digits` significant digits; empty if it is not finite, which means not measured.
 std::string shown(double number, int digits = 3);
 
-// A plot with logarithmic axes and a Pareto front for each series, without points.
+// An empty plot with logarithmic axes, which draws a Pareto front for each series.
 pictures::Plot errorPlot(const std::string &title, const std::string &xName, const std::string &yName,
                          std::vector<std::string> series = {});
 
-// Cells are text or numbers. `columns`: the names in the CSV; `heads`: those on the page.
+// Cells are text or numbers. `columns`: the headings in the CSV; `heads`: the headings on the page.
 struct PageTable {
-    std::string file; // the CSV's name without ending
+    std::string file; // name of the CSV without its ending
     std::vector<std::string> columns, heads;
     std::vector<std::vector<std::string>> rows = {};
 };
 
 struct PagePicture {
-    std::string file, caption; // the file's name with its ending
+    std::string file, caption; // `file` with its ending
 };
 
 class Page {
@@ -34,7 +33,7 @@ public:
 
     void heading(const std::string &text);
     void text(const std::string &paragraph);
-    // Writes its CSV. With `whole` false the page only has a link to it.
+    // Writes the CSV. With `whole` false the page has only a link to it.
     void table(const PageTable &table, bool whole = true);
     // Writes an SVG. A plot without points is left out.
     void plot(const std::string &file, pictures::Plot plot);
@@ -45,11 +44,12 @@ public:
         fresh.push_back(folder / file);
         return fresh.back();
     }
-    // Ends a chapter: drop() removes everything added after this, files too.
+    // Ends a chapter.
     void keep() { kept = body.size(), fresh.clear(); }
+    // Removes everything added since keep(), files too.
     void drop();
     bool empty() const { return body.empty(); }
-    // Puts all text that is added from here on before the earlier text; call it once.
+    // Puts all text that is added from now on before the earlier text. Call it once.
     void toFront() { rest = std::move(body), body.clear(); }
     // Writes index.html.
     void finish();
@@ -58,7 +58,7 @@ private:
     const common::NewFolder &folder;
     std::string title, body, rest;
     size_t kept = 0;
-    std::vector<std::string> fresh; // files since keep()
+    std::vector<std::string> fresh; // files written since keep()
 
     void write(const std::string &file, const std::string &content);
 };

@@ -14,9 +14,9 @@ double Stopwatch::processor() const { return common::processorSeconds() - startP
 double Stopwatch::wall() const { return common::wallSeconds() - startWall; }
 
 Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
-             Page &page, ProgressBar &progressBar, int ofChapters)
+             Page &page, ProgressBar &progressBar)
     : settings(settings), mesh(mesh), gl(gl), workers(workers), stop(stop), page(page), area(areaOf(mesh)),
-      bar(progressBar), tasks(ofChapters + (settings.quick ? 2 : 3)) {
+      bar(progressBar), tasks(settings.tasks + (settings.quick ? 2 : 3)) {
     Regions regions = joinRegions(mesh, std::sqrt(area / 30000));
     if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
         throw ModelError(
@@ -24,7 +24,7 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
             " polygons are left after joining those in one plane; a study needs hemicubes, which "
             "take " +
             std::to_string(kMaxFacets) + ": give it a part of the model");
-    // The solution by the tool's defaults is compared, too
+    // Also compare the solution with default settings
     Stopwatch watch;
     Solved solved = solve(settings.solve);
     Solution plain = std::move(solved.solution);
@@ -44,14 +44,14 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     for (MeshProbe &p : places) p.traced = p.solved;
     byRays.errors = errorsOf(plain);
     if (!settings.quick) measured.push_back(byRays);
-    compare(plain, solved.surroundings);
+    comparePaths(plain, solved.surroundings);
 }
 
-void Study::compare(const Solution &byRays, const Surroundings &around) {
+void Study::comparePaths(const Solution &byRays, const Surroundings &surroundings) {
     ReferenceErrors &e = referenceErrors;
     const int side = settings.quick ? 16 : 48;
     std::vector<MeshProbe> probes = placeMeshProbes(reference, 300);
-    tracePaths(mesh, around, probes, side, workers, stop);
+    tracePaths(mesh, surroundings, probes, side, workers, stop);
     taskDone();
     e.unknown = "no light reaches the places that were tried";
     if (probes.empty()) return;
@@ -98,8 +98,8 @@ SolveSettings Study::thesis(int patches, int px) const {
 }
 
 Solved Study::solve(const SolveSettings &s) {
-    // Each of the steps counts the same. Do not throw here, where threads may be running: solveModel() itself
-    // watches `stop`
+    // Count each step the same. Do not throw here, where threads may be running: solveModel() itself watches
+    // `stop`
     constexpr int kSteps = (int)std::size(kStepNames);
     auto progress = [&](const char *step, float part, float) {
         auto at = std::find(std::begin(kStepNames), std::end(kStepNames), step) - std::begin(kStepNames);

@@ -13,7 +13,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-int stopStudy = 0; // becomes 1 with Ctrl-C
+int stopStudy = 0; // Ctrl-C sets it to 1
 
 struct StudyJob {
     StudySettings settings;
@@ -36,7 +36,7 @@ void readStudyJob(common::CommandLine &line, StudyJob &job) {
               "minutes of two processors");
     job.options.addTo(line, SolveOptions::For::kStudy);
     line.parse();
-    // For the commands on the page
+    // Collect the options for the commands on the page
     for (const auto &[option, value] : line.givenOf(SolveOptions::groups()))
         job.settings.options += " " + option + (value.empty() ? "" : " " + common::shellWord(value));
     if (job.table41 != job.settings.model.empty())
@@ -57,7 +57,7 @@ Mesh columns(const ReadSettings &settings, std::vector<std::string> &notes) {
 
 struct Chapter {
     const char *name;
-    int tasks, quickTasks; // solutions and gathers
+    int tasks, quickTasks; // number of solutions and gathers
     void (*write)(Study &study);
 };
 constexpr Chapter kChapters[] = {{"methods", 1, 1, studyMethods},
@@ -66,7 +66,7 @@ constexpr Chapter kChapters[] = {{"methods", 1, 1, studyMethods},
                                  {"display", 2, 2, studyDisplay}};
 constexpr Chapter kTable41[] = {{"table", 9, 4, [](Study &s) { studyTable(s, true); }}};
 
-// Runs the chapters; false if it was interrupted. Throws Interrupted if no chapter is done.
+// Runs the chapters. Returns false if the user interrupted; throws Interrupted if no chapter is done by then.
 bool writeChapters(Study &study, std::span<const Chapter> chapters) {
     bool some = false;
     for (const Chapter &c : chapters) {
@@ -109,9 +109,8 @@ int runStudy(common::CommandLine &line) {
     Page page(folder, "A study of radiosity: " + name);
     std::span<const Chapter> chapters = kChapters;
     if (job.table41) chapters = kTable41;
-    int tasks = 0;
-    for (const Chapter &c : chapters) tasks += job.settings.quick ? c.quickTasks : c.tasks;
-    Study study(job.settings, mesh, gl, workers, &stopStudy, page, bar, tasks);
+    for (const Chapter &c : chapters) job.settings.tasks += job.settings.quick ? c.quickTasks : c.tasks;
+    Study study(job.settings, mesh, gl, workers, &stopStudy, page, bar);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
     bool whole = writeChapters(study, chapters);
     writeSummary(study);

@@ -1,4 +1,5 @@
-// Flat and interpolated, middle and corners; linear, constant and logarithmic mapping: side by side.
+// Compares pictures: flat and interpolated light, hemicubes in the middle and at the corners of patches, and
+// linear, constant and logarithmic mapping.
 #include "tools/common/statistics.h"
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/study/gathering.h"
@@ -9,7 +10,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The solution with one light value for each patch.
+// The solution with one light value per patch.
 Solution flatOf(const Solution &from, const Model &model) {
     Solution flat = from;
     std::vector<Rgb> mean((size_t)model.patchCount);
@@ -34,10 +35,10 @@ Solution flatOf(const Solution &from, const Model &model) {
 
 void mappings(Study &study, const Solution &solution) {
     Page &page = study.page;
-    // The radiosities of surfaces that reflect and do not emit, and the largest of all
+    // Find the radiosities of surfaces that do not emit, and the largest radiosity of all surfaces
     std::vector<float> all;
     float most = 0;
-    bool isLamp = false; // the brightest surface is one
+    bool isLamp = false; // the brightest surface is a lamp
     for (size_t t = 0; t < solution.texels.size(); ++t) {
         auto chart = (size_t)solution.texels[t].chart;
         float light = maxComponent(solution.light[t] * solution.reflects[chart] + solution.emits[chart]);
@@ -57,7 +58,7 @@ void mappings(Study &study, const Solution &solution) {
                               isLamp ? "linear: the brightest surface, a lamp, is white"
                                      : "linear: the brightest surface is white",
                               1 / std::max(most, 1e-20f), false},
-                      {"mapping-constant.png", "times a constant: 1 % of what is lit is brighter than white",
+                      {"mapping-constant.png", "times a constant: 1 % of the lit area is brighter than white",
                        1 / bright, false},
                       {"mapping-logarithmic.png", "logarithmic", 0, true},
                       {"mapping-curve.png", "the film's curve", 0, false}}) {
@@ -74,12 +75,12 @@ void mappings(Study &study, const Solution &solution) {
     page.pictures(pictures);
 }
 
-// Solutions shown flat and interpolated.
+// Shows solutions flat and interpolated.
 class Comparison {
 public:
     explicit Comparison(Study &study) : study(study), camera(study.camera()) { camera.logarithmic = true; }
 
-    // With hemicubes of `px` pixels in the middles of patches, and at their corners.
+    // Solves with hemicubes of `px` pixels in the middle of patches, and at their corners. Returns the first.
     Solution solve(int px) {
         SolveSettings s = study.thesis(1500, px);
         Solved middle = study.solve(s);
@@ -89,10 +90,9 @@ public:
         show("at four corners", "corners", corners);
         study.page.text(
             "Every patch has a hemicube of " + std::to_string(px) +
-            " pixels in its middle, or one near each of its corners, a tenth of its side inside, of which "
-            "the mean "
-            "is taken. The light of patches is shown flat, or interpolated between their middles within "
-            "one plane; there is no interpolation across edges.");
+            " pixels in its middle, or the mean of four, one near each corner, a tenth of the side inside. "
+            "The light of patches is shown flat, or interpolated between their middles within one plane; "
+            "there is no interpolation across edges.");
         return std::move(middle.solution);
     }
 
@@ -122,7 +122,6 @@ private:
         one(flatOf(b.solution, *b.patches->model), "flat");
         one(b.solution, "interpolated");
     }
-    static std::string shown(double number, int digits = 3) { return radiosity::shown(number, digits); }
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// Gathering, Gauss-Seidel and shooting on one axis; what every pass adds; both orders of update.
+// Compares gathering, Gauss-Seidel and shooting, the light that each pass adds, and two orders of update.
 #include "tools/engine/luminance.h"
 #include "tools/radiosity/patches/shooting.h"
 #include "tools/radiosity/study/study.h"
@@ -11,14 +11,14 @@ namespace odraz::radiosity {
 namespace {
 
 constexpr int kMostPasses = 60;
-constexpr double kDone = 1e-4; // percent: a curve ends below this error
+constexpr double kDone = 1e-4; // a curve ends below this error, percent
 
-// One step: a pass over all patches, or several shots.
+// A pass over all patches, or several shots.
 struct CurveStep {
-    int number;     // passes or hemicubes so far
+    int number;     // number of passes or hemicubes so far
     double seconds; // processor time since the start
-    double error;   // rms difference from the converged light as a share of that, percent
-    double added;   // share of the converged light that this step added, percent
+    double error;   // rms difference from the converged light, percent of the rms light
+    double added;   // light that this step added, percent of the converged light
 };
 
 struct Curve {
@@ -29,7 +29,7 @@ struct Curve {
 // The system of a solution by patches, and its converged light.
 class Converging {
 public:
-    // `solved`: by hemicubes that see the lamps, with rows.
+    // `solved`: a solution by hemicubes that see the lamps, with rows.
     Converging(Study &study, Solved &solved)
         : study(study), patches(*solved.patches), model(*patches.model),
           rowSeconds(solved.report.seconds[(int)SolveStep::kFormFactors]),
@@ -41,7 +41,7 @@ public:
         }
     }
 
-    // Passes that use the light of the pass before (Jacobi), or new light at once (Gauss-Seidel).
+    // Passes that use the light of the previous pass (Jacobi), or new light at once (Gauss-Seidel).
     Curve passes(bool atOnce) {
         Curve curve = {atOnce ? "Gauss-Seidel (at once)" : "gathering (in the next pass)", {}};
         std::vector<Rgb> light(patches.patches.size());
@@ -57,7 +57,7 @@ public:
         }
         return curve;
     }
-    // Shots by the form factors of the rows.
+    // Shots that use the form factors of the rows.
     Curve shootingRows() {
         Curve curve = {"shooting over the rows", {}};
         Stopwatch watch;
@@ -79,19 +79,19 @@ public:
         });
         return curve;
     }
-    // Shots by hemicubes, without rows, as `solve --shots` does: lamps first. Single patches shoot twice as
-    // often as there are patches; there is a block for each eight of them, which shoots four times.
+    // Shots by hemicubes, without rows, lamps first, as in `solve --shots`. For N patches, single patches
+    // shoot 2 N times in all. There are N / 8 blocks, which shoot N / 2 times in all.
     Curve shooting(int px, bool blocks) {
         Curve curve = {blocks ? "shooting by hemicubes, blocks" : "shooting by hemicubes, single patches",
                        {}};
-        // Light from the lamps, which the rows brought, is shot here; only light from outside is direct
+        // Subtract the light of lamps, which the rows added to the direct light and which is shot here
         std::vector<Rgb> direct;
         for (int i = 0; i < model.patchCount; ++i) {
             Rgb arrives = patches.direct[(size_t)i] - patches.rows.gather(i, patches.emits);
             direct.push_back({std::max(arrives.x, 0.f), std::max(arrives.y, 0.f), std::max(arrives.z, 0.f)});
         }
         int left = blocks ? model.patchCount / 2 : 2 * model.patchCount;
-        // There are few enough blocks for each to shoot several times
+        // Make so few blocks that each can shoot several times
         Shooters shooters = blocks ? blocksOfPatches(model, patches.emits, std::max(model.patchCount / 8, 1))
                                    : patchesAlone(model);
         Shooting shooting(model, std::move(shooters), patches.emits, direct);
@@ -113,9 +113,9 @@ private:
     double rowSeconds;
     std::vector<Rgb> converged;
     double all = 0, power = 0;
-    // Calls `shots`, which shoots and returns the number of shots, until it returns 0, until less than the
-    // share `least` is unshot, or until the light has converged. `seconds`: the time before the first shot.
-    // Records a step after `first` shots, and whenever their number has grown by a quarter.
+    // Calls `shots`, which shoots and returns its number of shots, until it returns 0, until less than the
+    // share `least` of the light is unshot, or until the light has converged. `seconds`: the time before the
+    // first shot. Records a step after `first` shots, and then whenever their number has grown by a quarter.
     void shoot(Curve &curve, Shooting &shooting, double seconds, int first, double least,
                const std::function<int()> &shots) const {
         int count = 0, next = first;
@@ -153,7 +153,7 @@ private:
     }
 };
 
-// The first step of a curve at which its error is at most this; null: none.
+// The first step of a curve whose error is at most `percent`; null: none.
 const CurveStep *firstWithin(const Curve &curve, double percent) {
     for (const CurveStep &s : curve.steps)
         if (s.error <= percent) return &s;
@@ -193,7 +193,7 @@ void writePasses(Study &study, const Curve &next, const Curve &once) {
                 continue;
             }
             sums[c] += steps[k].added;
-            // The sum may differ from 100 % by rounding
+            // Rounding may let the sum exceed 100 %
             double rest = std::max(100 - sums[c], 0.);
             row.insert(row.end(), {shown(steps[k].added), shown(rest), shown(steps[k].error)});
             if (rest > 1e-3) left.points.push_back({(double)k + 1, rest, "", false, c});

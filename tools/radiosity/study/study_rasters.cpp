@@ -1,4 +1,4 @@
-// Rasters from 25 to 800 pixels; anti-aliasing and corners against more pixels.
+// Compares rasters from 25 to 800 pixels, and anti-aliasing and corners with more pixels.
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/study/gathering.h"
 
@@ -15,13 +15,13 @@ std::span<const int> rasters(const Study &study) {
     return std::span(kRasters).first(study.settings.quick ? 4 : std::size(kRasters));
 }
 
-// The ways to gather that are compared.
+// The layouts of a patch's hemicubes that are compared.
 constexpr const char *kLayouts[] = {"one in the middle", "four turned differently", "four near the corners"};
 
 struct TriedLayout {
     int px, layout;
     Gathering::Result result;
-    double fromFinest = NAN; // percent (rms), NAN: not compared
+    double fromFinest = NAN; // rms difference from the finest raster, percent; NAN: not compared
 
     double ms() const { return 1000 * result.seconds; }
 };
@@ -30,11 +30,11 @@ std::vector<TriedLayout> tryAll(Study &study, Gathering &gathering) {
     std::vector<TriedLayout> tried;
     for (int px : rasters(study))
         for (int layout = 0; layout < 3; ++layout) {
-            // Four hemicubes of half the pixels have the same total
+            // Four hemicubes of half the side have the same number of pixels
             int each = layout ? px / 2 : px;
             tried.push_back({each, layout, gathering.measure({each, layout == 1 ? 4 : 1, layout == 2})});
         }
-    // The effect of pixels alone: hemicubes in the middle, against the finest raster
+    // Find the effect of the raster alone: compare hemicubes in the middle with the finest raster
     const TriedLayout *finest = nullptr;
     for (const TriedLayout &t : tried)
         if (t.layout == 0 && (!finest || t.px > finest->px)) finest = &t;
@@ -65,13 +65,13 @@ void gatherAt(Study &study, Gathering &gathering) {
     study.page.plot("gathering", plot);
 }
 
-// Whole solutions, with pictures.
+// Measures whole solutions, and shows their pictures.
 void solveAt(Study &study, Gathering &gathering) {
     Page &page = study.page;
     PageTable table = {"rasters",
                        {"px", "patches", "processor_s", "wall_s", "rms_percent", "median_percent"},
                        {"pixels", "patches", "processor, s", "clock, s", "error (rms), %", "median, %"}};
-    std::vector<PagePicture> pictures, seen;
+    std::vector<PagePicture> pictures, hemicubes;
     RenderSettings camera = study.camera();
     camera.logarithmic = true;
     int widest = gathering.patchSeeingMost();
@@ -80,7 +80,7 @@ void solveAt(Study &study, Gathering &gathering) {
         if (widest >= 0) {
             std::string file = "hemicube-" + name + ".png";
             pictures::writePng(page.path(file), gathering.unfolded(widest, px));
-            seen.push_back({file, "what one patch sees, " + name + " pixels"});
+            hemicubes.push_back({file, "the view of one patch, " + name + " pixels"});
         }
         Solved solved = study.gather(kPatches, px);
         const MeasuredSolution &m = study.measured.back();
@@ -91,7 +91,7 @@ void solveAt(Study &study, Gathering &gathering) {
         pictures.push_back(
             {file, name + " pixels: " + shown(m.errors.rms) + " % off, " + shown(m.seconds) + " s"});
     }
-    page.pictures(seen);
+    page.pictures(hemicubes);
     page.text("Whole solutions, with a hemicube for every patch. The half faces of an odd raster have half a "
               "row more.");
     page.table(table);
@@ -111,7 +111,7 @@ void studyRasters(Study &study) {
         " gather the light of the reference, including that of lamps. The error against the reference has "
         "two causes: the raster, and patches that have one light value each. The plot shows only the first, "
         "as the difference from the finest raster. Four hemicubes of half the pixels are anti-aliasing with "
-        "the same number of samples; at the corners they show the effect of a hemicube in the middle.");
+        "the same number of samples; four at the corners show the error of one hemicube in the middle.");
     gatherAt(study, gathering);
     solveAt(study, gathering);
 }

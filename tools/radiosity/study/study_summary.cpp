@@ -1,4 +1,4 @@
-// The reference, and the best of all solutions.
+// Summarizes a study: the reference and its errors, and the best of all solutions.
 #include "tools/common/text.h"
 #include "tools/radiosity/study/study.h"
 
@@ -9,7 +9,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The errors of the reference.
+// Writes the errors of the reference.
 void writeReference(Study &study) {
     const ReferenceErrors &e = study.referenceErrors;
     if (!e.unknown.empty()) {
@@ -52,7 +52,7 @@ void writeSummary(Study &study) {
     PageTable table = {"solutions",
                        {"solution", "processor_s", "wall_s", "rms_percent", "median_percent", "command"},
                        {"solution", "processor, s", "clock, s", "error (rms), %", "median, %", "command"}};
-    // The solutions that no other one beats in both time and error
+    // Find the solutions that no other one beats in both time and error
     double least = INFINITY;
     PageTable front = table;
     for (const MeasuredSolution &m : all) {

@@ -1,4 +1,4 @@
-// Sizes by rasters, each shot by hemicubes: the thesis's Table 4.1 for any model.
+// Measures sizes by rasters, each solved by shooting with hemicubes: the thesis's Table 4.1 for any model.
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>
@@ -9,28 +9,29 @@ namespace {
 
 constexpr int kSizes[] = {1500, 6000, 24000}, kShots = 8000, kQuickShots = 2000;
 
-// The thesis's minutes: Athlon X2 4600+, GeForce 7600 GT, 7 passes with a hemicube from every triangle.
+// The thesis's minutes: Athlon X2 4600+, GeForce 7600 GT, 7 passes with a hemicube at each triangle.
 constexpr int kThesisSizes[] = {26360, 136512, 546048}, kThesisRasters[] = {100, 200, 500};
 constexpr double kThesisMinutes[3][3] = {{4.667, 8.75, 39.667}, {58.333, 81.667, 233}, {583, 700, 1516}};
 
 struct TableCell {
-    int patches = 0, shots = 0;
-    double processor = 0, wall = 0, unshot = 0;
-    double ofShot = 0; // processor seconds
-    MeshErrors errors = {};
+    MeasuredSolution measured;
+    SolveReport report;
 };
 
 std::vector<std::string> rowOf(const TableCell &c, int px) {
-    return {std::to_string(c.patches),
+    const MeasuredSolution &m = c.measured;
+    const SolveReport &r = c.report;
+    double secondsPerShot = r.seconds[(int)SolveStep::kSolving] / std::max(r.shots, 1);
+    return {std::to_string(r.patches),
             std::to_string(px),
-            std::to_string(c.shots),
-            shown(c.processor),
-            shown(c.wall),
-            shown(1000 * c.ofShot),
-            shown(100 * c.unshot, 2),
-            shown(c.errors.rms),
-            shown(c.errors.median),
-            shown(c.ofShot * c.patches / 60, 2)};
+            std::to_string(r.shots),
+            shown(m.seconds),
+            shown(m.wall),
+            shown(1000 * secondsPerShot),
+            shown(100 * (double)r.residual, 2),
+            shown(m.errors.rms),
+            shown(m.errors.median),
+            shown(secondsPerShot * r.patches / 60, 2)};
 }
 
 TableCell shoot(Study &study, int patches, int px, int shots) {
@@ -40,15 +41,8 @@ TableCell shoot(Study &study, int patches, int px, int shots) {
     std::string options = "--direct hemicube --hemicube " + std::to_string(px) + " --patch " +
                           shown(s.patch, 6) + " --element " + shown(s.element, 6) + " --shots " +
                           std::to_string(shots) + " --residual 0.005";
-    Solved b = study.measure("shot by " + std::to_string(px) + " px", options, s);
-    const MeasuredSolution &m = study.measured.back();
-    return {b.report.patches,
-            b.report.shots,
-            m.seconds,
-            m.wall,
-            (double)b.report.residual,
-            b.report.seconds[(int)SolveStep::kSolving] / std::max(b.report.shots, 1),
-            m.errors};
+    Solved solved = study.measure("shot by " + std::to_string(px) + " px", options, s);
+    return {study.measured.back(), std::move(solved.report)};
 }
 
 class Table {
@@ -79,22 +73,24 @@ private:
                         "not shot, %", "error (rms), %", "median, %", "every patch, processor min"}};
     pictures::Plot plot = errorPlot("light that is shot: error against time, a mark for each raster",
                                     "processor time, s", "error (rms), %");
-    int lastRow = -1; // with a cell
+    int lastRow = -1; // the last row that has a cell
 
     void fillCell(int row, int column) {
         int px = kThesisRasters[column];
         TableCell cell = shoot(study, (ofThesis ? kThesisSizes : kSizes)[row], px,
                                study.settings.quick ? kQuickShots : kShots);
-        if (ofThesis) // these take long, so print each when it is done
-            study.print(std::to_string(cell.patches) + " patches by " + std::to_string(px) + " pixels: " +
-                        std::to_string(cell.shots) + " shots, " + shown(cell.wall) + " s (processor " +
-                        shown(cell.processor) + " s), " + shown(cell.errors.rms) + " % off");
+        const MeasuredSolution &m = cell.measured;
+        const std::string patches = std::to_string(cell.report.patches) + " patches";
+        if (ofThesis) // print each when it is done, because these take long
+            study.print(patches + " by " + std::to_string(px) +
+                        " pixels: " + std::to_string(cell.report.shots) + " shots, " + shown(m.wall) +
+                        " s (processor " + shown(m.seconds) + " s), " + shown(m.errors.rms) + " % off");
         table.rows.push_back(rowOf(cell, px));
         if (ofThesis) table.rows.back().push_back(shown(kThesisMinutes[row][column], 4));
-        if (row != lastRow) plot.series.push_back(std::to_string(cell.patches) + " patches");
+        if (row != lastRow) plot.series.push_back(patches);
         lastRow = row;
         plot.points.push_back(
-            {cell.processor, cell.errors.rms, std::to_string(px), false, (int)plot.series.size() - 1});
+            {m.seconds, m.errors.rms, std::to_string(px), false, (int)plot.series.size() - 1});
     }
 };
 
@@ -114,7 +110,7 @@ void studyTable(Study &study, bool ofThesis) {
     try {
         table.fill();
     } catch (const Interrupted &) {
-        // These measurements take long: keep them when interrupted
+        // Keep what was measured, because it takes long
         table.finish();
         page.keep();
         throw;

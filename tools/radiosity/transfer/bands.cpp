@@ -9,8 +9,8 @@ namespace {
 
 constexpr int kLast = kMostBands - 1;
 
-// Normalisation of the orders of band 5, with the Condon-Shortley phase. The polynomials in bandFive() are
-// derivatives of Legendre's.
+// Normalisation factors of the orders of band 5, with the Condon-Shortley phase. The polynomials in
+// bandFive() are derivatives of the Legendre polynomial.
 struct Norms {
     float of[kLast + 1];
     Norms() {

@@ -1,4 +1,4 @@
-// The difference between a relit room and solutions made for the same light: `transfer --check`.
+// Compares a relit room with solutions for the same light: `transfer --check`.
 #pragma once
 
 #include "tools/engine/machine.h"
@@ -9,7 +9,7 @@
 
 namespace odraz::radiosity {
 
-// A light for the check: its bands, for relighting, and the same light as a picture and suns, for a solution.
+// A light for the check: as bands to relight the room, and as a picture and suns to solve the model.
 struct TriedSky {
     std::string name;
     BandLight light;
@@ -17,18 +17,17 @@ struct TriedSky {
     std::vector<Sun> suns;
 };
 
-// Environments that this number of bands represents exactly: an even one, a gradient, a glow near the
-// horizon, two lights and random coefficients.
+// Environments that `bands` bands represent exactly: even, gradient, glow, two lights, random coefficients.
 std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ);
-// A band-limited light as a picture, with pixels small enough for an error of 1e-4.
+// A band-limited light as a picture, whose pixels are small enough for an error of 1e-4.
 SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ);
 
-// The root mean square of a - b, as a share of that of b.
+// The root mean square of a - b, as a share of the root mean square of b.
 double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b);
 
-// Prints tables: errors by rows and by clusters under band-limited skies and under `skies`, the energy that
-// the bands lose of the latter, and one subspace (PCA) against clusters (CPCA) at equal memory. Returns false
-// as soon as `stop` is not 0.
+// Prints two tables: the errors of rows and clusters under band-limited skies, all lamps, and `skies` (with
+// the energy that the bands lose); and the errors of one subspace (PCA) and of clusters (CPCA) with equal
+// memory. `rays`: rays from each site, as for the room. Returns false as soon as `stop` is not 0.
 bool printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
                 const std::vector<std::string> &skies, Workers &workers, const int *stop);
 

@@ -14,16 +14,16 @@ struct Clustering {
     const float *rowOf(int r) const { return p.data + (size_t)r * (size_t)p.columns; }
     float *weightsOf(int r) const { return p.weights + (size_t)r * (size_t)p.dimensions; }
 
-    // The squared distance to a cluster's subspace, or to its mean if `weights` is null. Writes the
-    // coordinates in the subspace to `weights`.
+    // The squared distance of a row from a cluster's subspace, or from its mean if `weights` is null. Writes
+    // the row's coordinates in the subspace to `weights`.
     float project(int r, int c, float *weights) const {
         const float *row = rowOf(r), *mean = p.axesOf(c);
-        Float8 far = {};
+        Float8 squares = {};
         for (int i = 0; i < p.columns; i += 8) {
             Float8 off = load(row + i) - load(mean + i);
-            far = fmadd(off, off, far);
+            squares = fmadd(off, off, squares);
         }
-        float square = total(far);
+        float square = total(squares);
         for (int d = 0; weights && d < p.dimensions; d += 8) {
             const float *axes = mean + (size_t)(1 + d) * (size_t)p.columns;
             Float8 sum[8] = {};
@@ -41,8 +41,8 @@ struct Clustering {
         return max(square, 0.f);
     }
 
-    // Gram-Schmidt, twice, so that no rounding error remains. An axis that depends on those before it becomes
-    // zero, because only noise remains of it.
+    // Orthonormalises by Gram-Schmidt, twice, so that no rounding error remains. An axis that depends on
+    // earlier axes becomes zero, because only noise remains of it.
     void orthonormalize(float *axes) const {
         auto dotOf = [&](const float *a, const float *b) {
             Float8 sum = {};
@@ -51,27 +51,28 @@ struct Clustering {
         };
         for (int d = 0; d < p.dimensions; ++d) {
             float *axis = axes + (size_t)d * (size_t)p.columns;
-            // Scale it so that its square does not overflow or vanish
+            // Scale the axis so that its square does not overflow or vanish
             Float8 largest = broadcast(1e-35f);
             for (int i = 0; i < p.columns; i += 8) largest = max(abs(load(axis + i)), largest);
             float size = 1 / -least(-largest);
             for (int i = 0; i < p.columns; i += 8) store(axis + i, load(axis + i) * size);
             float before = dotOf(axis, axis);
-            auto addTo = [&](const float *other, float much, float scale) {
+            // axis = (axis + other * factor) * scale
+            auto add = [&](const float *other, float factor, float scale) {
                 for (int i = 0; i < p.columns; i += 8)
-                    store(axis + i, fmadd(load(other + i), much, load(axis + i)) * scale);
+                    store(axis + i, fmadd(load(other + i), factor, load(axis + i)) * scale);
             };
             for (int e = 0; e < 2 * d; ++e) {
                 const float *other = axes + (size_t)(e % d) * (size_t)p.columns;
-                addTo(other, -dotOf(axis, other), 1);
+                add(other, -dotOf(axis, other), 1);
             }
-            float left = dotOf(axis, axis);
-            addTo(axis, 0, left > before * 1e-10f ? 1 / sqrt(left) : 0);
+            float after = dotOf(axis, axis);
+            add(axis, 0, after > before * 1e-10f ? 1 / sqrt(after) : 0);
         }
     }
 
-    // Finds the mean and the axes of a cluster from its members and their weights.
-    void sharpen(int c) {
+    // Finds a cluster's mean and axes from its members and their weights.
+    void fit(int c) {
         int begin = p.first[c], end = p.first[c + 1], columns = p.columns;
         float *mean = axesOf(c), *axes = mean + columns;
         if (begin == end) return;
@@ -98,25 +99,25 @@ struct Clustering {
         }
     }
 
-    // Finds the cluster whose subspace fits a row best, among those with the nearest means and the row's
-    // present one.
+    // Assigns a row to the cluster with the nearest subspace, of its present one and the nearest means.
     void assign(int r) {
-        int nearest[8], tried = 0, best = p.cluster[r];
-        float far[8], weights[kMaxDimensions], least = project(r, best, weightsOf(r));
+        int candidates[8], count = 0, best = p.cluster[r];
+        float distances[8], weights[kMaxDimensions], least = project(r, best, weightsOf(r));
         for (int c = 0; c < p.clusters; ++c) {
             if (p.first[c] == p.first[c + 1] || c == p.cluster[r]) continue;
             float distance = project(r, c, nullptr);
-            int at = tried;
-            for (; at > 0 && distance < far[at - 1]; --at)
-                if (at < settings.tried) far[at] = far[at - 1], nearest[at] = nearest[at - 1];
+            int at = count;
+            for (; at > 0 && distance < distances[at - 1]; --at)
+                if (at < settings.tried)
+                    distances[at] = distances[at - 1], candidates[at] = candidates[at - 1];
             if (at == settings.tried) continue;
-            far[at] = distance, nearest[at] = c;
-            tried = min(tried + 1, settings.tried);
+            distances[at] = distance, candidates[at] = c;
+            count = min(count + 1, settings.tried);
         }
-        for (int k = 0; k < tried; ++k) {
-            float distance = project(r, nearest[k], weights);
+        for (int k = 0; k < count; ++k) {
+            float distance = project(r, candidates[k], weights);
             if (!(distance < least)) continue;
-            least = distance, best = nearest[k];
+            least = distance, best = candidates[k];
             for (int d = 0; d < p.dimensions; ++d) weightsOf(r)[d] = weights[d];
         }
         p.cluster[r] = best;
@@ -126,8 +127,8 @@ struct Clustering {
         for (int c = 0; c <= p.clusters; ++c) p.first[c] = 0;
         for (int r = 0; r < p.rows; ++r) ++p.first[p.cluster[r] + 1];
         for (int c = 0; c < p.clusters; ++c) p.first[c + 1] += p.first[c];
-        // Sorting moved each cluster's begin to its end; move it back
         for (int r = 0; r < p.rows; ++r) p.members[p.first[p.cluster[r]]++] = r;
+        // Move each cluster's begin back, which the last line moved to the cluster's end
         for (int c = p.clusters; c > 0; --c) p.first[c] = p.first[c - 1];
         p.first[0] = 0;
     }
@@ -144,11 +145,11 @@ bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Worker
     p.first = arena.take<int>((size_t)p.clusters + 1);
     if (arena.full) return false;
     Clustering work = {p, settings};
-    // Any weights will do at first
+    // Begin with random weights, because any will do
     for (int i = 0; i < p.rows * p.dimensions; ++i) p.weights[i] = unitFloat(pcg((uint32_t)i)) - 0.5f;
     for (int round = 0;; ++round) {
         work.sortMembers();
-        parallelFor(workers, p.clusters, [&](int c, int) { work.sharpen(c); });
+        parallelFor(workers, p.clusters, [&](int c, int) { work.fit(c); });
         if (round == settings.rounds) return true;
         parallelRanges(workers, p.rows, 64, [&](int first, int end, int) {
             for (int r = first; r < end; ++r) work.assign(r);

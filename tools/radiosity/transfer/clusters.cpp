@@ -14,7 +14,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The eigenvectors of a small symmetric matrix, by Jacobi's rotations, the largest eigenvalue first.
+// The eigenvectors of a small symmetric matrix by Jacobi rotations, in descending order of their eigenvalues.
 class Eigenvectors {
 public:
     Eigenvectors(std::vector<double> given, int size)
@@ -56,23 +56,24 @@ private:
     }
 };
 
-// Rotates the axes of a cluster to the principal ones, sorts them, and keeps the first `rank`.
-void order(const ClusteredPca &p, int c, const std::vector<float> &scale, Clusters &to) {
-    int had = p.dimensions, columns = p.columns;
-    std::vector<double> moments((size_t)(had * had));
+// Rotates a cluster's axes to the principal axes, sorts them, and keeps the first to.rank.
+void sortAxes(const ClusteredPca &p, int c, const std::vector<float> &scale, Clusters &to) {
+    int dimensions = p.dimensions, columns = p.columns;
+    std::vector<double> moments((size_t)(dimensions * dimensions));
     for (int m = p.first[c]; m < p.first[c + 1]; ++m) {
-        const float *w = p.weights + (size_t)p.members[m] * (size_t)had;
-        for (int i = 0; i < had; ++i)
-            for (int j = 0; j < had; ++j) moments[(size_t)(i * had + j)] += (double)w[i] * (double)w[j];
+        const float *w = p.weights + (size_t)p.members[m] * (size_t)dimensions;
+        for (int i = 0; i < dimensions; ++i)
+            for (int j = 0; j < dimensions; ++j)
+                moments[(size_t)(i * dimensions + j)] += (double)w[i] * (double)w[j];
     }
-    Eigenvectors turn(std::move(moments), had);
+    Eigenvectors turn(std::move(moments), dimensions);
     const float *from = p.axesOf(c);
     float *axes = &to.axes[(size_t)c * (size_t)(1 + to.rank) * (size_t)columns];
     for (int k = 0; k < columns; ++k) {
         axes[k] = from[k] / scale[(size_t)k];
         for (int d = 0; d < to.rank; ++d) {
             double sum = 0;
-            for (int i = 0; i < had; ++i) sum += turn.at(i, d) * (double)from[(1 + i) * columns + k];
+            for (int i = 0; i < dimensions; ++i) sum += turn.at(i, d) * (double)from[(1 + i) * columns + k];
             axes[(1 + d) * columns + k] = (float)sum / scale[(size_t)k];
         }
     }
@@ -80,8 +81,8 @@ void order(const ClusteredPca &p, int c, const std::vector<float> &scale, Cluste
         auto texel = (size_t)p.members[m];
         for (int d = 0; d < to.rank; ++d) {
             double sum = 0;
-            for (int i = 0; i < had; ++i)
-                sum += turn.at(i, d) * (double)p.weights[texel * (size_t)had + (size_t)i];
+            for (int i = 0; i < dimensions; ++i)
+                sum += turn.at(i, d) * (double)p.weights[texel * (size_t)dimensions + (size_t)i];
             to.weights[texel * (size_t)to.rank + (size_t)d] = (float)sum;
         }
     }
@@ -102,7 +103,7 @@ Clusters findClusters(const std::vector<float> &rows, int columns, const std::ve
     Clusters to = {count, rank, columns, std::vector<int>(p.cluster, p.cluster + p.rows), {}, {}};
     to.axes.resize((size_t)count * (size_t)(1 + rank) * width);
     to.weights.resize(seeds.size() * (size_t)rank);
-    parallelFor(workers, count, [&](int c, int) { order(p, c, scale, to); });
+    parallelFor(workers, count, [&](int c, int) { sortAxes(p, c, scale, to); });
     return to;
 }
 

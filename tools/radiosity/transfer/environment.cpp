@@ -11,7 +11,7 @@
 
 namespace odraz::radiosity {
 
-static constexpr int kLeastRows = 128; // rows of pixels; those of smaller pictures are subdivided
+static constexpr int kLeastRows = 128; // smaller pictures are subdivided to this number of rows
 
 Projected project(const pictures::Picture &picture, bool upIsZ) {
     int parts = (kLeastRows + picture.height - 1) / picture.height,

@@ -1,4 +1,4 @@
-// Light from all directions, given as a picture or a colour, projected to the bands of spherical harmonics.
+// Projects light from all directions, a picture or a colour, onto the bands of spherical harmonics.
 #pragma once
 
 #include "tools/picture/picture.h"
@@ -10,8 +10,8 @@ namespace odraz::radiosity {
 
 struct Projected {
     BandLight light = {};
-    // The share of the environment's energy in the first 1 .. kMostBands bands: energy is the integral of
-    // squared radiance over all directions. 1 if there is no light
+    // The share of the environment's energy in the first 1 .. kMostBands bands; 1 if there is no light. The
+    // energy is the integral of squared radiance over all directions
     double held[kMostBands] = {};
 };
 
@@ -19,10 +19,10 @@ struct Projected {
 Projected project(const pictures::Picture &picture, bool upIsZ);
 Projected project(const Rgb &even);
 
-// Reads the value of --sky: R,G,B or the name of a picture, with notes as readPanorama(). Throws Refused.
+// Reads the value of --sky: R,G,B or the name of a picture, with notes as by readPanorama(). Throws Refused.
 Projected readEnvironment(const std::string &sky, bool upIsZ, std::vector<std::string> *notes = nullptr);
 
-// One line: the share of the energy that this number of bands holds, and the share that they lose.
+// One line: the shares of the energy that this number of bands holds and loses.
 std::string bandLossText(const std::string &name, const Projected &projected, int bands);
 
 } // namespace odraz::radiosity

@@ -16,11 +16,11 @@ namespace {
 // A lamp of the model or of the settings: one basis of the light.
 struct LampSource {
     std::string name;
-    std::vector<size_t> materials; // those that emit its light
-    Surroundings around;           // a ball or a sun
+    std::vector<size_t> materials; // materials that emit its light
+    Surroundings around;           // its balls and suns
 };
 
-// All materials that emit and are used, then the balls and suns.
+// Lists all materials that emit and are used, then the balls and suns.
 std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
     std::vector<LampSource> lamps;
     std::vector<bool> used(mesh.materials.size());
@@ -28,7 +28,7 @@ std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
     for (size_t i = 0; i < mesh.materials.size(); ++i) {
         const MeshMaterial &m = mesh.materials[i];
         if (!used[i] || !(std::max({m.emits[0], m.emits[1], m.emits[2]}) > 0)) continue;
-        // The parts of a picture are one lamp
+        // Make one lamp of the parts of a picture
         auto whole = std::find_if(lamps.begin(), lamps.end(), [&](const LampSource &lamp) {
             return !m.glow.path.empty() && lamp.name == m.name;
         });
@@ -44,7 +44,7 @@ std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
     return lamps;
 }
 
-// Combines lamps from number kMaxLamps on into one, with a note.
+// Combines the lamps from number kMaxLamps on into one, with a note.
 void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes) {
     if (lamps.size() <= (size_t)kMaxLamps) return;
     LampSource &last = lamps[(size_t)kMaxLamps - 1];
@@ -104,7 +104,7 @@ private:
     TransferReport &report;
     SolveTask task;
     std::vector<LampSource> lamps;
-    std::vector<std::vector<Rgb>> direct; // of each lamp, on the texels
+    std::vector<std::vector<Rgb>> direct; // direct light of each lamp at the texels
     TransferRoom room;
     double last = common::processorSeconds();
 
@@ -135,7 +135,7 @@ private:
         report.seconds[0] = lap();
     }
 
-    // Light from outside, of radiance 1 times every function of the bands.
+    // Adds light from outside, of radiance 1 times each function of the bands.
     void addBands(ColumnSystem &to, const RaySystem &rays) {
         show("bands", 0);
         int functions = s.bands * s.bands;
@@ -150,23 +150,18 @@ private:
             workers);
     }
 
-    // Light of lamp `k` at the sites: along rays if much of the model emits, otherwise by shadow rays.
+    // Adds the light of lamp `k` at the sites: along rays if the lamp is large, otherwise by shadow rays.
     void addLamp(size_t k, ColumnSystem &to, const RaySystem &rays, const LightGrid &grid,
                  const RayTree &tree) {
         show("lamps", (float)k / (float)lamps.size());
         Mesh alone = mesh;
-        for (size_t i = 0; i < alone.materials.size(); ++i) {
-            const auto &own = lamps[k].materials;
-            if (std::find(own.begin(), own.end(), i) == own.end()) alone.materials[i].emits = {};
-        }
+        std::vector<uint8_t> belongs(mesh.materials.size()), emits(task.regions.charts.size());
+        for (size_t i : lamps[k].materials) belongs[i] = true;
+        for (size_t i = 0; i < belongs.size(); ++i)
+            if (!belongs[i]) alone.materials[i].emits = {};
         LampRays lamp(alone, task.regions, s.solve.lampSamples);
-        std::vector<uint8_t> emits(task.regions.charts.size());
-        for (size_t c = 0; c < emits.size(); ++c) {
-            auto m = (size_t)task.regions.material[c];
-            const auto &own = lamps[k].materials;
-            emits[c] = std::find(own.begin(), own.end(), m) != own.end();
-            if (emits[c]) room.lampOf[c] = (int)k;
-        }
+        for (size_t c = 0; c < emits.size(); ++c)
+            if ((emits[c] = belongs[(size_t)task.regions.material[c]])) room.lampOf[c] = (int)k;
         size_t at = (size_t)(3 * (s.bands * s.bands) + 3 * (int)k);
         if (lamp.share() > kLargeLamps) {
             lamp.clear();
@@ -202,7 +197,7 @@ private:
             report.notes.emplace_back("no light from outside enters: only the lamps light this room");
     }
 
-    // Spreads light from the sites to the planes of the texels.
+    // Spreads light from the sites to the texels' planes.
     void spread(const ColumnSystem &columns, const RaySystem &rays, const LightGrid &grid) {
         show("spreading", 0);
         auto width = (size_t)columns.columns();
@@ -238,7 +233,6 @@ private:
                          clusters, s.rank > 0 ? s.rank : usualRank(s.bands), workers);
     }
 
-    // The radiance of the site that a ray hits, or of the bands if it hits nothing.
     void findGlossyCharts(const ColumnSystem &columns, const LightGrid &grid, const RayTree &tree) {
         if (s.glossy.empty()) return;
         std::vector<size_t> charts;
@@ -257,6 +251,7 @@ private:
         auto side = (float)std::sqrt(area / (kMostSquares / 4.));
         room.polish = s.polish;
         int functions = room.functions();
+        // Radiance reflected and emitted where a ray hits, or the bands' radiance if it hits nothing
         Arrives arrives = [&](const Vec3 &from, const Vec3 &d, float *to) {
             RayHit hit = tree.nearest(from, d);
             if (hit.triangle < 0) {
@@ -269,7 +264,6 @@ private:
             if (hit.back) return;
             int chart = task.regions.chartOf[(size_t)hit.triangle];
             auto spot = grid.spotAt(chart, from + d * hit.t);
-            // Light reflected by the sites around it, and emission
             float weights[4], all = grid.weigh(spot, weights);
             for (int k = 0; k < 4; ++k) {
                 if (!(weights[k] > 0)) continue;

@@ -1,8 +1,7 @@
-// Finds the transfer of a model: solves it by rays for every band of an environment and for each of its
-// lamps.
+// Finds the transfer of a model: solves it by rays for each function of the bands and for each lamp.
 //
-// A lamp is all triangles of one material that emits, a ball, or a sun of the settings. If there are more
-// than kMaxLamps, the last one combines all others.
+// A lamp is all triangles of one emitting material, a ball, or a sun of the settings. If there are more than
+// kMaxLamps lamps, the last one combines all others.
 #pragma once
 
 #include "tools/radiosity/solution/solve_settings.h"
@@ -13,34 +12,32 @@ namespace odraz::radiosity {
 
 struct TransferSettings {
     int bands = kBands;
-    int clusters = 0, rank = 0;            // 0: the number that keeps the error below one per cent
-    std::string glossy;                    // a material; empty: none
+    int clusters = 0, rank = 0;            // 0: enough for an error below one per cent
+    std::string glossy;                    // name of a material; empty: none
     float polish = kPolish, exponent = 16; // see gloss.h, and window() of spherical_harmonics.h
-    int glossRays = 4096;                  // from the middle of each square of glossy planes
+    int glossRays = 4096;                  // rays from the middle of each square of glossy planes
     bool upIsZ = false;
-    // Its rays, element, lamps, suns, memory and residual are used; its sky is not
-    SolveSettings solve;
+    SolveSettings solve; // its rays, element, lamps, suns, memory and residual are used; its sky is not
 };
 
 struct TransferReport {
     size_t sites = 0, raysFromSite = 0;
-    int squares = 0;        // glossy squares
-    double seconds[4] = {}; // processor time: rows of rays, columns, clusters, gloss
+    int squares = 0;        // number of glossy squares
+    double seconds[4] = {}; // processor time of rays, solving, clusters, gloss
     std::vector<std::string> notes;
 };
 
-// The default number of clusters for this number of texels, and of axes.
+// The default numbers of clusters and of axes.
 int usualClusters(size_t texels, int bands);
 int usualRank(int bands);
 
-// The default number of rays from every site: 256, fewer for many sites.
+// The default number of rays from each site: 256, or fewer if there are many sites.
 int usualRays(size_t sites);
 
-// Column weights for the clusters, which make environment and lamps equally important.
+// Column weights for findClusters(), which give the environment and each lamp the same weight.
 std::vector<float> columnScale(const TransferRoom &room, const std::vector<float> &rows);
 
-// Reports progress: a step and the share of it that is done. Throws ModelError, Refused, or
-// std::runtime_error.
+// Reports progress: a step and the share of it that is done. Throws ModelError or std::runtime_error.
 TransferRoom findTransfer(const Mesh &mesh, const TransferSettings &settings, Workers &workers,
                           const std::function<void(const char *step, float done)> &progress,
                           TransferReport &report);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostGlossClusters = 64;
 
-// Directions that cover the half-space about z evenly: a spiral (Vogel's, lifted).
+// Directions that cover the half-space about z evenly: Vogel's spiral, projected onto the hemisphere.
 std::vector<Vec3> halfSpace(int count) {
     std::vector<Vec3> all;
     for (int i = 0; i < count; ++i) {
@@ -25,7 +25,7 @@ std::vector<Vec3> halfSpace(int count) {
     return all;
 }
 
-// The matrix of a square: [bases][kGlossOutputs], every coefficient times its band's window.
+// Computes the matrix of a square: [bases][kGlossOutputs], each coefficient times its band's window.
 void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vector<Vec3> &directions,
                 float exponent, const Arrives &arrives, float *matrix) {
     Vec3 p = c.at(((float)(square % g.across) + 0.5f) * c.width / (float)g.across,
@@ -57,26 +57,26 @@ void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vec
                 sums[(size_t)(k * kPadded + j)] * window(bandOf(j), exponent);
 }
 
-// The coefficients of the squares under a light: [squares][kGlossOutputs].
+// The squares' coefficients under a light: [squares][kGlossOutputs].
 std::vector<float> arriving(const GlossyChart &g, const LightVector &light) {
     auto dimensions = (size_t)g.dimensions;
     std::vector<float> all(g.members.size() * kGlossOutputs);
     for (size_t c = 0; c < (size_t)g.clusters; ++c) {
-        // The mean and axes of the cluster under this light
-        std::vector<float> shown((1 + dimensions) * kGlossOutputs);
+        // Apply the light to the cluster's mean and axes
+        std::vector<float> lit((1 + dimensions) * kGlossOutputs);
         const float *axis = &g.axes[c * (1 + dimensions) * (size_t)g.bases * kGlossOutputs];
         for (size_t d = 0; d <= dimensions; ++d)
             for (int k = 0; k < g.bases; ++k, axis += kGlossOutputs) {
                 Rgb l = light.bounced[k];
                 for (size_t j = 0; j < 3 * kSh; ++j)
-                    shown[d * kGlossOutputs + j] += axis[j] * (j < kSh ? l.x : j < 2 * kSh ? l.y : l.z);
+                    lit[d * kGlossOutputs + j] += axis[j] * (j < kSh ? l.x : j < 2 * kSh ? l.y : l.z);
             }
         for (int i = g.first[c]; i < g.first[c + 1]; ++i) {
             auto square = (size_t)g.members[(size_t)i];
             float *to = &all[square * kGlossOutputs];
             for (size_t d = 0; d <= dimensions; ++d) {
                 float weight = d ? g.weights[square * dimensions + d - 1] : 1;
-                for (size_t j = 0; j < kGlossOutputs; ++j) to[j] += weight * shown[d * kGlossOutputs + j];
+                for (size_t j = 0; j < kGlossOutputs; ++j) to[j] += weight * lit[d * kGlossOutputs + j];
             }
         }
     }
@@ -102,7 +102,7 @@ void findGloss(GlossyChart &g, const Chart &c, int rays, float exponent, const A
     parallelFor(workers, count, [&](int i, int) {
         findMatrix(g, c, i, directions, exponent, arrives, &matrices[(size_t)i * width]);
     });
-    // The initial clusters are blocks, about as wide as high
+    // Begin with clusters that are blocks, about as wide as high
     g.clusters = std::clamp(count / 32, 1, kMostGlossClusters);
     int wide = std::clamp((int)std::lround(std::sqrt((double)g.clusters * g.across / g.down)), 1, g.clusters),
         high = g.clusters / wide;
@@ -130,12 +130,12 @@ void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const Lig
         const Chart &c = model.charts[(size_t)chart.chart];
         int count = chart.across * chart.down;
         std::vector<float> planes((size_t)(3 * count));
-        // The light is already part of the matrices: one basis remains, with a strength of 1
+        // Use one basis of strength 1, because the light is already in the matrices
         std::vector<float> matrices = arriving(chart, light);
         Glossy g = {&c, 1, chart.across, chart.down, matrices.data(), {}};
         for (int k = 0; k < 3; ++k) g.plane[k] = &planes[(size_t)(k * count)];
         if (dot(eye - c.corner, c.n) > 0) relightGlossy(g, {{{1, 1, 1}}, {}}, eye, polish, 1);
-        // Interpolate from the squares' middles to the texels
+        // Interpolate from the middles of squares to the texels
         for (int j = 0; j <= c.down; ++j)
             for (int i = 0; i <= c.across; ++i) {
                 auto spot = [](int at, int cells, int squares, int &low, int &high) {

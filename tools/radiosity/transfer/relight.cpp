@@ -43,25 +43,25 @@ void Relighter::relight(const Clusters &c, const Lighting &lighting, std::vector
         return;
     }
     int rank = std::min(lighting.rank, c.rank), bases = room.bases();
-    std::vector<Rgb> shown((size_t)c.count * (size_t)(1 + rank)); // the means and axes under this light
+    std::vector<Rgb> lit((size_t)c.count * (size_t)(1 + rank)); // the means and axes under this light
     for (int k = 0; k < c.count; ++k)
         for (int d = 0; d <= rank; ++d) {
             const float *axis = c.axesOf(k) + (size_t)d * (size_t)c.columns;
             Rgb sum = {};
             for (int i = 0; i < bases; ++i)
                 sum += v.bounced[i] * Rgb{axis[3 * i], axis[3 * i + 1], axis[3 * i + 2]};
-            shown[(size_t)(k * (1 + rank) + d)] = sum;
+            lit[(size_t)(k * (1 + rank) + d)] = sum;
         }
     for (size_t t = 0; t < light.size(); ++t) {
-        const Rgb *of = &shown[(size_t)(c.of[t] * (1 + rank))];
+        const Rgb *cluster = &lit[(size_t)(c.of[t] * (1 + rank))];
         const float *weights = c.weights.data() + t * (size_t)c.rank;
-        Rgb sum = of[0];
-        for (int d = 0; d < rank; ++d) sum += of[1 + d] * weights[d];
+        Rgb sum = cluster[0];
+        for (int d = 0; d < rank; ++d) sum += cluster[1 + d] * weights[d];
         light[t] = sum;
     }
 }
 
-// Sets the emission of the model's charts, from the lamps' strengths.
+// Sets the emission of the model's charts from the lamps' strengths.
 static void lightLamps(const TransferRoom &room, const Lighting &l, Solution &model) {
     model.emits = room.model.emits;
     for (size_t c = 0; c < model.emits.size(); ++c)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr char kGroup[] = "Light of a room from transfer";
 
-// Reads --lamps: all, none, or a list of lamps by number or name, each with or without =STRENGTH.
+// Reads --lamps: all, none, or a list of numbers or names of lamps, each with or without =STRENGTH.
 std::vector<float> readLamps(const std::string &text, const TransferRoom &room) {
     size_t count = room.lamps.size();
     if (text.empty() || text == "all") return std::vector<float>(count, 1.f);
@@ -53,11 +53,11 @@ void RelightOptions::addTo(common::CommandLine &line, bool withSky) {
         line.option("--sky", "R,G,B|FILE", sky,
                     "the light from outside; the share of a picture's energy that the bands lose is printed");
     line.option("--turn", "DEGREES", around, {-36000, 36000},
-                "turn the sky about the axis that points up, from -z (+y if z is up) towards +x");
+                "rotate the sky about the axis that points up, from -z (+y if z is up) towards +x");
     line.option("--tilt", "DEGREES", up, {-90, 90},
-                "then tilt it about x, the middle of the picture upwards");
+                "then rotate it about x, which moves the middle of the picture upwards");
     line.option("--lamps", "LIST", lamps,
-                "all, none, or numbers or names with commas between, also NAME=STRENGTH; by default all");
+                "all, none, or a list of lamps by number or name, such as 1,3=0.5; by default all");
     line.option("--bands", "N", bands, {1, kMostBands}, "use only the first N bands");
     line.option("--rank", "N", rank, {0, kMostRank},
                 "show the clusters with N axes each, instead of the exact rows");

@@ -1,4 +1,4 @@
-// The options that light a room in `render`, `export` and `view`.
+// The options of `render`, `export` and `view` that light a room.
 #pragma once
 
 #include "tools/common/command_line.h"
@@ -9,11 +9,11 @@ namespace odraz::radiosity {
 
 class RelightOptions {
 public:
-    // `view` defines --sky itself, because it may be a model's.
+    // `withSky` is false in `view`, which defines --sky itself, because it may belong to a model.
     void addTo(common::CommandLine &line, bool withSky = true);
-    // Throws Refused if one of the options was given, because `path` is not a room. Call it after parse().
+    // Throws Refused if one of these options was given, because `path` is not a room. Call it after parse().
     static void refuseFor(const std::string &path, const common::CommandLine &line);
-    // Finds new clusters for the room if the options ask for another number of them.
+    // Finds new clusters for the room if the options ask for another number of clusters.
     void changeClusters(TransferRoom &room, Workers &workers) const;
     double turn() const { return around; } // degrees
     double tilt() const { return up; }
@@ -22,8 +22,9 @@ public:
         Lighting lighting;
         Projected sky; // before its rotation
     };
-    // The light of a room. Without --sky it is dark outside; if the room has no lamps either, an even sky of
-    // radiance 1 lights it. Prints the share of a picture's energy that the bands lose. Throws Refused.
+    // The light of a room. Without --sky no light comes from outside, unless the room has no lamps: then an
+    // even sky of radiance 1 lights it. Prints the share of a picture's energy that the bands lose. Throws
+    // Refused.
     Light of(const TransferRoom &room) const;
 
     std::string sky; // the value of --sky
@@ -34,11 +35,11 @@ private:
     int bands = 0, clusters = 0, rank = -1;
 };
 
-// Places the camera for a solution that was read, with its room or null; returns the eye.
+// Places the camera for a solution and returns the eye. The room is null if the file is a solution.
 using EyeFor = std::function<Vec3(const Solution &, const TransferRoom *)>;
 
-// Reads a solution; or a room, lit by the options, with gloss towards the eye that `eyeFor` returns (null:
-// without gloss). Throws Refused if options for a room are given, but the file is not a room.
+// Reads a solution, or a room lit as the options ask, with gloss towards the eye that `eyeFor` returns (null:
+// without gloss). Throws Refused if options for a room are given for a solution.
 Solution readLit(const std::string &path, const RelightOptions &options, const common::CommandLine &line,
                  Workers &workers, const EyeFor &eyeFor = nullptr);
 

@@ -1,5 +1,5 @@
-// Solves for many lights at once: converts the sites' rows of rays (rays/ray_system.h) to form factors of the
-// film's system (radiosity/solve.h), which has any number of right-hand sides.
+// Solves for many lights at once: converts the sites' rows of rays (rays/ray_system.h) to form factors for
+// the film's solver (radiosity/solve.h), which takes any number of right-hand sides.
 #pragma once
 
 #include "radiosity/solve.h"
@@ -12,15 +12,15 @@
 
 namespace odraz::radiosity {
 
-// The columns are red, green and blue of each light: 3 light + channel.
+// The columns are red, green and blue of each light: column 3 * light + channel.
 class ColumnSystem {
 public:
-    // `reflects` is the sites' reflectance. Throws std::runtime_error if memory is short.
+    // `reflects`: the sites' reflectance. Throws std::runtime_error if more than `most` bytes are needed.
     ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflects, int lights, size_t most)
         : memory(4 * reflects.size() * paddedColumns(lights) * sizeof(float) + 4096) {
         size_t sites = reflects.size(), bytes = bytesFor(sites, rays.rows.size(), lights);
         if (bytes > most) refuseMemory(bytes, most, "larger elements, fewer rays or fewer bands need less");
-        // Several rays may hit one site
+        // Add the shares of rays that hit the same site
         std::vector<size_t> firsts;
         std::vector<uint32_t> row;
         links.reserve(rays.rows.size());
@@ -31,7 +31,7 @@ public:
             float share = 1 / (float)row.size();
             firsts.push_back(links.size());
             for (uint32_t site : row) {
-                if (site == RaySystem::kDark) break; // the greatest number
+                if (site == RaySystem::kDark) break; // the largest number, so only equal ones follow
                 if (links.size() > firsts[i] && links.back().patch == site)
                     links.back().share += share;
                 else
@@ -53,8 +53,8 @@ public:
     ColumnSystem(const ColumnSystem &) = delete;
 
     int columns() const { return system.columns; } // a multiple of kSolveBlock
-    // A site's direct light, irradiance / pi, in all columns. Set it before solve(): in `source` the light
-    // that rays find, which is later shared between neighbours, in `direct` the rest.
+    // A site's direct light, irradiance / pi, in all columns. Set it before solve(): `source` is the light
+    // that rays find, which is later shared between neighbours; `direct` is the rest.
     float *source(size_t site) { return &sources[site * (size_t)system.columns]; }
     float *direct(size_t site) { return system.direct + site * (size_t)system.columns; }
 
@@ -66,9 +66,9 @@ public:
         for (size_t k = 0; k < sources.size(); ++k) sources[k] += system.indirect[k];
     }
 
-    // After solve(): the light that arrives along the sites' rays, without `direct`; and the light that a
-    // site reflects, as radiance.
+    // After solve(): the light that arrives along the sites' rays, without `direct`.
     const float *arrives() const { return sources.data(); }
+    // After solve(): the radiance that a site reflects.
     const float *reflected(size_t site) const { return system.radiosity + site * (size_t)system.columns; }
 
     static size_t bytesFor(size_t sites, size_t links, int lights) {

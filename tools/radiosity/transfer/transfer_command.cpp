@@ -12,12 +12,12 @@ namespace odraz::radiosity {
 
 namespace {
 
-int stopChecking = 0; // becomes 1 with Ctrl-C
+int stopChecking = 0; // Ctrl-C sets it to 1
 
 struct TransferJob {
     std::string model, out;
     bool check = false;
-    std::vector<std::string> skies; // more skies for --check
+    std::vector<std::string> skies; // pictures of skies for --check
     SolveOptions options;
     TransferSettings settings;
 };
@@ -32,11 +32,10 @@ void readGloss(const std::string &text, TransferSettings &s) {
 
 void readTransferJob(common::CommandLine &line, TransferJob &job) {
     TransferSettings &s = job.settings;
-    line.about("Solves a model for any light from outside, and for each of its lamps: a material that emits, "
-               "a ball or\n"
-               "a sun. render, export and view show the room in any of these lights. The light goes by rays, "
-               "with all\n"
-               "bounces.");
+    line.about(
+        "Solves a model, by rays and with all bounces, for any light from outside, and for each of its\n"
+        "lamps: an emitting material, a ball or a sun. render, export and view show the room in any of\n"
+        "these lights.");
     line.argument("MODEL", job.model, "a Wavefront OBJ or glTF", false);
     line.option("-o", "ROOM.prt", job.out, "the file of the room");
     line.option("--bands", "N", s.bands, {1, kMostBands}, "bands of spherical harmonics of the light");
@@ -51,7 +50,7 @@ void readTransferJob(common::CommandLine &line, TransferJob &job) {
         "(default 0.06,16)");
     line.flag("--check", job.check,
               "compare with solutions for several lights, and one subspace with clusters");
-    line.option("--sky", "FILE", job.skies, "with --check: for this light too");
+    line.option("--sky", "FILE", job.skies, "with --check: also compare under this sky");
     job.options.addTo(line, SolveOptions::For::kTransfer);
     line.parse();
     if (job.model.empty()) throw common::Refused("name a model: radiosity transfer MODEL.obj -o ROOM.prt");

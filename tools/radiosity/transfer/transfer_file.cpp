@@ -1,4 +1,4 @@
-// A room as a file: a line that names its kind, a checksum, and arrays (solution/arrays.h).
+// Reads and writes room files: a line that names the kind, a checksum, and arrays (solution/arrays.h).
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solution/arrays.h"
@@ -111,7 +111,7 @@ std::string TransferRoom::withChecksum(const std::string &body) {
 }
 
 void TransferRoom::save(const std::string &path) const {
-    std::string body, names; // each followed by a zero
+    std::string body, names; // `names`: each followed by a 0
     for (const std::string &name : lamps) names.append(name.c_str(), name.size() + 1);
     put(body, std::vector<int>{bands, upIsZ, (int)lamps.size(), (int)gloss.size()}, names,
         std::vector<float>{polish});

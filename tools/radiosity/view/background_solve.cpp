@@ -53,7 +53,7 @@ void BackgroundSolve::run() {
     wake();
 }
 
-// The time to compute light counts as computing.
+// Decides whether to compute light now. It is computed between this call and the end of receive().
 bool BackgroundSolve::lightIsDue() {
     if (common::wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
     if (!computing) began = common::wallSeconds();
@@ -84,7 +84,6 @@ void BackgroundSolve::publish(bool geometry, bool done) {
     if (geometry) news.mesh = shown, news.camera = camera;
     news.light = std::move(light);
     news.done = done;
-    ++news.pictures;
 }
 
 SolveNews BackgroundSolve::take() {

@@ -1,5 +1,4 @@
-// Solves a model on another thread while the user looks at it. That thread computes the meshes and light to
-// show.
+// Solves a model on a thread of its own, which also computes the meshes and the light to show.
 #pragma once
 
 #include "tools/radiosity/export/render.h"
@@ -15,28 +14,26 @@
 
 namespace odraz::radiosity {
 
-// The changes since the last call; a pointer is null if nothing changed.
+// The changes since the last call of take(). A pointer is null if nothing changed.
 struct SolveNews {
     std::shared_ptr<const ViewMesh> mesh;
-    RenderSettings camera; // set together with `mesh`: `render`'s camera
+    RenderSettings camera; // set together with `mesh`, as placed by placeCamera()
     std::shared_ptr<const std::vector<Rgb>> light;
-    int pictures =
-        0; // the number of times that light was published: direct light, after sweeps, and at the end
     bool done = false;
-    std::vector<std::string> notes; // set at the end: those of `solve`
+    std::vector<std::string> notes; // SolveReport::notes, set at the end
 };
 
 class BackgroundSolve {
 public:
-    // Starts the thread, and returns when it has opened OpenGL, because that changes the environment, which
-    // no other thread may read meanwhile. `wake` is called on the solver's thread after each change.
+    // Starts the thread and waits until it has opened OpenGL: this changes the environment, which no other
+    // thread may read meanwhile. `wake` is called on the solver's thread after each change.
     BackgroundSolve(Mesh mesh, SolveSettings settings, const RenderSettings &camera, void (*wake)());
     BackgroundSolve(const BackgroundSolve &) = delete;
-    ~BackgroundSolve(); // waits for the end
+    ~BackgroundSolve(); // stops the solver and waits for its thread
 
-    // Throws the error that ended the thread.
+    // Returns the news. Throws the error that ended the thread.
     SolveNews take();
-    std::string step(); // the current step, in a few words
+    std::string step(); // the current step and its progress, for the title
     void stop() { __atomic_store_n(&stopped, 1, __ATOMIC_RELAXED); }
 
 private:
@@ -50,11 +47,11 @@ private:
     RenderSettings camera;
     void (*wake)();
     int stopped = 0;
-    // Used only by the thread: the solution shown last, and the time to publish again
-    std::unique_ptr<Solution> solution;
+    // Used only by the solver's thread
+    std::unique_ptr<Solution> solution; // the solution published last
     std::shared_ptr<const ViewMesh> shown;
-    double next = 0, began = 0;
-    bool computing = false; // since `began`
+    double next = 0, began = 0; // wall-clock times: to compute light again, when computing it began
+    bool computing = false;     // light is being computed, since `began`
     // Used by both threads, under the lock
     std::mutex lock;
     std::condition_variable opened;

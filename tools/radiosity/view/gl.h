@@ -1,4 +1,4 @@
-// The OpenGL functions that `view` needs besides the engine's (base/gl.h), and its shaders.
+// The OpenGL functions that `view` needs in addition to the engine's (base/gl.h), and its shaders.
 #pragma once
 
 #include "base/gl.h"
@@ -14,15 +14,15 @@ namespace odraz::radiosity {
 struct ViewGl : Gl {
 #define ODRAZ_GL_MEMBER(name) decltype(&::name) name;
     ODRAZ_VIEW_GL(ODRAZ_GL_MEMBER)
-    decltype(&::glClipControl) glClipControl; // looked up separately; null where there is none
+    decltype(&::glClipControl) glClipControl; // looked up separately; null if missing
 #undef ODRAZ_GL_MEMBER
 };
 
-// A pixel of the scene has linear red, green, blue, and a number: that of its patch, negative on an element's
-// outline, or one of these.
+// A pixel of the scene has linear red, green and blue, and a number: the number of its patch, negative on an
+// element's outline, or one of these.
 inline constexpr float kViewNothing = 0, kViewBack = 0.25f, kViewEdge = -0.5f, kViewFrame = 0.75f;
 
-// Lines are one-sided like surfaces, and drawn a little nearer. Depth is reversed.
+// Lines are one-sided like surfaces, and are drawn a little nearer. Depth is reversed.
 inline constexpr char kSceneVertex[] = R"(
 layout(location=0) in vec3 p;
 layout(location=1) in vec4 n;
@@ -63,7 +63,7 @@ void main() {
 inline constexpr char kShowVertex[] = R"(
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); })";
 
-// The mean light of a pixel's samples. The output may have fewer pixels.
+// Writes the mean light of a pixel's samples. The output may have fewer pixels.
 inline constexpr char kMeanFragment[] = R"(
 uniform sampler2D scene;
 uniform int samples;
@@ -77,7 +77,7 @@ void main() {
     o = light / float(samples * samples);
 })";
 
-// The film's curve matches trace/picture/development.cpp, the logarithm export/render.cpp.
+// The film's curve matches trace/picture/development.cpp, and the logarithm matches export/render.cpp.
 inline constexpr char kShowFragment[] = R"(
 uniform sampler2D scene;
 uniform int samples, logarithmic, patches;

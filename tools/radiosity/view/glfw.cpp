@@ -15,7 +15,7 @@
     F(glfwTerminate) F(glfwWaitEventsTimeout) F(glfwWindowHint) F(glfwWindowShouldClose)
 // clang-format on
 
-// Each jumps to the library's function and leaves the parameters in place.
+// Defines a function that jumps to the library's function and leaves the parameters in place.
 #define ODRAZ_JUMP(name)                                                                                     \
     extern "C" {                                                                                             \
     void *odraz_##name;                                                                                      \

@@ -9,7 +9,7 @@
 
 namespace odraz::radiosity {
 
-// In heights of a digit
+// Sizes in heights of a digit
 static constexpr float kLine = 2, kMargin = 1.5f, kSecond = 8, kWide = 33, kHigh = 2 * kMargin - 1;
 
 std::vector<ViewKey> viewKeys(bool room) {

@@ -1,4 +1,4 @@
-// The keys of `view`, for the text printed at the start and for the help in the window.
+// The keys of `view`, for the text that it prints at the start and for the help in its window.
 #pragma once
 
 #include "tools/picture/picture.h"
@@ -12,13 +12,13 @@ namespace odraz::radiosity {
 struct ViewKey {
     const char *keys, *does;
 };
-// The keys for a solution, or with `room` for a relit room.
+// The keys for a solution, or for a relit room (`room`).
 std::vector<ViewKey> viewKeys(bool room);
 
-// The keys, one on a line.
+// The keys as text, one per line.
 std::string viewKeysText(std::span<const ViewKey> keys);
 
-// A picture of the keys on a dark ground, one on a line, of at most width x height pixels.
+// A picture of the keys on a dark background, one per line, with at most width x height pixels.
 pictures::Image viewHelp(std::span<const ViewKey> keys, int width, int height);
 
 } // namespace odraz::radiosity

@@ -1,4 +1,4 @@
-// The loop of `view`: redraws after changes until the window closes.
+// The loop of `view`: draws after each change until the window closes.
 #include "tools/common/text.h"
 #include "tools/radiosity/view/help.h"
 #include "tools/radiosity/view/window.h"
@@ -14,7 +14,7 @@
 
 namespace odraz::radiosity {
 
-// Samples along a pixel's side while nothing moves; enough for edges close to the tracer's.
+// Samples along a pixel's side while nothing moves. With these, edges look much like the tracer's.
 static constexpr int kStillSamples = 4;
 
 void ViewWindow::drawChanges(bool moving) {
@@ -47,19 +47,19 @@ void ViewWindow::pickPatch() {
 
 float ViewWindow::exposure() const { return targetTone.exposure * std::exp2(s.camera.stops); }
 
-// Adapts the exposure gradually, or at once for a screenshot. Returns whether it must continue.
+// Adapts the exposure gradually, or at once for a screenshot. Returns whether it must go on adapting.
 bool ViewWindow::adaptExposure(float seconds) {
     float stops = std::log(exposure() / tone.exposure), low = targetTone.low - tone.low,
           high = targetTone.high - tone.high,
           off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});
     if (off == 0) return false;
-    bool there = off < 0.004f || !s.screenshot.empty();
-    float share = there ? 1 : 1 - std::exp(-seconds / 0.15f);
-    tone.exposure = there ? exposure() : tone.exposure * std::exp(stops * share);
-    tone.low = there ? targetTone.low : tone.low + low * share;
-    tone.high = there ? targetTone.high : tone.high + high * share;
+    bool arrived = off < 0.004f || !s.screenshot.empty();
+    float share = arrived ? 1 : 1 - std::exp(-seconds / 0.15f);
+    tone.exposure = arrived ? exposure() : tone.exposure * std::exp(stops * share);
+    tone.low = arrived ? targetTone.low : tone.low + low * share;
+    tone.high = arrived ? targetTone.high : tone.high + high * share;
     retone = true;
-    return !there;
+    return !arrived;
 }
 
 void ViewWindow::present() {

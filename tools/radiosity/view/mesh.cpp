@@ -14,7 +14,7 @@ ViewPoint pointOf(const Vec3 &p, const Vec3 &n, uint32_t patch) {
     return {p, {shorter(n.x), shorter(n.y), shorter(n.z), 0}, patch};
 }
 
-// A piece of an element: its first point, and its part in placing the hemicube of its patch.
+// The centroid of a piece of an element, to place the hemicube of its patch.
 struct PieceCentroid {
     Vec3 p, n;
     float area;
@@ -32,7 +32,7 @@ PieceCentroid centroidOf(const ViewPoint *points, size_t count, const Vec3 &n) {
     return m;
 }
 
-// Whether any part of a cell is visible. Cells inside solids have no hemicube.
+// Whether any part of a cell is visible. Cells inside solids are not, and have no hemicube.
 bool visible(const Solution &b, const Cell &cell) {
     for (int k = 0; k < 4; ++k)
         if (b.texels[(size_t)cell.corner[k]].visible >> (3 - k) & 1) return true;
@@ -43,7 +43,7 @@ bool visible(const Solution &b, const Cell &cell) {
 
 ViewMesh::ViewMesh(const Solution &solution) {
     std::unordered_map<int, uint32_t> known;
-    std::vector<uint32_t> firsts; // the first point of each piece
+    std::vector<uint32_t> firsts; // index of each piece's first point
     solution.forPieces([&](int chart, int cell, const std::vector<SolutionPoint> &piece) {
         const Chart &c = solution.charts[(size_t)chart];
         auto number = known.try_emplace(solution.cells[(size_t)cell].patch, (uint32_t)known.size() + 1);
@@ -77,10 +77,12 @@ ViewMesh::ViewMesh(const Solution &solution) {
     size = std::max(length(high - low), 1e-30f);
 }
 
-// The middle of a patch if it lies on one of its elements; otherwise the middle of the nearest element.
+// Places each patch's hemicube at the patch's centroid if that lies on one of its elements, otherwise at the
+// centroid of the nearest element.
 void ViewMesh::placeHemicubes(const Solution &solution, const std::vector<uint32_t> &firsts) {
     struct Sum {
-        double p[3] = {}, area = 0;
+        Vec3d p = {};
+        double area = 0;
         float nearest = kInfinity;
         bool seen = false;
     };
@@ -94,15 +96,13 @@ void ViewMesh::placeHemicubes(const Solution &solution, const std::vector<uint32
         }
     };
     all([](Sum &s, ViewPatch &, bool seen, const PieceCentroid &m) {
-        if (seen && !s.seen) s = {}, s.seen = true; // hidden pieces count only if the patch has no other
+        if (seen && !s.seen) s = {}, s.seen = true; // hidden pieces count only if all are hidden
         if (seen != s.seen) return;
-        const float p[3] = {m.p.x, m.p.y, m.p.z};
-        for (int k = 0; k < 3; ++k) s.p[k] += (double)(p[k] * m.area);
+        s.p = s.p + toDouble(m.p * m.area);
         s.area += (double)m.area;
     });
     all([](Sum &s, ViewPatch &to, bool seen, const PieceCentroid &m) {
-        double area = std::max(s.area, 1e-300);
-        Vec3 mean = {(float)(s.p[0] / area), (float)(s.p[1] / area), (float)(s.p[2] / area)};
+        Vec3 mean = toFloat(s.p / std::max(s.area, 1e-300));
         float far = length(mean - m.p);
         if (seen != s.seen || far >= s.nearest) return;
         s.nearest = far;
@@ -115,7 +115,7 @@ void ViewMesh::placeHemicubes(const Solution &solution, const std::vector<uint32
 std::vector<Rgb> ViewMesh::light(const Solution &solution) const {
     std::vector<Rgb> light(cellPoints.size());
     for (size_t i = 0; i < light.size(); ++i) {
-        const CellPoint &at = cellPoints[i];
+        const Solution::CellPoint &at = cellPoints[i];
         light[i] = solution.radiosityIn(at.cell, at.u, at.v);
     }
     return light;

@@ -1,7 +1,6 @@
-// A solved model for OpenGL: triangles of its elements, their outlines, and the edges of its polygons.
+// A solved model for OpenGL: the triangles and outlines of its elements, and the edges of its polygons.
 //
-// The geometry is fixed. Light is a separate array with a radiosity for each point, made again when the
-// texels change.
+// The geometry is fixed. Light is a separate array with a radiosity for each point, computed by light().
 #pragma once
 
 #include "tools/radiosity/solution/solution.h"
@@ -10,32 +9,29 @@ namespace odraz::radiosity {
 
 struct ViewPoint {
     Vec3 p;
-    int16_t n[4];   // the normal, 1 as 32767
-    uint32_t patch; // from 1 on, in order of first elements; 0: a polygon's edge
+    int16_t n[4]; // normal; 32767 stands for 1
+    uint32_t
+        patch; // number of the patch from 1 on, in the order of their first elements; 0: a polygon's edge
 };
 
 struct ViewPatch {
-    Vec3 p, n; // the place and normal of its hemicube
+    Vec3 p, n; // position and normal of its hemicube
 };
 
 struct ViewMesh {
-    // Throws std::runtime_error if 32 bits are too few for the indices.
+    // Throws std::runtime_error if there is no element, or too many for 32-bit indices.
     explicit ViewMesh(const Solution &solution);
-    std::vector<Rgb> light(const Solution &solution) const; // of each point
+    std::vector<Rgb> light(const Solution &solution) const; // the radiosity at each point
 
     std::vector<ViewPoint> points;
-    std::vector<uint32_t> triangles; // counter-clockwise, three of points each
-    std::vector<uint32_t> outlines;  // of elements, two of points each
-    std::vector<ViewPoint> edges;    // of facets, two each
+    std::vector<uint32_t> triangles; // counter-clockwise, three indices of points each
+    std::vector<uint32_t> outlines;  // lines around elements, two indices of points each
+    std::vector<ViewPoint> edges;    // lines around facets, two points each
     std::vector<ViewPatch> patches;
-    float size; // the diagonal of its bounding box
+    float size; // diagonal of the bounding box
 
 private:
-    struct CellPoint { // of a point, in the cell that has its light
-        int cell;
-        float u, v;
-    };
-    std::vector<CellPoint> cellPoints;
+    std::vector<Solution::CellPoint> cellPoints; // of each point, in the cell that holds its light
     void placeHemicubes(const Solution &solution, const std::vector<uint32_t> &firsts);
 };
 

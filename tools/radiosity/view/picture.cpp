@@ -15,7 +15,7 @@ namespace {
 
 enum { kSurface, kOutline, kEdge }; // values of `lines` in the shader
 enum { kPoints, kLight, kTriangles, kOutlines, kEdges };
-constexpr size_t kMostSamples = 16 << 20; // of a picture, 20 bytes each
+constexpr size_t kMostSamples = 16 << 20; // samples of a picture, 20 bytes each
 
 bool hasClipControl(const ViewGl &gl) {
     GLint count = 0;
@@ -141,7 +141,7 @@ void ViewPicture::drawMesh(const Vec3 &eye, const Vec3 &right, const Vec3 &up, c
     gl.glUniform1i(at("lines"), lines);
     gl.glUniform1i(at("backs"), backs);
     gl.glEnable(GL_DEPTH_TEST);
-    // Draw surfaces, steep ones most, a little deeper, so that outlines stay in front
+    // Draw surfaces a little deeper, most of all steep ones, so that outlines stay in front
     gl.glEnable(GL_POLYGON_OFFSET_FILL);
     gl.glPolygonOffset(reversed ? -1.f : 1.f, 0);
     gl.glBindVertexArray(arrays[lines]);
@@ -186,12 +186,12 @@ void ViewPicture::drawHemicube(int patch, bool upIsZ) {
     resize(hemicube, 2 * px, 2 * px, GL_RGBA32F, true);
     clear(kViewFrame);
     const ViewPatch &at = mesh->patches[(size_t)patch - 1];
-    // Up is the model's up; on floors and ceilings it is -z
+    // Take the model's up, or -z on floors and ceilings
     Vec3 up = asInModel({0, 1, 0}, upIsZ), n = at.n;
     if (std::fabs(dot(up, n)) > 0.99f) up = asInModel({0, 0, -1}, upIsZ);
     Vec3 right = normalize(cross(n, up));
     up = cross(right, n);
-    const Vec3 none = {}, faces[5][3] = {{n, right, up}, // ahead, right, up; then folded out around it
+    const Vec3 none = {}, faces[5][3] = {{n, right, up}, // each face's direction, right and up; the top first
                                          {right, none - n, up},
                                          {none - right, n, up},
                                          {up, right, none - n},

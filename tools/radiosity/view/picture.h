@@ -1,5 +1,4 @@
-// Draws a solved model with OpenGL: first the scene, as linear light and numbers of patches, then the
-// tone-mapped picture.
+// Draws a solved model with OpenGL: the scene (linear light, patch numbers), then the tone-mapped picture.
 #pragma once
 
 #include "tools/picture/picture.h"
@@ -15,7 +14,7 @@ struct ViewLayers {
     bool patches = false, elements = false, wireframe = false, hemicube = false, backs = false;
 };
 
-// The layers, in the order of their keys; their names are those of --layer.
+// The layers in the order of their keys. `name` is the value of --layer.
 struct ViewLayer {
     const char *name;
     bool ViewLayers::*shown;
@@ -26,7 +25,7 @@ inline constexpr ViewLayer kViewLayers[] = {{"patches", &ViewLayers::patches},
                                             {"hemicube", &ViewLayers::hemicube},
                                             {"backs", &ViewLayers::backs}};
 
-// The tone of `render`, adapted to the picture.
+// The tone mapping of `render`, adapted to the picture.
 struct ViewTone {
     bool logarithmic = false;
     float exposure = 1, low = 0, high = 1; // low and high are logarithms
@@ -34,27 +33,26 @@ struct ViewTone {
 
 class ViewPicture {
 public:
-    explicit ViewPicture(const ViewGl &gl); // of the current context. Throws std::runtime_error
+    explicit ViewPicture(const ViewGl &gl); // `gl`: of the current context. Throws std::runtime_error
     void load(std::shared_ptr<const ViewMesh> mesh);
     void relight(const std::vector<Rgb> &light);
 
     // Draws the scene with `samples` along a pixel's side, or fewer if the picture would be too large.
     void draw(const RenderSettings &camera, const ViewLayers &layers, int samples);
-    // Finds the tone, without stops, from the light drawn, reduced to at most `most` x `most` pixels. False
-    // if there is no light.
+    // Finds the tone, without stops, from at most `most` x `most` pixels. Returns false if there is no light.
     bool measure(int most, ViewTone &tone);
-    // The patch at a pixel, from 1 on; 0: none.
+    // The number of the patch at a pixel, from 1 on; 0: none.
     int patchAt(int x, int y) const;
-    // Draws the unfolded view of the patch's hemicube.
+    // Draws the unfolded view from the patch's hemicube.
     void drawHemicube(int patch, bool upIsZ);
     // Combines the scene and the hemicube into the picture, and shows it in the upper left corner of the
-    // window, with the help for `keys`, if any, over it.
+    // window. Draws help over it if there are any `keys`.
     void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight,
               std::span<const ViewKey> keys);
     pictures::Image read() const;
 
 private:
-    struct Target { // linear light and depth
+    struct Target { // a framebuffer with a texture, and perhaps depth
         GLuint framebuffer = 0, colour = 0, depth = 0;
         int width = 0, height = 0;
     };
@@ -72,7 +70,7 @@ private:
     std::shared_ptr<const ViewMesh> mesh;
     bool outlined = false; // the buffer of outlines is filled
     Target scene, hemicube, small, final, help;
-    int helpFor[2] = {}; // the picture's size for which `help` was made
+    int helpSize[2] = {}; // the picture's size when `help` was drawn
     int samples = 1;
 };
 

@@ -21,7 +21,7 @@ RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*w
     sky = light.sky, lighting = std::move(light.lighting);
     strengths = lighting.lamps;
     for (float &s : strengths) s = s > 0 ? s : 1;
-    exactRank = lighting.rank >= 0 ? lighting.rank : clusters.rank;
+    lastRank = lighting.rank >= 0 ? lighting.rank : clusters.rank;
     shown = std::make_shared<const ViewMesh>(lit);
     finder = std::thread([this] { findOthers(); });
 }
@@ -29,13 +29,13 @@ RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*w
 RelitRoom::~RelitRoom() {
     {
         std::lock_guard held(lock);
-        order = -1;
+        toFind = -1;
         asked.notify_one();
     }
     finder.join();
 }
 
-// Waits for numbers of clusters to find; only the latest counts.
+// Waits for requests and finds clusters. A new request replaces one that has not begun.
 void RelitRoom::findOthers() {
     std::vector<float> rows, scale;
     Workers alone = serialWorkers(); // the other threads draw
@@ -43,12 +43,12 @@ void RelitRoom::findOthers() {
         int count;
         {
             std::unique_lock held(lock);
-            asked.wait(held, [this] { return order != 0; });
-            if (order < 0) return;
-            count = order, order = 0;
+            asked.wait(held, [this] { return toFind != 0; });
+            if (toFind < 0) return;
+            count = toFind, toFind = 0;
         }
         Clusters others;
-        std::string why; // they could not be found
+        std::string why; // the reason if they could not be found
         try {
             if (scale.empty()) rows = room.rows(), scale = columnScale(room, rows);
             others = findClusters(rows, room.columns(), scale, blocksOf(room.model, count), count,
@@ -61,7 +61,7 @@ void RelitRoom::findOthers() {
         {
             std::lock_guard held(lock);
             if (why.empty())
-                found = std::move(others), fresh = true;
+                found = std::move(others), isNew = true;
             else
                 failed = count, whyFailed = why;
         }
@@ -72,7 +72,7 @@ void RelitRoom::findOthers() {
 void RelitRoom::setClusters(int count) {
     requested = std::clamp(count, 1, (int)std::min(room.texels(), (size_t)kMostClusters));
     std::lock_guard held(lock);
-    order = requested;
+    toFind = requested;
     asked.notify_one();
 }
 
@@ -88,13 +88,13 @@ bool RelitRoom::key(int key, bool shift) {
     else if (key == GLFW_KEY_LEFT_BRACKET || key == GLFW_KEY_RIGHT_BRACKET)
         lighting.bands = std::clamp(lighting.bands + (key == GLFW_KEY_LEFT_BRACKET ? -1 : 1), 1, room.bands);
     else if (key == GLFW_KEY_MINUS || key == GLFW_KEY_EQUAL) {
-        exactRank = std::clamp(exactRank + (key == GLFW_KEY_MINUS ? -1 : 1), 0, room.clusters.rank);
-        lighting.rank = exactRank;
+        lastRank = std::clamp(lastRank + (key == GLFW_KEY_MINUS ? -1 : 1), 0, room.clusters.rank);
+        lighting.rank = lastRank;
     } else if (key == GLFW_KEY_P)
-        lighting.rank = lighting.rank < 0 ? exactRank : -1;
+        lighting.rank = lighting.rank < 0 ? lastRank : -1;
     else if (key == GLFW_KEY_COMMA || key == GLFW_KEY_PERIOD) {
         setClusters(key == GLFW_KEY_COMMA ? requested / 2 : requested * 2);
-        lighting.rank = exactRank;
+        lighting.rank = lastRank;
     } else
         return false;
     return changed = true;
@@ -108,7 +108,7 @@ void RelitRoom::turn(double by, double up) {
 const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
     {
         std::lock_guard held(lock);
-        if (fresh) clusters = std::move(found), fresh = false, changed = true;
+        if (isNew) clusters = std::move(found), isNew = false, changed = true;
         if (failed) {
             std::fprintf(stderr, "radiosity: %d clusters cannot be found: %s; the %d stay\n", failed,
                          whyFailed.c_str(), clusters.count);
@@ -116,12 +116,12 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
             failed = 0;
         }
     }
-    bool moved = !room.gloss.empty() && length(eye - seenFrom) > 0;
+    bool moved = !room.gloss.empty() && length(eye - lastEye) > 0;
     if (!changed && !moved) return nullptr;
     lighting.sky = turnedSky(sky.light, room, around, tilt);
     relighter.show(clusters, lighting, &eye, lit);
     points = shown->light(lit);
-    changed = false, seenFrom = eye;
+    changed = false, lastEye = eye;
     return &points;
 }
 

@@ -1,4 +1,4 @@
-// Turns the drawn scene into the picture: measures, tone-maps, reads back.
+// Makes the picture from the drawn scene: measures its light, tone-maps it, and reads it back.
 #include "tools/radiosity/view/picture.h"
 
 #include "tools/common/statistics.h"
@@ -73,18 +73,18 @@ void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-// Puts the help into the upper left corner of the picture.
+// Copies the help to the upper left corner of the picture. Draws it only when the picture's size has changed.
 void ViewPicture::drawHelp(std::span<const ViewKey> all, int width, int height) {
     static constexpr int kBorder = 8;
     if (width <= 2 * kBorder || height <= 2 * kBorder) return;
-    if (helpFor[0] != width || helpFor[1] != height) {
+    if (helpSize[0] != width || helpSize[1] != height) {
         pictures::Image keys = viewHelp(all, width - 2 * kBorder, height - 2 * kBorder);
         resize(help, keys.width, keys.height, GL_RGBA8, false);
         gl.glBindTexture(GL_TEXTURE_2D, help.colour);
         gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, keys.width, keys.height, GL_RGB, GL_UNSIGNED_BYTE,
                            keys.rgb.data());
-        helpFor[0] = width, helpFor[1] = height;
+        helpSize[0] = width, helpSize[1] = height;
     }
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, help.framebuffer);
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, final.framebuffer);

@@ -33,23 +33,21 @@ void addLayer(ViewLayers &to, const std::string &name) {
 
 void readViewJob(common::CommandLine &line, ViewJob &job) {
     line.about("Opens a window to fly through a solution, or through a model while it is solved. Prints\n"
-               "its keys when it starts. A room from transfer is relit while it is shown: the right mouse\n"
-               "button turns the sky, and the keys 1 to 9 and 0 switch lamps, with Shift from the\n"
-               "eleventh on.");
+               "its keys when it starts. In a room from transfer, the right mouse button turns the sky, and\n"
+               "the keys 1 to 9 and 0 switch lamps 1 to 10, with Shift lamps 11 to 16.");
     line.argument("FILE", job.in, "a file that solve or transfer wrote, or a model: Wavefront OBJ or glTF",
                   false);
     line.option("--screenshot", "FILE.png", job.view.screenshot,
                 "write the picture when all light is found, then exit");
     line.option(
         "--layer", "NAME", [&job](const std::string &name) { addLayer(job.view.layers, name); },
-        "a layer to show at the start: patches in different colours, outlines of elements, wireframe, what "
-        "the "
-        "hemicube under the pointer sees, or backs; repeatable");
+        "a layer to show at the start: patches in different colours, outlines of elements, wireframe, the "
+        "view of the hemicube under the pointer, or backs; repeatable");
     line.option("--sky", "R,G,B|FILE", job.sky, "the light from outside, of a room or of a model");
     job.camera.addTo(line);
     job.relight.addTo(line, false);
     line.option("--spin", "S", job.view.spin, {0.1, 3600},
-                "turn the sky once in S seconds, print the pictures a second, then exit");
+                "turn the sky once in S seconds, print the pictures per second, then exit");
     job.solve.addTo(line, SolveOptions::For::kView);
     line.parse();
     if (job.in.empty()) throw common::Refused("name a solution or a model: radiosity view FILE|MODEL.obj");
@@ -119,7 +117,7 @@ int runView(common::CommandLine &line) {
     printNotes(notes);
     BackgroundSolve solver(std::move(mesh), job.solve.settings, job.view.camera, ViewWindow::wake);
     solveNamed(job.in, [&] { window.run(&solver); });
-    // The program ends without waiting for the solver
+    // End the program without waiting for the solver
     if (std::fflush(stdout)) return 1;
     if (!solver.take().done) endProcess(0);
     printNotes(solver.take().notes);

@@ -46,7 +46,7 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
         if (action != GLFW_RELEASE) of(w).key(key, with & GLFW_MOD_SHIFT);
     });
     glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) { of(w).wheel(notches); });
-    // Handle events in order: a whole gesture may happen between two slow pictures
+    // Handle events in their order, because a whole gesture may happen between two slow pictures
     glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int button, int action, int) {
         if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).looking = action == GLFW_PRESS;
         if (button == GLFW_MOUSE_BUTTON_RIGHT) of(w).turning = action == GLFW_PRESS;
@@ -59,12 +59,12 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     picture = std::make_unique<ViewPicture>(gl);
 }
 
-// The display's libraries stay loaded until the process ends, because they leak memory when unloaded.
+// Leaves the display's libraries loaded until the process ends, because they leak memory when unloaded.
 ViewWindow::~ViewWindow() { glfwDestroyWindow(window); }
 
 void ViewWindow::wake() { glfwPostEmptyEvent(); }
 
-// Every key renews the tone-mapped picture, and some of them the scene too.
+// Every key makes the tone-mapped picture again, and some keys the scene too.
 void ViewWindow::key(int key, bool shift) {
     retone = true;
     if (room && room->key(key, shift)) return;
@@ -120,7 +120,7 @@ void ViewWindow::show(std::shared_ptr<const ViewMesh> mesh, const std::vector<Rg
 
 void ViewWindow::show(RelitRoom &shown, const RenderSettings &camera) {
     room = &shown;
-    // Gloss depends on the camera's place
+    // Compute the light for the camera's position, on which gloss depends
     show(room->mesh(), *room->light(s.placed ? s.camera.eye : camera.eye), camera);
 }
 
@@ -148,13 +148,13 @@ void ViewWindow::takeNews(BackgroundSolve &solver) {
     solved = news.done;
 }
 
-// Turns about the eye; the distance to the target stays the same.
+// Moves the camera by keys, and turns it about the eye by the mouse. Returns whether it moved.
 bool ViewWindow::fly(float seconds) {
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS ? 1.f : 0.f; };
-    float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),
+    float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), sideways = held(GLFW_KEY_D) - held(GLFW_KEY_A),
           rise = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
     float dx = std::exchange(lookX, 0.f), dy = std::exchange(lookY, 0.f);
-    if ((ahead == 0 && aside == 0 && rise == 0 && dx == 0 && dy == 0) || size == 0) return false;
+    if ((ahead == 0 && sideways == 0 && rise == 0 && dx == 0 && dy == 0) || size == 0) return false;
     RenderSettings &c = s.camera;
     Vec3 eye = upright(c.eye, c.upIsZ), to = upright(c.target, c.upIsZ) - eye;
     float distance = std::max(length(to), size * 1e-3f), yaw = std::atan2(to.x, -to.z),
@@ -163,8 +163,8 @@ bool ViewWindow::fly(float seconds) {
     if (dy != 0) pitch = std::clamp(pitch - dy * 0.004f, -1.5f, 1.5f);
     Vec3 forward = {std::cos(pitch) * std::sin(yaw), std::sin(pitch), -std::cos(pitch) * std::cos(yaw)};
     Vec3 right = {std::cos(yaw), 0, std::sin(yaw)};
-    float way = 0.15f * size * std::min(seconds, 0.2f) * (held(GLFW_KEY_LEFT_SHIFT) != 0 ? 5.f : 1.f);
-    eye += forward * (ahead * way) + right * (aside * way) + Vec3{0, rise * way, 0};
+    float step = 0.15f * size * std::min(seconds, 0.2f) * (held(GLFW_KEY_LEFT_SHIFT) != 0 ? 5.f : 1.f);
+    eye += forward * (ahead * step) + right * (sideways * step) + Vec3{0, rise * step, 0};
     c.eye = asInModel(eye, c.upIsZ);
     c.target = asInModel(eye + forward * distance, c.upIsZ);
     return redraw = true;

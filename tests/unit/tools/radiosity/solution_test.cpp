@@ -101,15 +101,9 @@ TEST_F(SolutionFile, OfOthersIsRefused) {
         [](Solution &b) { b.reflects.pop_back(); },
         [](Solution &b) { b.emits.clear(); },
         [](Solution &b) { b.cellReflects.resize(3); },
-        [](Solution &b) {
-            b.material = {0, 2}, b.names = {'a', 0};
-        },
-        [](Solution &b) {
-            b.material = {0, 0}, b.names = {'a'};
-        },
-        [](Solution &b) {
-            b.material = {0}, b.names = {'a', 0};
-        },
+        [](Solution &b) { b.material = {0, 2}, b.names = {'a', 0}; },
+        [](Solution &b) { b.material = {0, 0}, b.names = {'a'}; },
+        [](Solution &b) { b.material = {0}, b.names = {'a', 0}; },
         [](Solution &b) {
             b.cellReflects.resize(b.cells.size(), Rgb{NAN, 0, 0});
         },
