@@ -1,5 +1,4 @@
-// Checks whether this machine has all that the film needs. If a viewer reports a problem, ask for this output
-// first.
+// Checks that this machine has all the film needs. If a viewer reports a problem, ask for this output first.
 #pragma once
 
 namespace odraz {

@@ -161,8 +161,7 @@ int fail(const char *line) {
     return 1;
 }
 
-// While paused, or after a seek, sets the clock to m.time; otherwise sets m.time by the clock. After its end
-// the film begins again.
+// While paused or after a seek, sets the clock by m.time, otherwise m.time by the clock. At the end it loops.
 void keepTime(Maker &m) {
     int64_t moment = nanoseconds();
     FilmClock &clock = theMusic.clock;
@@ -178,8 +177,7 @@ void keepTime(Maker &m) {
     m.sought = false;
 }
 
-// Loads the film, while the window shows the progress. Returns null, or what is missing; sets m.closes if the
-// maker leaves.
+// Loads the film while the window shows the progress. Returns null, or what is missing. May set m.closes.
 const char *loadFilm(Stage &stage, Screen &screen, uint64_t solvers, Maker &m) {
     std::vector<uint8_t> black((size_t)screen.width * (size_t)screen.height * 4);
     const char *line = needsHall(0, duration()) ? "solving the hall: some seconds" : "loading";
@@ -206,8 +204,7 @@ void setTitle(const Screen &s, const Maker &m, double passed, const std::string 
     glfwSetWindowTitle(s.window, title);
 }
 
-// Writes the tracks into the current folder, for an editor. Never overwrites a file that somebody else has
-// written. Returns a message.
+// Writes the tracks for an editor, but not over a file that somebody else has written. Returns a message.
 std::string writeTracks(Edits &edits) try {
     static std::filesystem::file_time_type ours; // when this program wrote it
     const std::string file = FILM_NAME ".rocket";
@@ -309,8 +306,7 @@ int run(const Options &o, Stage &stage, Follower &follower, Edits &edits, std::s
             panel.picture(stage.intro(), {m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr});
         Picture above = p; // the part above the time line
         if (panel.visible() && panel.timeLine().area.height) above.height = panel.timeLine().area.y;
-        follower.drawState(above, exceededLimit(stage.intro()),
-                           glfwGetTime() < m.messageUntil ? m.message : "");
+        follower.drawState(above, exceededLimit(stage.intro()), now < m.messageUntil ? m.message : "");
         show(screen, p);
         follower.wait();
         setTitle(screen, m, passed, message);

@@ -111,8 +111,7 @@ EXPORT(begin) void begin(double from, int width, int height, int workers) {
 }
 EXPORT(hall) void hall(int traceable) { theFilm.hall = (Traceable)traceable; }
 EXPORT(can) int can(double seconds) { return (int)theFilm.traceable(seconds); }
-// Returns the picture that an idle worker traces next when the film is at `now` seconds: its time, level,
-// width and height. Null: none yet.
+// Returns the next picture to trace, when the film is at `now` seconds: time, level, width, height; or null.
 EXPORT(plan) const double *plan(double now) {
     static double planned[4];
     if (!thePlayer.next(now)) return nullptr;
@@ -132,8 +131,7 @@ EXPORT(due) double due(double now) {
     while ((action = theQueue.action(now + thePlayer.kNearest)) == Queue::kSkip) theQueue.remove();
     return action == Queue::kShow ? theQueue.first().time : -1;
 }
-// Reports that this picture was shown, `at` seconds of the film after its beginning, in `present`
-// milliseconds.
+// Reports that it was shown, `at` seconds of the film after the beginning, in `present` milliseconds.
 EXPORT(shown) void shown(double at, double present) {
     theStatistics.add(theQueue.first(), at, nanosecondsOf(present));
     theQueue.remove();

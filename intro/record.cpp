@@ -26,11 +26,10 @@ struct ShownPicture {
     bool between() const { return made.trace == 0; }
 };
 
-void addRow(void *rows, const FinishedPicture &made, double at) {
-    ((std::vector<ShownPicture> *)rows)->push_back({made, at});
-}
+using Rows = std::vector<ShownPicture>;
+void addRow(void *rows, const FinishedPicture &made, double at) { ((Rows *)rows)->push_back({made, at}); }
 
-std::string listOf(std::vector<ShownPicture> rows) {
+std::string listOf(Rows rows) {
     // An in-between needs the traced pictures on both sides, and has the level and size of the later one
     while (!rows.empty() && rows.back().between()) rows.pop_back();
     // Make times ascend: if the machine stalled, the film's clock was set back after a picture was shown
@@ -91,7 +90,7 @@ int recordShown(const Options &o, const char *to) {
     if (const char *wrong =
             load(intro, settings, arena, workers, hall ? &window.gl : nullptr, {showLoading, &window, 0}))
         return printError(wrong);
-    std::vector<ShownPicture> rows;
+    Rows rows;
     Recorder recorder = {addRow, &rows};
     if (int status = play(*intro, o.mute ? nullptr : loadSound(arena), o, window, &leave, began, &recorder))
         return status;

@@ -1,5 +1,4 @@
-// A block of memory that is allocated once, at load, and handed out piece by piece. No piece is ever freed.
-// The host provides the block, zeroed.
+// Memory that the host allocates once, zeroed, and that is handed out in pieces. No piece is ever freed.
 #pragma once
 
 #include <stddef.h>

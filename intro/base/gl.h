@@ -1,8 +1,7 @@
 // The functions of OpenGL 3.3 that we use, as a table. The host fills it.
 //
 // On Windows each entry is code that converts the calling convention and calls Windows's function. So no
-// function here may have a float after an integer: the two conventions pass such a float in different
-// registers.
+// function here may have a float after an integer: the two conventions pass it in different registers.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES

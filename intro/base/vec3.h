@@ -51,9 +51,7 @@ template <class T> ODRAZ_INLINE Vec3T<T> normalize(Vec3T<T> a) {
     T square = dot(a, a);
     return a * select(square > 1e-30f, 1.f / sqrt(max(square, 1e-30f)), T{});
 }
-[[gnu::noinline]] inline Vec3 normalize(const Vec3 &a) {
-    return normalize<float>(a);
-} // one copy, because it is large
+[[gnu::noinline]] inline Vec3 normalize(const Vec3 &a) { return normalize<float>(a); } // large: one copy
 ODRAZ_INLINE Vec3x8 select(Int8 m, Vec3x8 a, Vec3x8 b) {
     return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }

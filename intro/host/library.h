@@ -20,8 +20,7 @@ inline const char *nextName(const char *name) {
     return name;
 }
 
-// Fills table[] with the functions that `find` returns for these names. Returns null, or the name of a
-// missing function.
+// Fills table[] by `find`, which returns a function by its name. Returns null, or the name that is missing.
 const char *findFunctions(void *(*find)(const char *), const char *names, void **table);
 
 // Fills the table of OpenGL with what `find` returns in the current context; returns as findFunctions() does.

@@ -8,9 +8,9 @@ namespace odraz {
 Viewport viewportOf(const FilmWindow &window, int width, int height) {
     int fullWidth = __atomic_load_n(&window.width, __ATOMIC_RELAXED),
         fullHeight = __atomic_load_n(&window.height, __ATOMIC_RELAXED);
-    // The width at full height, and the height at full width
-    int64_t across = (int64_t)fullHeight * width / height, down = (int64_t)fullWidth * height / width;
-    int w = across < fullWidth ? (int)across : fullWidth, h = across < fullWidth ? fullHeight : (int)down;
+    int64_t fitWidth = (int64_t)fullHeight * width / height, fitHeight = (int64_t)fullWidth * height / width;
+    bool fits = fitWidth < fullWidth;
+    int w = fits ? (int)fitWidth : fullWidth, h = fits ? fullHeight : (int)fitHeight;
     return {(fullWidth - w) / 2, (fullHeight - h) / 2, w, h};
 }
 

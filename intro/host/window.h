@@ -29,8 +29,7 @@ void leaveContext(FilmWindow &window);
 // Shows the back buffer, at the display's next vertical sync.
 void swapBuffers(FilmWindow &window);
 
-// The rectangle of the window in which a picture of width x height is shown: the largest one of this aspect,
-// in the middle.
+// Where the window shows a picture of width x height: the largest rectangle of this aspect, in the middle.
 struct Viewport {
     int x, y, width, height;
 };

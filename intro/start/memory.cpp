@@ -1,5 +1,4 @@
-// Functions that the compiler calls to copy, clear and compare. Only the shipped program uses them: other
-// programs use libc's.
+// The compiler calls these to copy, clear and compare. Only for the shipped program: others use libc's.
 #include <stddef.h>
 
 extern "C" {

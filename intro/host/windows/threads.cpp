@@ -76,8 +76,7 @@ static const char kNoRoom[] = "room for another thread";
 const char kMoreThreads[] = "end other programs";
 
 const char *startThread(void *(*body)(void *), void *context) {
-    // A page that is never freed
-    ThreadStart *start = (ThreadStart *)takeMemory(sizeof(ThreadStart));
+    ThreadStart *start = (ThreadStart *)takeMemory(sizeof(ThreadStart)); // a page, which is never freed
     if (!start) return kNoRoom;
     *start = {body, context};
     HANDLE thread = CreateThread(nullptr, 0, (void *)odrazThread, start, 0, nullptr);
