@@ -1,9 +1,9 @@
-// radiosity: computes the light in any model, and shows it.
+// The program radiosity: computes the light in any model, and shows it.
 #include "tools/common/command_line.h"
 
 namespace odraz::radiosity {
 
-// Each command reads its line, runs, and returns the exit status. They are in the rooms' *_command.cpp.
+// The commands, in the rooms' *_command.cpp. Each reads its command line and returns the exit status.
 int runGenerate(common::CommandLine &line);
 int runSolve(common::CommandLine &line);
 int runTransfer(common::CommandLine &line);

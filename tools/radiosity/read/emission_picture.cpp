@@ -12,9 +12,10 @@ namespace {
 
 using Shade = std::array<int, 3>; // a colour in steps of kStep
 
-constexpr size_t kMostParts = 8192; // of a material
+constexpr size_t kMostParts = 8192; // per material
 constexpr float kStep = 1 / 64.f;   // colours of one material differ by less
 
+// Divides triangles by the picture of their material's emission.
 class EmissionDivider {
 public:
     EmissionDivider(Mesh &mesh) : mesh(mesh) {}
@@ -55,7 +56,7 @@ private:
     int deepest = 0;
     std::vector<ShadedTriangle> parts;
     std::map<Shade, ShadeSum> shades;
-    std::map<std::pair<int, int>, int> middles; // points between two others
+    std::map<std::pair<int, int>, int> middles; // midpoints of edges, by the edge's ends
 
     Rgb meanOf(const std::array<float, 6> &at) const {
         std::vector<TexturePoint> corners;
@@ -71,7 +72,7 @@ private:
         return entry->second;
     }
 
-    // Adds a triangle, or its four parts if it is not of one colour.
+    // Adds a triangle if it has one colour, otherwise divides it in four.
     void divide(const std::array<int, 3> &c, const std::array<float, 6> &at, int depth) {
         auto half = [&](size_t a, size_t b) {
             return std::array<float, 2>{(at[2 * a] + at[2 * b]) / 2, (at[2 * a + 1] + at[2 * b + 1]) / 2};
@@ -84,12 +85,13 @@ private:
         const Rgb mean = meanOf(at);
         for (size_t k = 0; k < 4; ++k) {
             for (size_t i = 0; i < 6; ++i) quarters[k][i] = p[kParts[k][i / 2]][i % 2];
-            Rgb off = meanOf(quarters[k]) - mean;
-            for (float x : {off.x, off.y, off.z}) spread = std::max(spread, std::fabs(x));
+            Rgb difference = meanOf(quarters[k]) - mean;
+            for (float x : {difference.x, difference.y, difference.z})
+                spread = std::max(spread, std::fabs(x));
         }
-        // The first parts may be alike although there is a pattern within them
-        const bool known = !std::isnan(at[0]);
-        if (known && depth < deepest && (depth < 2 || spread > kStep / 2)) {
+        // Always divide twice: the means of large parts may be equal although the parts have a pattern
+        const bool placed = !std::isnan(at[0]);
+        if (placed && depth < deepest && (depth < 2 || spread > kStep / 2)) {
             const int all[6] = {c[0], c[1], c[2], middle(c[0], c[1]), middle(c[1], c[2]), middle(c[2], c[0])};
             for (size_t k = 0; k < 4; ++k)
                 divide({all[kParts[k][0]], all[kParts[k][1]], all[kParts[k][2]]}, quarters[k], depth + 1);
@@ -103,13 +105,13 @@ private:
         parts.push_back({c, at, shade});
     }
 
-    // Makes a material of each shade; the first one replaces the whole.
+    // Makes a material for each shade. The first one replaces the original.
     void addParts(int material) {
         std::map<Shade, int> numbers;
-        const MeshMaterial whole = mesh.materials[(size_t)material];
+        const MeshMaterial original = mesh.materials[(size_t)material];
         for (const auto &[shade, sum] : shades) {
             int number = numbers.empty() ? material : (int)mesh.materials.size();
-            if (!numbers.empty()) mesh.materials.push_back(whole);
+            if (!numbers.empty()) mesh.materials.push_back(original);
             numbers[shade] = number;
             for (size_t k = 0; k < 3; ++k)
                 mesh.materials[(size_t)number].emits[k] = glow.tint[k] * (float)(sum.light[k] / sum.area);
@@ -132,13 +134,13 @@ void divideByEmission(Mesh &mesh, std::vector<std::string> &notes) {
             continue;
         try {
             pictures::Picture picture = glow.read();
-            // Light above 1 becomes the material's
+            // Scale the picture to at most 1, and the tint by the inverse
             float most = 1;
             for (float x : picture.light) most = std::max(most, x);
             for (float &x : picture.light) x /= most;
             for (float &x : mesh.materials[(size_t)i].glow.tint)
                 if (!((double)(x *= most) <= kMostPower))
-                    throw common::Refused("cannot read " + glow.path + ": with Ke it has light above 1e12");
+                    throw common::Refused(glow.path + ": its light times Ke exceeds 1e12");
             divider.divide(i, ReflectancePicture(picture));
         } catch (const common::Refused &e) {
             notes.push_back(std::string(e.what()) + "; the material's emission is used");

@@ -14,9 +14,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int kDeepest = 64; // tinygltf is recursive
+constexpr int kMostDepth = 64; // tinygltf is recursive
 
-// The last one groups triangles, which are joined anyway
+// FB_ngon_encoding groups triangles into polygons: they are joined in any case
 const std::set<std::string> kExtensions = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
                                            "KHR_materials_unlit",   "KHR_materials_pbrSpecularGlossiness",
                                            "KHR_mesh_quantization", "KHR_texture_transform",
@@ -24,9 +24,9 @@ const std::set<std::string> kExtensions = {"KHR_lights_punctual",   "KHR_materia
 
 bool isWhole(const json &x, int bits) { return x.is_number_unsigned() && x.get<uint64_t>() >> bits == 0; }
 
-// What a property must be, and whether it is that
+// A type that a property must have: its name for error messages, and the test for it.
 struct ValueType {
-    std::string what;
+    std::string name;
     bool (*is)(const json &);
 };
 template <bool (*Is)(const json &)> bool eachIs(const json &x) {
@@ -49,7 +49,7 @@ const ValueType kIndex = {"a whole number below 2^31", isIndex},
                 kText = {"text", [](const json &x) { return x.is_string(); }},
                 kObject = {"an object", isObject}, kObjects = {"a list of objects", eachIs<isObject>};
 
-// By name, or by name within what holds it
+// Types by property, as "name" or "object.name"; * is any name.
 const std::map<std::string, ValueType> kTypes = [] {
     std::map<std::string, ValueType> all;
     auto add = [&](const ValueType &kind, std::initializer_list<const char *> names) {
@@ -59,7 +59,7 @@ const std::map<std::string, ValueType> kTypes = [] {
     add(kIndex, {"componentType", "count", "index", "inverseBindMatrices", "light", "material", "mesh"});
     add(kIndex,
         {"mode", "primitives.indices", "sampler", "scene", "skin", "source", "targets.*", "texCoord"});
-    // tinygltf takes those of sparse accessors as int
+    // In sparse accessors the same properties stay below 2^31: tinygltf reads them as int
     add(kSize, {"accessors.byteOffset", "accessors.count", "bufferViews.byteLength", "bufferViews.byteOffset",
                 "bufferViews.byteStride", "buffers.byteLength"});
     add(kIndices, {"children", "joints", "scenes.nodes"});
@@ -82,12 +82,13 @@ const std::map<std::string, ValueType> kTypes = [] {
 void checkProperty(const std::string &holder, const std::string &name, const json &value) {
     for (const std::string &key : {holder + "." + name, name, holder + ".*"})
         if (auto kind = kTypes.find(key); kind != kTypes.end())
-            return need(kind->second.is(value), name + " is not " + kind->second.what);
-    if (name.ends_with("Factor")) need(kFactor.is(value), name + " is not " + kFactor.what);
+            return need(kind->second.is(value), name + " is not " + kind->second.name);
+    if (name.ends_with("Factor")) need(kFactor.is(value), name + " is not " + kFactor.name);
 }
 
 void check(const json &all) {
-    std::vector<std::pair<const json *, std::string>> open = {{&all, ""}}; // with their names
+    std::vector<std::pair<const json *, std::string>> open = {
+        {&all, ""}}; // values to check, with their names
     while (!open.empty()) {
         const auto [object, holder] = open.back();
         open.pop_back();
@@ -114,7 +115,7 @@ json parseGltf(std::string_view text) {
         const char c = text[i];
         if (quoted && c == '\\') ++i;
         if (c == '"') quoted = !quoted;
-        if (!quoted && (c == '[' || c == '{')) need(++depth < kDeepest, "its JSON is nested too deeply");
+        if (!quoted && (c == '[' || c == '{')) need(++depth < kMostDepth, "its JSON is nested too deeply");
         if (!quoted && (c == ']' || c == '}')) --depth;
     }
     json all;

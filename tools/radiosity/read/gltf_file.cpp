@@ -19,7 +19,7 @@ using nlohmann::json;
 namespace {
 
 constexpr size_t kMostEmpty = 1 << 20;                       // items of an accessor without a buffer
-constexpr uint32_t kChunkTypes[] = {0x4e4f534a, 0x004e4942}; // of chunks: JSON, binary
+constexpr uint32_t kChunkTypes[] = {0x4e4f534a, 0x004e4942}; // JSON, binary
 
 uint32_t word(std::string_view bytes, size_t at) {
     uint32_t value = 0;
@@ -48,25 +48,25 @@ size_t sizeOf(const json &object, const char *name) {
 
 bool isData(const std::string &uri) { return uri.starts_with("data:"); }
 
-// Part of a URI, as a file's name: %20 and the like are characters.
-std::string nameOf(std::string_view uri) {
-    std::string name;
+// Decodes the %20 and the like in a part of a URI.
+std::string decoded(std::string_view uri) {
+    std::string text;
     for (size_t i = 0; i < uri.size(); ++i) {
         unsigned code = 0;
         if (uri[i] == '%' && i + 2 < uri.size() &&
             std::from_chars(&uri[i + 1], &uri[i + 3], code, 16).ptr == &uri[i + 3])
-            name += (char)code, i += 2;
+            text += (char)code, i += 2;
         else
-            name += uri[i];
+            text += uri[i];
     }
-    return name;
+    return text;
 }
 
-// What a data URI holds.
+// The bytes of a data URI.
 std::string dataOf(std::string_view uri) {
     const size_t comma = uri.find(',');
     need(comma != std::string::npos && uri.size() < (1u << 31), "a data URI has no data");
-    std::string data = nameOf(uri.substr(comma + 1));
+    std::string data = decoded(uri.substr(comma + 1));
     if (!uri.substr(0, comma).ends_with(";base64")) return data;
     std::erase_if(data, [](unsigned char c) { return std::isspace(c); });
     return tinygltf::base64_decode(data);
@@ -96,7 +96,7 @@ GltfFile::GltfFile(const std::string &path) : path(path) {
         return;
     }
     const size_t version = word(all, 4), size = word(all, 8);
-    need(version == 2, "is glTF " + std::to_string(version) + ", and 2.0 is read");
+    need(version == 2, "is glTF " + std::to_string(version) + ": only 2.0 is read");
     need(size <= all.size(),
          "ends early: it has " + std::to_string(all.size()) + " of " + std::to_string(size) + " bytes");
     all = all.substr(0, size);
@@ -104,7 +104,7 @@ GltfFile::GltfFile(const std::string &path) : path(path) {
     for (size_t at = 12, chunk; at + 8 <= all.size(); at += 8 + chunk) {
         chunk = word(all, at);
         need(chunk <= all.size() - at - 8, "ends early, within a chunk");
-        for (size_t k : {0, 1}) // other kinds are allowed
+        for (size_t k : {0, 1}) // chunks of other types are skipped
             if (word(all, at + 4) == kChunkTypes[k] && chunks[k].empty())
                 chunks[k] = all.substr(at + 8, chunk);
     }
@@ -116,10 +116,10 @@ void GltfFile::readJson(std::string_view text, std::string_view binary) {
     json all = parseGltf(text);
     json list = listOf(all, "buffers");
     images = listOf(all, "images");
-    for (const json &image : images) // also those that are not used
+    for (const json &image : images) // unused ones too
         if (const std::string uri = textOf(image, "uri"); !uri.empty() && !isData(uri) && !hasScheme(uri))
-            common::noteInput(findFile(folderOf(path), nameOf(uri)));
-    // tinygltf lacks some defaults. Of animations, only the names are used
+            common::noteInput(findFile(folderOf(path), decoded(uri)));
+    // Add defaults that tinygltf lacks, and keep only the names of animations
     for (json &skin : all["skins"]) skin.emplace("inverseBindMatrices", -1);
     for (json &one : all["animations"]) one = {{"name", textOf(one, "name")}};
     all.erase("cameras");
@@ -133,10 +133,10 @@ void GltfFile::readJson(std::string_view text, std::string_view binary) {
         if (!good || !error.empty())
             throw Refused("is damaged: " + error.substr(0, std::min(error.find('\n'), (size_t)200)));
     } catch (const json::exception &) {
-        throw Refused("is damaged: a value is of another type than glTF's");
+        throw Refused("is damaged: a value has a wrong type");
     }
     need(model.asset.version.starts_with("2.") && (model.asset.minVersion <= "2.0"),
-         "is glTF " + model.asset.version + ", and 2.0 is read");
+         "is glTF " + model.asset.version + ": only 2.0 is read");
     readBuffers(list, binary);
 }
 
@@ -150,10 +150,10 @@ void GltfFile::readBuffers(const json &list, std::string_view binary) {
         else if (!uri.empty()) {
             need(!hasScheme(uri),
                  "buffer " + number + " is not read, as its URI has a scheme: " + uri.substr(0, 200));
-            bytes = common::readWhole(findFile(folderOf(path), nameOf(uri)));
+            bytes = common::readWhole(findFile(folderOf(path), decoded(uri)));
         } else if (buffers.empty())
             bytes = binary;
-        // Without a URI, a buffer is filled by an extension
+        // Further buffers without a URI are filled by extensions
         if (!uri.empty() || buffers.empty())
             need(bytes.size() >= size, "buffer " + number + " has " + std::to_string(bytes.size()) + " of " +
                                            std::to_string(size) + " bytes");
@@ -170,61 +170,60 @@ std::string_view GltfFile::view(int number) const {
     return all.substr(v.byteOffset, v.byteLength);
 }
 
-// Appends `count` items of `wide` components each.
-void GltfFile::copy(int number, size_t offset, int component, bool normalised, size_t wide, size_t count,
+// Appends `count` items of `width` components each.
+void GltfFile::copy(int number, size_t offset, int component, bool normalised, size_t width, size_t count,
                     std::vector<double> &to) const {
     if (count == 0) return;
     std::string_view bytes = view(number);
     const int size = tinygltf::GetComponentSizeInBytes((uint32_t)component);
     need(size > 0 && component <= TINYGLTF_COMPONENT_TYPE_FLOAT,
          "there is no component type " + std::to_string(component));
-    const size_t item = (size_t)size * wide, given = model.bufferViews[(size_t)number].byteStride,
+    const size_t item = (size_t)size * width, given = model.bufferViews[(size_t)number].byteStride,
                  stride = given ? given : item;
     need(offset <= bytes.size() && item <= bytes.size() - offset &&
              count - 1 <= (bytes.size() - offset - item) / stride,
          "an accessor of " + std::to_string(count) + " items ends outside bufferView " +
              std::to_string(number));
-    to.reserve(to.size() + wide * count);
-    auto as = [&](auto type) {
+    to.reserve(to.size() + width * count);
+    auto append = [&](auto type) {
         using T = decltype(type);
         const double one = normalised && std::is_integral_v<T> ? (double)std::numeric_limits<T>::max() : 1;
         for (size_t i = 0; i < count; ++i)
-            for (size_t k = 0; k < wide; ++k) {
+            for (size_t k = 0; k < width; ++k) {
                 T x;
                 std::memcpy(&x, bytes.data() + offset + i * stride + k * sizeof x, sizeof x);
                 to.push_back(normalised ? std::max((double)x / one, -1.) : (double)x);
             }
     };
-    // Types are numbered in this order
-    int kind = TINYGLTF_COMPONENT_TYPE_BYTE;
-    auto ofKind = [&](auto... types) { ((kind++ == component ? as(types) : void()), ...); };
-    std::apply(ofKind, std::tuple<int8_t, uint8_t, int16_t, uint16_t, int32_t, uint32_t, float>());
+    // Component types are numbered in this order
+    int componentType = TINYGLTF_COMPONENT_TYPE_BYTE;
+    auto appendAs = [&](auto... types) { ((componentType++ == component ? append(types) : void()), ...); };
+    std::apply(appendAs, std::tuple<int8_t, uint8_t, int16_t, uint16_t, int32_t, uint32_t, float>());
 }
 
 std::vector<double> GltfFile::numbers(int number, int type) const {
     const tinygltf::Accessor &a = at(model.accessors, number, "accessor");
     const std::string name = "accessor " + std::to_string(number);
-    need(a.type == type, name + " does not have the type that its use needs");
-    const size_t wide = (size_t)tinygltf::GetNumComponentsInType((uint32_t)type);
+    need(a.type == type, name + " has the wrong type for its use");
+    const size_t width = (size_t)tinygltf::GetNumComponentsInType((uint32_t)type);
     std::vector<double> all;
     if (a.bufferView >= 0)
-        copy(a.bufferView, a.byteOffset, a.componentType, a.normalized, wide, a.count, all);
+        copy(a.bufferView, a.byteOffset, a.componentType, a.normalized, width, a.count, all);
     else {
         need(a.sparse.isSparse && a.count <= kMostEmpty, name + " has no bufferView");
-        all.resize(wide * a.count);
+        all.resize(width * a.count);
     }
     if (!a.sparse.isSparse) return all;
     const auto &[count, sparse, indices, values] = a.sparse;
     need(count >= 0 && indices.byteOffset >= 0 && values.byteOffset >= 0, name + " is damaged");
-    std::vector<double> places, others;
-    copy(indices.bufferView, (size_t)indices.byteOffset, indices.componentType, false, 1, (size_t)count,
-         places);
-    copy(values.bufferView, (size_t)values.byteOffset, a.componentType, a.normalized, wide, (size_t)count,
-         others);
-    for (size_t i = 0; i < places.size(); ++i) {
-        need(places[i] >= 0 && places[i] < (double)a.count, name + " has a sparse index that is too large");
-        std::copy_n(others.begin() + (std::ptrdiff_t)(i * wide), wide,
-                    all.begin() + (std::ptrdiff_t)((size_t)places[i] * wide));
+    std::vector<double> at, replacements;
+    copy(indices.bufferView, (size_t)indices.byteOffset, indices.componentType, false, 1, (size_t)count, at);
+    copy(values.bufferView, (size_t)values.byteOffset, a.componentType, a.normalized, width, (size_t)count,
+         replacements);
+    for (size_t i = 0; i < at.size(); ++i) {
+        need(at[i] >= 0 && at[i] < (double)a.count, name + " has a sparse index that is too large");
+        std::copy_n(replacements.begin() + (std::ptrdiff_t)(i * width), width,
+                    all.begin() + (std::ptrdiff_t)((size_t)at[i] * width));
     }
     return all;
 }
@@ -240,7 +239,7 @@ MeshPicture GltfFile::picture(int texture) {
     if (isData(uri))
         picture.bytes = std::make_shared<const std::string>(dataOf(uri));
     else if (!uri.empty())
-        picture.path = hasScheme(uri) ? uri : findFile(folderOf(path), nameOf(uri));
+        picture.path = hasScheme(uri) ? uri : findFile(folderOf(path), decoded(uri));
     else
         picture.bytes = std::make_shared<const std::string>(
             view((int)std::min(sizeOf(image, "bufferView"), (size_t)1 << 30)));

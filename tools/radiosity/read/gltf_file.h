@@ -1,5 +1,5 @@
-// A glTF 2.0 file: its JSON as tinygltf reads it, its buffers, and pictures. tinygltf trusts what damaged
-// files say, so all that leads from one part of the file to another is checked here.
+// A glTF 2.0 file: its JSON, which tinygltf reads, its buffers and its pictures. tinygltf does not check
+// indices and sizes, so every reference from one part of the file to another is checked here.
 #pragma once
 
 #include "tools/radiosity/read/mesh.h"
@@ -15,30 +15,28 @@
 
 namespace odraz::radiosity {
 
-// Whether a file that begins like this is read as glTF: as .glb, or as JSON.
+// Whether a file with this beginning is read as glTF: .glb or JSON.
 bool isGltf(std::string_view start);
 
-// Whether a URI is none of a file beside the model, but http:// or another.
+// Whether a URI has a scheme such as http://. Otherwise it names a file next to the model.
 bool hasScheme(const std::string &uri);
 
-// All functions throw Refused, without the file's name.
+// All functions throw Refused; the message lacks the file's name.
 class GltfFile {
 public:
     explicit GltfFile(const std::string &path);
 
     tinygltf::Model model; // without buffers and images
 
-    // An index of one of the model's lists, checked. `what` names the list.
+    // The item at an index of one of the model's lists, or Refused. `what` names the list.
     template <class T> static const T &at(const std::vector<T> &list, int index, const char *what) {
         if (index < 0 || (size_t)index >= list.size()) refuseIndex(what, index);
         return list[(size_t)index];
     }
 
-    // The components of an accessor, item by item; of normalised ones -1 .. 1. `type` is TINYGLTF_TYPE_VEC3
-    // or another.
+    // The components of all items of an accessor of `type` TINYGLTF_TYPE_..; normalised ones are -1 .. 1.
     std::vector<double> numbers(int accessor, int type) const;
-    // The picture of a texture. Without a path if it has none in a format that is read; one whose URI has a
-    // scheme has that as its path.
+    // The picture of a texture. Its path is empty if no format of it is read; a URI with a scheme stays one.
     MeshPicture picture(int texture);
 
 private:
@@ -52,16 +50,15 @@ private:
     void readJson(std::string_view text, std::string_view binary);
     void readBuffers(const nlohmann::json &list, std::string_view binary);
     std::string_view view(int number) const;
-    void copy(int view, size_t offset, int component, bool normalised, size_t wide, size_t count,
+    void copy(int view, size_t offset, int component, bool normalised, size_t width, size_t count,
               std::vector<double> &to) const;
 };
 
 // Whether an extension, such as KHR_lights_punctual, is read.
 bool isExtensionRead(const std::string &name);
 
-// The JSON, not nested deeply, with each property that is read of its type: tinygltf skips an optional one of
-// a wrong type, or truncates it. Extras and extensions that are not read may be anything. Throws Refused,
-// without the file's name.
+// Parses the JSON and checks its depth and the type of each property that is read: tinygltf skips or
+// truncates optional properties of a wrong type. Throws Refused, without the file's name.
 nlohmann::json parseGltf(std::string_view text);
 
 } // namespace odraz::radiosity

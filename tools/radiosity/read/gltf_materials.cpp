@@ -43,13 +43,13 @@ private:
     const std::string &path;
     NotedKinds &kinds;
     std::vector<std::string> &notes;
-    std::map<std::string, int> names; // and how often they are used
-    std::string name;                 // of the material that is being read
+    std::map<std::string, int> names; // names so far, each with its number of uses
+    std::string name;                 // the current material's
 
     void note(const std::string &what) { kinds[what].push_back("material " + name); }
 
-    // Materials are changed by their names, so these must differ.
-    void giveName(const std::string &given, size_t number) {
+    // Makes names differ, because options change materials by name.
+    void setName(const std::string &given, size_t number) {
         const std::string first = given.empty() ? "unnamed " + std::to_string(number) : given;
         int &used = names[name = first];
         if (used++ == 0) return;
@@ -59,7 +59,7 @@ private:
     }
 
     GltfMaterial read(const tinygltf::Material &m, size_t number) {
-        giveName(m.name, number);
+        setName(m.name, number);
         GltfMaterial to = {{name, {}, {}}};
         to.mesh.twoSided = m.doubleSided;
         const auto &surface = m.pbrMetallicRoughness;
@@ -86,29 +86,29 @@ private:
         std::array<double, 3> emits;
         for (size_t k = 0; k < 3; ++k) emits[k] = m.emissiveFactor[k] * strength;
         setColours(to.mesh, reflects, emits, {"baseColorFactor", "emission"}, path, notes);
-        place(to, base, to.mesh.picture, to.mesh.reflects);
+        readPicture(to, base, to.mesh.picture, to.mesh.reflects);
         const bool pictured = !to.mesh.picture.path.empty();
-        // For where the picture is missing
+        // Reflectance where the picture is missing
         for (size_t k = 0; k < 3 && pictured; ++k) to.mesh.reflects[k] *= 0.7f;
         GltfMaterial glow = to;
-        place(glow, m.emissiveTexture, to.mesh.glow, to.mesh.emits);
-        if (!to.mesh.glow.path.empty() && pictured && (glow.set != to.set || glow.at != to.at)) {
-            note("emissiveTexture lies elsewhere than baseColorTexture, and its mean is used");
+        readPicture(glow, m.emissiveTexture, to.mesh.glow, to.mesh.emits);
+        if (!to.mesh.glow.path.empty() && pictured && (glow.set != to.set || glow.uv != to.uv)) {
+            note("emissiveTexture has other coordinates than baseColorTexture: its mean is used");
             to.mesh.glow.scale = {}, to.mesh.glow.offset = {NAN, NAN};
         } else if (!pictured)
-            to.set = glow.set, to.at = glow.at;
+            to.set = glow.set, to.uv = glow.uv;
         noteUnused(m, colour[3]);
         return to;
     }
 
-    // Takes a picture and its place. A picture times black is left out.
-    void place(GltfMaterial &to, const tinygltf::TextureInfo &info, MeshPicture &picture,
-               const std::array<float, 3> &tint) {
+    // Reads a picture and the transform of its coordinates. Leaves out a picture whose factor is black.
+    void readPicture(GltfMaterial &to, const tinygltf::TextureInfo &info, MeshPicture &picture,
+                     const std::array<float, 3> &tint) {
         if (info.index < 0) return;
         MeshPicture found;
         try {
             found = file.picture(info.index);
-        } catch (const common::Refused &e) { // a picture does not cost the model
+        } catch (const common::Refused &e) { // the model is read without it
             return note(std::string("a picture is damaged: ") + e.what());
         }
         if (found.path.empty()) return note("a picture's format is not read");
@@ -126,13 +126,13 @@ private:
             if (wraps.wrapS != wraps.wrapT || wraps.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT)
                 note("a picture that is mirrored, or repeated along one axis, is repeated");
         }
-        to.set = info.texCoord, to.at = {1, 0, 0, 0, 1, 0};
+        to.set = info.texCoord, to.uv = {1, 0, 0, 0, 1, 0};
         if (const Value *moved = find(info.extensions, "KHR_texture_transform")) {
             to.set = (int)numberOf(moved, "texCoord", to.set);
             auto scale = numbersOf(*moved, "scale", std::array<double, 2>{1, 1}),
                  offset = numbersOf(*moved, "offset", std::array<double, 2>{0, 0});
             const double turn = numberOf(moved, "rotation", 0), c = std::cos(turn), s = std::sin(turn);
-            to.at = {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]};
+            to.uv = {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]};
         }
     }
 

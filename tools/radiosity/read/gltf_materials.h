@@ -8,13 +8,13 @@ namespace odraz::radiosity {
 
 struct GltfMaterial {
     MeshMaterial mesh;
-    // Where its pictures lie: coordinates of a set, TEXCOORD_n, with u' = at[0] u + at[1] v + at[2] and
-    // v' = at[3] u + at[4] v + at[5]
+    // Its pictures' coordinates: the set TEXCOORD_n, then u' = uv[0] u + uv[1] v + uv[2] and
+    // v' = uv[3] u + uv[4] v + uv[5]
     int set = 0;
-    std::array<double, 6> at = {1, 0, 0, 0, 1, 0};
+    std::array<double, 6> uv = {1, 0, 0, 0, 1, 0};
 };
 
-// What is not used is added to `kinds` and `notes`. Throws Refused.
+// Adds what is not used to `kinds` and `notes`. Throws Refused.
 std::vector<GltfMaterial> readMaterials(GltfFile &file, const std::string &path, NotedKinds &kinds,
                                         std::vector<std::string> &notes);
 

@@ -6,19 +6,19 @@ namespace odraz::radiosity {
 
 using common::need;
 
-Transform transformOf(const double *m) { // columns of four
+Transform transformOf(const double *m) {
     return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
 }
 
 namespace {
 
 Transform localTransform(const tinygltf::Node &n) {
-    auto take = [](const std::vector<double> &given, std::vector<double> otherwise) {
+    auto orDefault = [](const std::vector<double> &given, std::vector<double> otherwise) {
         return given.empty() ? otherwise : given;
     };
     if (!n.matrix.empty()) return transformOf(n.matrix.data());
-    const auto t = take(n.translation, {0, 0, 0}), s = take(n.scale, {1, 1, 1});
-    auto q = take(n.rotation, {0, 0, 0, 1});
+    const auto t = orDefault(n.translation, {0, 0, 0}), s = orDefault(n.scale, {1, 1, 1});
+    auto q = orDefault(n.rotation, {0, 0, 0, 1});
     const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     need(size > 0, "a node's rotation is 0,0,0,0");
     for (double &k : q) k /= size;
@@ -48,7 +48,7 @@ GltfNodes findTransforms(const tinygltf::Model &model) {
     GltfNodes all;
     all.transforms.resize(model.nodes.size());
     std::vector<bool> seen(model.nodes.size());
-    std::vector<std::pair<int, Transform>> open; // with their parents' places
+    std::vector<std::pair<int, Transform>> open; // to visit, with their parents' transforms
     auto add = [&](const std::vector<int> &nodes, const Transform &parent) {
         for (size_t k = nodes.size(); k-- > 0;) open.push_back({nodes[k], parent});
     };

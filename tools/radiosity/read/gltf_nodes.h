@@ -1,4 +1,4 @@
-// Where the nodes of a glTF scene are.
+// The transforms of a glTF scene's nodes.
 #pragma once
 
 #include "tools/engine/vec3d.h"
@@ -6,7 +6,7 @@
 
 namespace odraz::radiosity {
 
-// p becomes x p.x + y p.y + z p.z + origin.
+// An affine transform: p becomes x p.x + y p.y + z p.z + origin.
 struct Transform {
     Vec3d x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1}, origin = {};
 
@@ -17,17 +17,17 @@ struct Transform {
     }
     bool mirrors() const { return dot(cross(x, y), z) < 0; }
 };
-Transform transformOf(const double *matrix); // four columns of four
+Transform transformOf(const double *matrix); // 4 x 4, by columns
 
 struct GltfNodes {
     std::vector<int> order;            // parents before their children
-    std::vector<Transform> transforms; // of all nodes; of those outside the scene not set
+    std::vector<Transform> transforms; // one for each node; not set outside the scene
 };
 
-// The nodes of the default scene, or of the first, or all. Throws Refused.
+// The nodes of the default scene, else of the first scene; all nodes if there is no scene. Throws Refused.
 GltfNodes findTransforms(const tinygltf::Model &model);
 
-// A thing's name for messages.
+// The kind of an object and its name, or its number if it has none, for messages.
 inline std::string named(const char *what, const std::string &name, int number) {
     return what + (" " + (name.empty() ? std::to_string(number) : name));
 }

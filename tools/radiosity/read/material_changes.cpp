@@ -43,7 +43,7 @@ void apply(MeshMaterial &m, const MaterialChange &c) {
     if (largest < most * (1 + 1e-6)) return;
     char text[40];
     std::snprintf(text, sizeof text, "%.6g", largest);
-    refuse(c, m.name + " would " + (c.power ? "emit " : "reflect ") + text + ", and the most is " +
+    refuse(c, m.name + " would " + (c.power ? "emit " : "reflect ") + text + "; the most is " +
                   (c.power ? "1e12" : "1"));
 }
 
@@ -54,9 +54,9 @@ MaterialChange readMaterialChange(const std::string &option, const std::string &
     size_t at = text.rfind('=');
     std::string value = at == std::string::npos ? text : text.substr(at + 1);
     if (at != std::string::npos) c.name = text.substr(0, at);
-    if (at == 0) refuse(c, "names no material before the =");
+    if (at == 0) refuse(c, "there is no name before the =");
     const auto count = 1 + std::count(value.begin(), value.end(), ',');
-    if (count != 1 && count != 3) refuse(c, "its value is R,G,B or one factor");
+    if (count != 1 && count != 3) refuse(c, "the value must be R,G,B or one factor");
     auto numbers = common::numbersOf(option, value, (size_t)count);
     std::copy(numbers.begin(), numbers.end(), c.value.begin());
     c.factor = count == 1;
@@ -64,9 +64,9 @@ MaterialChange readMaterialChange(const std::string &option, const std::string &
     double most = c.power || c.factor ? kMostPower : 1;
     for (double x : c.value)
         if (!(x >= 0 && x <= most))
-            refuse(c, c.factor  ? "a factor is from 0 to 1e12"
-                      : c.power ? "power is from 0 to 1e12"
-                                : "a reflectance is from 0 to 1");
+            refuse(c, c.factor  ? "a factor must be 0 to 1e12"
+                      : c.power ? "power must be 0 to 1e12"
+                                : "a reflectance must be 0 to 1");
     return c;
 }
 
@@ -78,9 +78,10 @@ void addMaterialChanges(common::CommandLine &line, std::vector<MaterialChange> &
             [&to, option](const std::string &text) { to.push_back(readMaterialChange(option, text)); },
             what + "; repeatable");
     };
-    add("--reflectance", "the reflectance of the material NAME, 0 to 1; without NAME that of all materials");
-    add("--power", "the radiance that it emits; without NAME that of all materials that emit. No even sky is "
-                   "added then");
+    add("--reflectance", "the reflectance of the material NAME, 0 to 1; without NAME, of all materials");
+    add("--power",
+        "the radiance that the material NAME emits; without NAME, of all materials that emit. No even "
+        "sky is added then");
 }
 
 void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<bool> &used,
@@ -96,10 +97,11 @@ void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<boo
             apply(m, c);
             changed = true;
         }
-        if (!named) refuse(c, "no polygon has this material; there are " + namesOf(materials, used));
+        if (!named) refuse(c, "no polygon has this material; the materials are " + namesOf(materials, used));
         if (!changed)
             refuse(c, (c.name.empty() ? std::string("no material emits light") : c.name + " emits no light") +
-                          ": name a material and give its R,G,B; there are " + namesOf(materials, used));
+                          ": name a material and give its R,G,B; the materials are " +
+                          namesOf(materials, used));
     }
 }
 

@@ -12,13 +12,13 @@ namespace odraz::radiosity {
 
 struct MeshMaterial;
 
-inline constexpr double kMostPower = pictures::kMostLight; // of --power and of Ke
+inline constexpr double kMostPower = pictures::kMostLight; // the largest --power and Ke
 
 // The value of `--reflectance` or `--power`: [NAME=]R,G,B or [NAME=]FACTOR.
 struct MaterialChange {
     std::string option, text; // as they were given
     bool power;               // true: emission (--power); false: reflectance
-    std::string name;         // the material's; empty: all materials, or with --power all that emit
+    std::string name;         // empty: all materials, or with --power all that emit
     bool factor;              // true: multiplies the three values; false: replaces them
     std::array<double, 3> value;
 };

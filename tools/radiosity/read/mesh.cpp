@@ -58,12 +58,12 @@ Vec3d Mesh::middle() const {
 namespace {
 
 struct Format {
-    std::vector<const char *> endings; // of files' names, in small letters
+    std::vector<const char *> endings; // of file names, in lower case
     bool (*begins)(std::string_view start);
-    bool sure; // what begins so is nothing else
+    bool sure; // no other format begins like this
     decltype(&readModel) read;
 };
-// Whether the first line that is not blank is a comment, or a command of OBJ.
+// Whether the first line that is not empty is a comment or a command of OBJ.
 bool isObj(std::string_view start) {
     static const std::set<std::string_view> kCommands = {"v", "vn", "vt", "vp", "f",      "l",
                                                          "p", "o",  "g",  "s",  "usemtl", "mtllib"};
@@ -82,7 +82,7 @@ bool isNamed(const Format &format, std::string path) {
                        [&](const char *ending) { return path.ends_with(ending); });
 }
 
-// By content; if that is damaged by name, so that the right reader reports why.
+// The format by content; if no format matches, by name, so that the right reader reports the damage.
 const Format &formatOf(const std::string &path) {
     const std::string start = common::readStart(path, kStart);
     for (const Format &format : kFormats)
@@ -98,7 +98,7 @@ bool isModel(const std::string &path) {
     std::string start;
     try {
         start = common::readStart(path, kStart);
-    } catch (const common::Refused &) { // readers report why
+    } catch (const common::Refused &) { // the reader will report the error
     }
     return std::any_of(std::begin(kFormats), std::end(kFormats), [&](const Format &format) {
         return isNamed(format, path) || (format.sure && format.begins(start));
@@ -107,7 +107,7 @@ bool isModel(const std::string &path) {
 
 bool claimOutput(const std::string &path) {
     std::error_code none;
-    const std::string there = std::filesystem::canonical(path, none); // empty: nothing
+    const std::string there = std::filesystem::canonical(path, none); // empty: no file
     common::need(!std::filesystem::is_regular_file(there, none) || !isModel(there) ||
                      common::readStart(there, kStart).starts_with(kExportedObj),
                  path + " is a model, and would be written over: give another name");

@@ -20,11 +20,11 @@ struct ModelError : common::Refused {
     using common::Refused::Refused;
 };
 
-// A map_Kd or map_Ke: the material reflects or emits `tint` times the picture at the coordinates times
-// `scale` plus `offset`.
+// A map_Kd or map_Ke: its value is `tint` times the picture at coordinates * `scale` + `offset`.
 struct MeshPicture {
-    std::string path;                                   // empty: no picture
-    std::shared_ptr<const std::string> bytes = nullptr; // the file, if it is part of another; `path` names it
+    std::string path; // empty: no picture
+    std::shared_ptr<const std::string> bytes =
+        nullptr; // the picture's file, if it is part of another; `path`: a name
     std::array<float, 3> tint = {1, 1, 1};
     std::array<float, 2> scale = {1, 1}, offset = {};
     bool clamp = false; // outside 0 .. 1: true repeats the border, false the picture
@@ -46,16 +46,14 @@ struct Triangle {
 };
 
 struct Mesh {
-    Vec3 place =
-        {}; // the origin of `points` in the model's coordinates: 0, unless the model lies far from it
+    Vec3 place = {}; // the origin of `points` in the model's coordinates; not 0 if the model is far from 0
     std::vector<Vec3d> points; // all different
     std::vector<Triangle> triangles;
-    // Texture coordinates of each triangle's corners, NaN for a triangle that has none; empty if no material
-    // has a picture
+    // Texture coordinates of each triangle's corners, NaN: none; empty if no material has a picture
     std::vector<std::array<float, 6>> coordinates;
     std::vector<MeshMaterial> materials;
     Surroundings lights;     // suns and balls that the model has, in its coordinates
-    int flat = 0, twice = 0; // triangles left out: those without area; duplicates
+    int flat = 0, twice = 0; // the number of triangles left out: without area; duplicates
 
     double size() const; // the diagonal of its bounding box
     Vec3d middle() const;
@@ -67,17 +65,17 @@ struct ReadSettings {
     std::vector<MaterialChange> changes;
 };
 
-// Whether a file's name has the ending of a model format, or its content is that of one.
+// Whether a file is a model, by the ending of its name or by its content.
 bool isModel(const std::string &path);
 
-// Claims an output (whole_file.h) of what is made of a solution. Throws Refused if a model lies there that
-// export did not write: it may be the solution's, which is not read again.
+// The first line of an OBJ that `export` writes.
 inline constexpr char kExportedObj[] = "# radiosity by odraz";
+// Claims an output (whole_file.h). Throws Refused if a model is there that `export` did not write.
 bool claimOutput(const std::string &path);
 
-// Reads a model. Its content selects the format: glTF 2.0, otherwise Wavefront OBJ. Divides
-// polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for each thing that
-// was repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
+// Reads a model and divides its polygons into triangles; those without a material reflect 0.7. The content
+// selects the format: glTF 2.0, otherwise Wavefront OBJ. Adds a line to `notes` for everything that was
+// repaired or ignored. Throws ModelError, or Refused for changes that do not fit the model.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
 
 // The triangle's normal, with a length of twice its area.

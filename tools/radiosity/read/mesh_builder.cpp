@@ -15,7 +15,7 @@ MeshMaterial noMaterial() { return {kNoMaterial, {0.7f, 0.7f, 0.7f}, {}}; }
 void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
                std::vector<std::string> &notes) {
     std::vector<MeshMaterial *> black;
-    int seen = 0;
+    int visible = 0;
     for (size_t i = 0; i < used.size(); ++i) {
         MeshMaterial &m = materials[i];
         auto none = [](const std::array<float, 3> &c) { return c[0] + c[1] + c[2] == 0; };
@@ -23,13 +23,13 @@ void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &us
         if (none(m.reflects) && none(m.emits) && !m.hasPicture())
             black.push_back(&m);
         else
-            ++seen;
+            ++visible;
     }
     for (MeshMaterial *m : black) {
         notes.push_back(path + ": material " + m->name +
-                        (seen ? " stays black: it reflects nothing, as mirrors and glass"
-                              : ": it reflects nothing, and everything would be black: it reflects 0.7"));
-        if (!seen) m->reflects = {0.7f, 0.7f, 0.7f};
+                        (visible ? " stays black: it reflects nothing diffusely, like a mirror or glass"
+                                 : ": nothing reflects light, so it reflects 0.7"));
+        if (!visible) m->reflects = {0.7f, 0.7f, 0.7f};
     }
 }
 
@@ -46,7 +46,7 @@ void setColours(MeshMaterial &m, const std::array<double, 3> &reflects, const st
         above |= reflects[k] > 1;
         m.reflects[k] = (float)std::min(reflects[k], 1.), m.emits[k] = (float)emits[k];
     }
-    if (above) notes.push_back(start + "its " + names[0] + " must lie between 0 and 1: more counts as 1");
+    if (above) notes.push_back(start + "its " + names[0] + " is above 1, and counts as 1");
 }
 
 void noteKinds(const std::string &path, const NotedKinds &kinds, std::vector<std::string> &notes) {
@@ -105,11 +105,11 @@ private:
     std::vector<int> polygonOf; // of each triangle; negative for a polygon that crosses itself
     std::vector<int> crossing;  // polygons that cross themselves
     std::set<PolygonPair> overlaps;
-    std::set<int> unplaced; // materials with a picture whose coordinates some polygon lacks
+    std::set<int> unplaced; // materials of polygons that lack texture coordinates
     int shortPolygons = 0;  // with fewer than three points
     bool pictured = false;  // a material has a picture, so texture coordinates are kept
 
-    // A small polygon's size and first corner: a sixteenth of some thousand, spread over all, are smaller.
+    // The size and the first corner of a small polygon: the 1/16 quantile of at most 4096, spread over all.
     std::pair<double, size_t> smallPolygon() const {
         std::vector<std::pair<double, size_t>> sizes = {{HUGE_VAL, 0}};
         const auto &all = given.polygons;
@@ -117,18 +117,18 @@ private:
         for (size_t i = 0; i < all.size(); i += 1 + all.size() / 4096) {
             size_t first = all[i].firstCorner,
                    end = i + 1 < all.size() ? all[i + 1].firstCorner : given.corners.size();
-            double far = 0;
-            for (size_t k = first; k < end; ++k) far = std::max(far, length(point(k) - point(first)));
-            if (far > 0) sizes.push_back({far, first});
+            double size = 0;
+            for (size_t k = first; k < end; ++k) size = std::max(size, length(point(k) - point(first)));
+            if (size > 0) sizes.push_back({size, first});
         }
         return common::quantile(sizes, 1. / 16);
     }
 
-    // Merges points of polygons within a millionth of the model's size, or a hundredth of small polygons'.
+    // Merges points closer than a millionth of the model's size, or a hundredth of a small polygon's.
     void weldPoints() {
         if (given.points.empty()) throw ModelError(path + ": holds no point");
         if (given.corners.empty()) throw ModelError(path + ": holds no polygon");
-        // Others, which may lie anywhere, become one of these
+        // Move points that no polygon uses, which may be anywhere, to one that is used
         std::vector<bool> used(given.points.size());
         for (const Polygons::Corner &c : given.corners) used[(size_t)c.point] = true;
         const Vec3d some = given.points[(size_t)given.corners[0].point];
@@ -140,7 +140,7 @@ private:
         if (size > 0 && size < 1e-10) throw ModelError(path + ": is smaller than 1e-10: give --scale");
         auto [small, corner] = smallPolygon();
         grid = std::max({std::min(size * 1e-6, small * 1e-2), size * 1e-9, 1e-300});
-        // Floats are finest near the origin
+        // Place the origin near the model, where floats are finest
         Vec3d middle = (lo + hi) / 2;
         if (small < size * 1e-4)
             mesh.place = toFloat(given.points[(size_t)given.corners[corner].point]);
@@ -149,22 +149,22 @@ private:
         if (!(length(middle) < 1e15)) throw ModelError(path + ": lies further than 1e15 from the origin");
         if (size < length(middle) * 1e-11)
             notes.push_back(path + ": lies too far from the origin for precise coordinates: move it closer");
-        // A hash table of the mesh's points, by their cells of the grid
-        using Place = std::array<int, 3>;
-        std::vector<Place> places;
+        // Merge points in the same cell of the grid, by a hash table
+        using GridCell = std::array<int, 3>;
+        std::vector<GridCell> cells;
         std::vector<int> table(std::bit_ceil(given.points.size() * 2), -1);
         number.reserve(given.points.size());
         for (const Vec3d &p : given.points) {
-            Place place;
-            for (size_t k = 0; k < 3; ++k) place[k] = (int)std::lround((p[k] - lo[k]) / grid);
-            size_t at = ((size_t)place[0] * 0x9e3779b97f4a7c15 + (size_t)place[1]) * 0x9e3779b97f4a7c15 +
-                        (size_t)place[2] * 0xc2b2ae3d27d4eb4f;
+            GridCell cell;
+            for (size_t k = 0; k < 3; ++k) cell[k] = (int)std::lround((p[k] - lo[k]) / grid);
+            size_t at = ((size_t)cell[0] * 0x9e3779b97f4a7c15 + (size_t)cell[1]) * 0x9e3779b97f4a7c15 +
+                        (size_t)cell[2] * 0xc2b2ae3d27d4eb4f;
             for (at ^= at >> 32;; ++at) {
                 int &entry = table[at & (table.size() - 1)];
                 if (entry < 0) {
-                    entry = (int)places.size();
-                    places.push_back(place), mesh.points.push_back(p - toDouble(mesh.place));
-                } else if (places[(size_t)entry] != place)
+                    entry = (int)cells.size();
+                    cells.push_back(cell), mesh.points.push_back(p - toDouble(mesh.place));
+                } else if (cells[(size_t)entry] != cell)
                     continue;
                 number.push_back(entry);
                 break;
@@ -175,10 +175,10 @@ private:
 
     void collectTriangles() {
         const int materials = (int)mesh.materials.size();
-        bool plain = false; // a triangle has no material
+        bool plain = false; // whether a triangle has no material
         Triangulator triangulator;
-        std::vector<Polygons::Corner> corners; // of a polygon, without repetitions
-        std::vector<Vec3d> places;
+        std::vector<Polygons::Corner> corners; // the polygon's, without repetitions
+        std::vector<Vec3d> points;
         for (size_t i = 0; i < given.polygons.size(); ++i) {
             const Polygons::Polygon &p = given.polygons[i];
             size_t end = i + 1 < given.polygons.size() ? given.polygons[i + 1].firstCorner
@@ -188,7 +188,7 @@ private:
                 ++shortPolygons;
                 continue;
             }
-            corners.clear(), places.clear();
+            corners.clear(), points.clear();
             for (size_t k = p.firstCorner; k < end; ++k) {
                 Polygons::Corner corner = given.corners[k];
                 corner.point = number[(size_t)corner.point];
@@ -196,16 +196,16 @@ private:
                 corners.push_back(corner);
             }
             while (corners.size() > 1 && corners.back().point == corners[0].point) corners.pop_back();
-            for (const Polygons::Corner &c : corners) places.push_back(mesh.points[(size_t)c.point]);
+            for (const Polygons::Corner &c : corners) points.push_back(mesh.points[(size_t)c.point]);
             triangulator.triangles.clear();
-            if (corners.size() > 2) triangulator.divide(places, grid * 2);
+            if (corners.size() > 2) triangulator.divide(points, grid * 2);
             const bool crosses = corners.size() > 2 && triangulator.crosses;
             if (crosses) crossing.push_back((int)i);
             mesh.flat += (int)(count - 2 - triangulator.triangles.size());
             plain |= p.material < 0;
             for (const auto &triangle : triangulator.triangles)
                 add(corners, triangle, p.material < 0 ? materials : p.material);
-            // The triangles of a large polygon with many crossings overlap too often to be cut
+            // Do not cut a large polygon that crosses itself: too many of its triangles overlap
             polygonOf.resize(mesh.triangles.size(), crosses && count < 1000 ? ~(int)i : (int)i);
         }
         if (plain) mesh.materials.push_back(noMaterial());
@@ -219,9 +219,9 @@ private:
             const Polygons::Corner &corner = corners[(size_t)which[k]];
             t.corners[k] = corner.point;
             if (!pictured) continue;
-            bool known = corner.coordinate >= 0 && (size_t)corner.coordinate < given.coordinates.size();
+            bool has = corner.coordinate >= 0 && (size_t)corner.coordinate < given.coordinates.size();
             for (size_t c = 0; c < 2; ++c)
-                at[2 * k + c] = known ? given.coordinates[(size_t)corner.coordinate][c] : NAN;
+                at[2 * k + c] = has ? given.coordinates[(size_t)corner.coordinate][c] : NAN;
             placed &= !std::isnan(at[2 * k]);
         }
         if (isFlat(t)) {
@@ -239,7 +239,7 @@ private:
         if (pictured) mesh.coordinates.push_back({at[0], at[1], at[4], at[5], at[2], at[3]});
     }
 
-    // Whether the triangle is less than two steps of the grid high.
+    // Whether the triangle's height is less than two steps of the grid.
     bool isFlat(const Triangle &t) const {
         double longest = 0;
         for (size_t k = 0; k < 3; ++k)
@@ -248,9 +248,9 @@ private:
         return !(length(normalOf(mesh, t)) > longest * grid * 2);
     }
 
-    // Keeps only the first of triangles with the same corners in the same direction.
+    // Drops triangles that have the same corners in the same order as an earlier one.
     void dropTwice() {
-        using Key = std::pair<std::array<int, 3>, int>; // corners, the least one first; the triangle
+        using Key = std::pair<std::array<int, 3>, int>; // corners, the smallest first; triangle
         std::vector<Key> keys;
         for (const Triangle &t : mesh.triangles) {
             auto c = t.corners;

@@ -33,27 +33,27 @@ struct MtlReader {
     const std::string &model;
     std::vector<std::string> &notes;
     std::vector<MeshMaterial> materials = {};
-    NotedKinds unused = {};                       // maps and the like
-    std::set<std::string> files = {}, known = {}; // that were read; names of materials
+    NotedKinds unused = {};                       // features, such as maps
+    std::set<std::string> files = {}, known = {}; // libraries read; names of materials
 
     void note(const std::string &name, const std::string &what) {
         notes.push_back(model + ": material " + name + ": " + what);
     }
     void leave(const std::string &what) { unused[what].push_back("material " + m.name); }
 
-    // The material that is being read.
+    // The current material.
     MeshMaterial m = {};
-    MeshPicture other = {}; // one that is not used
+    MeshPicture other = {}; // a picture that is not used
     Colour kd = {}, ke = {}, ka = {};
     bool open = false, hasKd = false;
-    std::string noKd = {}; // the reason
+    std::string noKd = {}; // why it has no Kd
 
     [[noreturn]] void refuse(const std::string &what) const {
         throw ModelError(model + ": material " + m.name + ": " + what);
     }
 
-    // Reads three numbers, one number for all three, or CIE XYZ (linear, in sRGB's primaries). False if there
-    // is none, or a spectrum, with a note.
+    // Reads three numbers, one number for all three, or CIE XYZ, which becomes linear sRGB. Returns false if
+    // there is no colour, or a spectrum, which adds a note.
     bool readColour(const TextLines &line, Colour &c) {
         std::string_view rest = line.rest.substr(0, line.rest.find('#')), word = rest;
         const std::string_view kind = takeWord(word);
@@ -108,7 +108,7 @@ struct MtlReader {
         materials.push_back(m);
     }
 
-    // Reads options with their values, and the file's name, which may have blanks.
+    // Reads a picture: options with their values, and the name of the file, which may have blanks.
     void picture(const std::string &folder, const TextLines &line, MeshPicture &picture) {
         static const std::map<std::string, int> numbers = {{"-o", 3}, {"-s", 3}, {"-t", 3}, {"-mm", 2}};
         static const std::set<std::string> others = {"-blendu", "-blendv", "-boost",      "-bm",
@@ -142,7 +142,7 @@ struct MtlReader {
     }
 
     void read(const std::string &path) {
-        if (!files.insert(path).second) return; // named once more
+        if (!files.insert(path).second) return; // already read
         TextLines lines(path);
         const size_t before = materials.size();
         while (lines.next()) {
@@ -172,7 +172,7 @@ struct MtlReader {
             default:
                 if (isMap(lines.word) && !rest.empty())
                     leave(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
-                // (files disagree on whether a Tr of 1 is clear)
+                // In some files a Tr of 1 is transparent, in others opaque
                 const bool isD = lines.word == "d";
                 if (isD && lines.rest.starts_with("-halo")) takeWord(lines.rest);
                 if (double x;
@@ -205,10 +205,10 @@ std::string findFile(const std::string &folder, std::string name) {
         std::string path = folder + tried;
         if (tried.empty() || tried[0] == '/') continue;
         if (fs::exists(path, wrong)) return path;
-        std::string last = path.substr(path.rfind('/') + 1), beside = folderOf(path);
-        for (const auto &entry : fs::directory_iterator(beside.empty() ? "." : beside, wrong)) {
+        std::string last = path.substr(path.rfind('/') + 1), directory = folderOf(path);
+        for (const auto &entry : fs::directory_iterator(directory.empty() ? "." : directory, wrong)) {
             std::string found = entry.path().filename().string();
-            if (!strcasecmp(found.c_str(), last.c_str())) return beside + found;
+            if (!strcasecmp(found.c_str(), last.c_str())) return directory + found;
         }
     }
     return folder + name;
@@ -219,7 +219,7 @@ std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vec
     MtlReader reader = {model, notes};
     std::string folder = folderOf(model);
     for (const std::string &words : libraries) {
-        // One name with blanks, or several
+        // The text is one name with blanks, or several names
         std::vector<std::string> names = {words};
         std::error_code ignored;
         if (words.find_first_of(" \t") != std::string::npos &&

@@ -5,7 +5,7 @@
 
 namespace odraz::radiosity {
 
-// A file's folder with its slash; empty if the name has none.
+// The folder in a path, with its slash; empty if there is none.
 std::string folderOf(const std::string &path);
 
 // Finds a file whose name was written by another program: it may have backslashes, folders of another system,
@@ -13,7 +13,7 @@ std::string folderOf(const std::string &path);
 // joined if there is no such file.
 std::string findFile(const std::string &folder, std::string name);
 
-// Reads all libraries. Each is the text after an mtllib: one name, perhaps with blanks, or several names.
+// Reads all libraries. Each is the text after an mtllib: one name, which may have blanks, or several names.
 // Adds a note for each library that cannot be read. Throws ModelError if a number is out of range.
 std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vector<std::string> &libraries,
                                         std::vector<std::string> &notes);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char *kKeywords[] = {"v", "vt", "f", "fo", "usemtl", "mtllib"};
 enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary };
-// What is left out, by the words of lines
+// Notes on lines that are left out, by keyword
 const std::map<std::string_view, const char *> kLeftOut = {
     {"p", "points and lines are left out"},     {"l", "points and lines are left out"},
     {"surf", "surfaces are left out"},          {"bzp", "surfaces are left out"},
@@ -27,7 +27,7 @@ const std::map<std::string_view, const char *> kLeftOut = {
 struct ObjContent {
     Polygons polygons;                  // materials are indices into `asked`
     std::vector<std::string> libraries; // the text after each mtllib
-    std::vector<std::string> asked;     // by usemtl, each once
+    std::vector<std::string> asked;     // names given by usemtl, each once
     std::vector<std::string> notes;
 };
 
@@ -38,7 +38,7 @@ public:
     ObjContent read() {
         while (lines.next()) {
             int keyword = lines.keyword(kKeywords);
-            // Only names may contain a #
+            // Remove a comment. Names may contain a #
             if (keyword < kUse) lines.rest = lines.rest.substr(0, lines.rest.find('#'));
             switch (keyword) {
             case kPoint:
@@ -62,9 +62,9 @@ public:
             }
         }
         if (polygons.points.empty() && !lines.isText) throw ModelError(path + ": is not a text file");
-        if (farthest > (int)polygons.points.size())
-            refuse(farthestLine, "there is no point " + std::to_string(farthest) + ": there are " +
-                                     std::to_string(polygons.points.size()));
+        if (largest > (int)polygons.points.size())
+            refuse(largestLine, "there is no point " + std::to_string(largest) + ": the file has " +
+                                    std::to_string(polygons.points.size()));
         for (const auto &[word, keyword] : lines.otherCase)
             notes.push_back(path + ": " + word + " is read as " + keyword);
         for (const auto &[what, in] : unused)
@@ -76,18 +76,18 @@ public:
 private:
     const std::string &path;
     TextLines lines;
-    std::map<std::string, int, std::less<>> numberOf; // of names in `asked`
+    std::map<std::string, int, std::less<>> numberOf; // a name's index in `asked`
     int material = -1;
-    int farthest = 0; // the largest number of a point
-    size_t farthestLine = 0;
-    std::map<std::string_view, std::vector<size_t>> unused; // kinds, and their lines
+    int largest = 0; // number of a point, and its line
+    size_t largestLine = 0;
+    std::map<std::string_view, std::vector<size_t>> unused; // features that are not used, and their lines
     void leave(const char *kind) { unused[kind].push_back(lines.number); }
 
     [[noreturn]] void refuse(size_t line, const std::string &what) const {
         throw ModelError(path + ":" + std::to_string(line) + ": " + what);
     }
 
-    // The next word, for an error.
+    // The next word, followed by `what`, for an error; empty at the end of the line.
     std::string nextIs(const char *what) const {
         std::string_view rest = lines.rest, word = takeWord(rest);
         return word.empty() ? "" : ": " + std::string(word.substr(0, 40)) + what;
@@ -107,7 +107,7 @@ private:
     }
 
     void readCoordinate() {
-        double u = NAN, v = 0; // the second may lack
+        double u = NAN, v = 0; // v may be missing
         if (!takeNumber(lines.rest, u) || !(lines.rest.empty() || takeNumber(lines.rest, v)) ||
             !std::isfinite(u + v))
             u = NAN, leave("coordinates of pictures (vt) are not numbers");
@@ -119,8 +119,7 @@ private:
         while (!lines.rest.empty()) polygons.corners.push_back(corner(takeWord(lines.rest)));
     }
 
-    // POINT, POINT/COORDINATE, POINT//NORMAL or POINT/COORDINATE/NORMAL. Behind a slash, nothing and 0 mean
-    // none.
+    // POINT, POINT/COORDINATE, POINT//NORMAL or POINT/COORDINATE/NORMAL. An empty COORDINATE or 0 means none.
     Polygons::Corner corner(std::string_view word) {
         int numbers[3] = {};
         const char *p = word.data(), *end = p + word.size();
@@ -136,7 +135,7 @@ private:
         const int point = numbers[0], before = (int)polygons.points.size();
         if (point == 0 || point < -before)
             refuse(lines.number, "there is no point " + std::to_string(point) + " before this polygon");
-        if (point > farthest) farthest = point, farthestLine = lines.number;
+        if (point > largest) largest = point, largestLine = lines.number;
         int coordinate = numbers[1] < 0 ? numbers[1] + (int)polygons.coordinates.size() : numbers[1] - 1;
         return {point < 0 ? before + point : point - 1, coordinate};
     }
@@ -151,8 +150,8 @@ private:
     }
 };
 
-// The number of letters to change, add or remove between two names; capitals do not count (Levenshtein).
-size_t lettersOff(const std::string &a, const std::string &b) {
+// The Levenshtein distance of two names, regardless of case.
+size_t editDistance(const std::string &a, const std::string &b) {
     std::vector<size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), (size_t)0);
     for (size_t i = 0; i < a.size(); ++i) {
@@ -169,14 +168,14 @@ size_t lettersOff(const std::string &a, const std::string &b) {
 void noteUnknown(const std::string &path, const ObjContent &content, const std::vector<int> &found,
                  const std::vector<bool> &used, const std::vector<MeshMaterial> &materials,
                  std::vector<std::string> &notes) {
-    if (materials.empty() && !content.libraries.empty()) return; // these have notes of their own
+    if (materials.empty() && !content.libraries.empty()) return; // a note reports why they were not read
     constexpr size_t kMost = 20;
     size_t count = 0;
     for (size_t i = 0; i < found.size(); ++i) {
         const std::string &name = content.asked[i];
         if (found[i] >= 0 || !used[i] || name.empty() || ++count > kMost) continue;
         auto nearest = std::min_element(materials.begin(), materials.end(), [&](auto &a, auto &b) {
-            return lettersOff(name, a.name) < lettersOff(name, b.name);
+            return editDistance(name, a.name) < editDistance(name, b.name);
         });
         notes.push_back(path + ": no material file has " + name + ": it reflects 0.7" +
                         (nearest == materials.end() ? "" : "; the nearest name is " + nearest->name));

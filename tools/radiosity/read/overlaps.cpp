@@ -30,7 +30,7 @@ public:
         }
     }
 
-    // The triangles in front of each triangle that has some.
+    // For each triangle that is partly covered: the triangles in front of it.
     std::map<int, std::vector<int>> find() {
         find(boxes, 0);
         for (auto &[behind, fronts] : found) {
@@ -51,13 +51,13 @@ private:
     std::vector<TriangleBox> boxes;
     std::map<int, std::vector<int>> found;
 
-    // Divides a set of triangles in two, with those across the middle in both, until it is small or one axis
-    // after the other separates none.
+    // Divides a set of triangles in two, until it is small or no axis separates them; triangles that cross
+    // the middle are in both halves. Then tests all pairs.
     void find(std::vector<TriangleBox> &some, int depth) {
-        constexpr size_t kFew = 200;
+        constexpr size_t kSmall = 200;
         if (some.empty()) return;
         const std::array<size_t, 3> axes = axesOf(some);
-        if (some.size() > kFew && depth < 60)
+        if (some.size() > kSmall && depth < 60)
             for (size_t axis : axes) {
                 std::vector<float> middles;
                 for (size_t i = 0; i < some.size(); i += 1 + some.size() / 100)
@@ -92,7 +92,7 @@ private:
     }
 
     std::array<size_t, 3> axesOf(const std::vector<TriangleBox> &some) const {
-        __m128 lo = _mm_loadu_ps(some[0].lo), hi = _mm_loadu_ps(some[0].hi); // the fourth counts for nothing
+        __m128 lo = _mm_loadu_ps(some[0].lo), hi = _mm_loadu_ps(some[0].hi); // the fourth lane is ignored
         for (const TriangleBox &b : some)
             lo = _mm_min_ps(lo, _mm_loadu_ps(b.lo)), hi = _mm_max_ps(hi, _mm_loadu_ps(b.hi));
         float size[4];
@@ -107,7 +107,7 @@ private:
         Vec3d n = normalOf(mesh, mesh.triangles[(size_t)a]),
               other = normalOf(mesh, mesh.triangles[(size_t)b]);
         if (!(dot(n, other) > 0.9 * length(n) * length(other))) return false;
-        if (dot(other, other) > dot(n, n)) std::swap(a, b), n = other; // the larger one's plane
+        if (dot(other, other) > dot(n, n)) std::swap(a, b), n = other; // use the larger one's plane
         n = normalize(n);
         Vec3d p[2][3];
         for (size_t k = 0; k < 3; ++k) {
@@ -119,7 +119,7 @@ private:
         for (const auto &triangle : p)
             for (size_t k = 0; k < 3; ++k) {
                 Vec3d out = normalize(cross(triangle[(k + 1) % 3] - triangle[k], n));
-                double deepest = 0; // into the triangle, of the other one's corners
+                double deepest = 0; // distance of the other's corners from this side, inwards
                 for (const Vec3d &q : &triangle == p ? p[1] : p[0])
                     deepest = std::max(deepest, dot(triangle[k] - q, out));
                 if (deepest <= 2 * tiny) return false;
@@ -135,7 +135,7 @@ struct PieceCorner {
 };
 using Piece = std::vector<PieceCorner>; // convex
 
-// The part of a piece in front of a plane; empty if none of it lies further than `tiny`.
+// The part of a piece in front of the plane through `on` with normal `out`, if it extends more than `tiny`.
 Piece inFront(const Piece &piece, const Vec3d &on, const Vec3d &out, double tiny) {
     auto distance = [&](const PieceCorner &c) {
         double d = dot(c.p - on, out);
@@ -149,6 +149,7 @@ Piece inFront(const Piece &piece, const Vec3d &on, const Vec3d &out, double tiny
     });
 }
 
+// Cuts covered parts out of triangles.
 class OverlapCutter {
 public:
     OverlapCutter(Mesh &mesh, std::vector<int> &polygonOf, double tiny)
@@ -186,13 +187,13 @@ private:
     Mesh &mesh;
     std::vector<int> &polygonOf;
     double tiny;
-    std::map<std::array<int64_t, 3>, int> known; // points by their place on a grid
+    std::map<std::array<int64_t, 3>, int> pointAt; // by cell of a grid
 
-    // The number of a point; `number`, or that of a new point, if there is none at this place.
+    // The index of the point at p. If there is none, `number` becomes it, or a new point if that is below 0.
     int point(const Vec3d &p, int number = -1) {
-        std::array<int64_t, 3> place;
-        for (size_t k = 0; k < 3; ++k) place[k] = std::llround(p[k] / tiny);
-        auto [entry, added] = known.try_emplace(place, number);
+        std::array<int64_t, 3> cell;
+        for (size_t k = 0; k < 3; ++k) cell[k] = std::llround(p[k] / tiny);
+        auto [entry, added] = pointAt.try_emplace(cell, number);
         if (added && number < 0) {
             entry->second = (int)mesh.points.size();
             mesh.points.push_back(p);
@@ -209,21 +210,21 @@ private:
                              {at ? (double)at[2 * k] : 0, at ? (double)at[2 * k + 1] : 0}});
         const Vec3d n = normalize(normalOf(mesh, t));
         std::vector<Piece> rest = {whole}, left;
-        for (int front : std::views::reverse(fronts)) { // the last one is likely to leave the fewest pieces
+        for (int front : std::views::reverse(fronts)) { // the last one is likely to leave the fewest
             if (rest.empty()) break;
             left.clear();
             for (const Piece &piece : rest) {
-                Piece remains = piece;
+                Piece covered = piece;
                 const size_t before = left.size();
-                for (size_t k = 0; k < 3 && !remains.empty(); ++k) {
+                for (size_t k = 0; k < 3 && !covered.empty(); ++k) {
                     const auto &c = triangles[(size_t)front].corners;
                     const Vec3d &a = mesh.points[(size_t)c[k]], &b = mesh.points[(size_t)c[(k + 1) % 3]];
                     const Vec3d out = normalize(cross(b - a, n));
-                    Piece outside = inFront(remains, a, out, tiny);
+                    Piece outside = inFront(covered, a, out, tiny);
                     if (!outside.empty()) left.push_back(outside);
-                    remains = inFront(remains, a, out * -1, tiny);
+                    covered = inFront(covered, a, out * -1, tiny);
                 }
-                if (remains.empty()) left.resize(before), left.push_back(piece); // they only touch
+                if (covered.empty()) left.resize(before), left.push_back(piece); // keep it whole
             }
             rest.swap(left);
         }
@@ -231,16 +232,16 @@ private:
             for (size_t k = 2; k < piece.size(); ++k) {
                 const PieceCorner *corners[3] = {&piece[0], &piece[k - 1], &piece[k]};
                 Triangle part = t;
-                std::array<float, 6> place;
+                std::array<float, 6> uv;
                 double longest = 0;
                 for (size_t c = 0; c < 3; ++c) {
                     part.corners[c] = point(corners[c]->p);
-                    place[2 * c] = (float)corners[c]->at[0], place[2 * c + 1] = (float)corners[c]->at[1];
+                    uv[2 * c] = (float)corners[c]->at[0], uv[2 * c + 1] = (float)corners[c]->at[1];
                     longest = std::max(longest, length(corners[c]->p - corners[(c + 1) % 3]->p));
                 }
                 if (!(dot(normalOf(mesh, part), n) > longest * tiny)) continue;
                 mesh.triangles.push_back(part);
-                if (at) mesh.coordinates.push_back(place);
+                if (at) mesh.coordinates.push_back(uv);
             }
     }
 };

@@ -40,11 +40,11 @@ ReflectancePicture::ReflectancePicture(const pictures::Picture &picture) {
         for (size_t k = 0; k < 3; ++k)
             levels[0].texels[i][k] = (uint16_t)(std::clamp(linear[k], 0.f, 1.f) * 65535 + 0.5f);
     }
-    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half(levels.back()));
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(halved(levels.back()));
 }
 
-// If a side is odd, each texel of the smaller picture covers parts of three texels.
-ReflectancePicture::Level ReflectancePicture::half(const Level &of) {
+// A texel of the smaller picture covers two by two texels; along an odd side, parts of three.
+ReflectancePicture::Level ReflectancePicture::halved(const Level &of) {
     Level to = {(of.width + 1) / 2, (of.height + 1) / 2, {}};
     struct Tap {
         int at;
@@ -86,7 +86,7 @@ Rgb ReflectancePicture::texel(const Level &l, int64_t i, int64_t j, bool clamp) 
 Rgb ReflectancePicture::mean() const { return texel(levels.back(), 0, 0, true); }
 
 Rgb ReflectancePicture::mean(const Polygon &given, bool clamp) const {
-    // Convert to texels, counted from the top, of the finest level in which the polygon is small
+    // Find the finest level in which the polygon covers at most kMostTexels along each side
     Polygon polygon = given;
     double lo[2] = {1e300, 1e300}, hi[2] = {-1e300, -1e300};
     for (TexturePoint &p : polygon) {
@@ -99,9 +99,10 @@ Rgb ReflectancePicture::mean(const Polygon &given, bool clamp) const {
                                          (hi[1] - lo[1]) * levels[level].height > kMostTexels))
         ++level;
     const Level &l = levels[level];
-    // The polygon covers many repetitions of the picture: use the picture's mean
+    // If it covers many repetitions of the picture, use the mean of the picture
     if ((hi[0] - lo[0]) * l.width > 4 * kMostTexels || (hi[1] - lo[1]) * l.height > 4 * kMostTexels)
         return mean();
+    // Convert the polygon to texels, and average those inside it
     double middle[2] = {};
     for (TexturePoint &p : polygon) {
         p[0] *= l.width, p[1] *= l.height;

@@ -10,7 +10,7 @@
 
 namespace odraz::radiosity {
 
-// Coordinates on a picture, which fills 0 .. 1 in both; its first row lies at 1.
+// Coordinates on a picture: 0 .. 1 from left to right and from bottom to top.
 using TexturePoint = std::array<double, 2>;
 
 class ReflectancePicture {
@@ -19,10 +19,10 @@ public:
     explicit ReflectancePicture(const pictures::Picture &picture);
 
     // The mean over a convex polygon, or the value at its middle if it has no area. Outside 0 .. 1 the
-    // picture is repeated, or with `clamp` its border is. Large polygons use a coarser level, so that a mean
+    // picture repeats, or with `clamp` its border does. Large polygons use a coarser level, so that a mean
     // reads a few hundred texels at most.
     Rgb mean(const std::vector<TexturePoint> &polygon, bool clamp) const;
-    Rgb mean() const; // of the whole picture
+    Rgb mean() const; // the whole picture's
 
 private:
     struct Level {
@@ -31,7 +31,7 @@ private:
     };
     std::vector<Level> levels; // the last one has a single texel
 
-    static Level half(const Level &of);
+    static Level halved(const Level &of);
     static Rgb texel(const Level &level, int64_t i, int64_t j, bool clamp);
 };
 

@@ -13,21 +13,19 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kSkyWidth = 128,
-              kSkyHeight = 64;   // rows of the picture that rays sample: a pixel is about as wide as a ray's
-                                 // share of the directions
+// The picture that rays sample: a pixel is about as wide as a ray's share of the directions
+constexpr int kSkyWidth = 128, kSkyHeight = 64;
 constexpr double kTooBright = 8; // times the mean
 constexpr size_t kMostSuns = 24;
 
 double totalOf(const Rgb &c) { return (double)c.x + (double)c.y + (double)c.z; }
 
-struct Glint {      // the light of a pixel above the sky's limit
+struct Glint {      // the part of a pixel's light above the limit
     double x, y, z; // direction
     Rgb light;      // times its solid angle over pi
 };
 
-// Splits glints into parts: halves their light across the axis of their largest extent, until there are
-// enough parts.
+// Makes at most `parts` suns of glints: halves their light repeatedly, across their largest extent.
 void cut(std::vector<Glint>::iterator first, std::vector<Glint>::iterator end, size_t parts, bool upIsZ,
          std::vector<Sun> &suns) {
     if (parts > 1 && end - first > 1) {
@@ -40,7 +38,7 @@ void cut(std::vector<Glint>::iterator first, std::vector<Glint>::iterator end, s
         int axis = 0;
         for (int k = 1; k < 3; ++k)
             if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
-        if (hi[axis] - lo[axis] > 0.02) { // a degree; smaller parts become one sun
+        if (hi[axis] - lo[axis] > 0.02) { // about a degree; smaller groups become one sun
             auto along = [axis](const Glint &g) { return axis == 0 ? g.x : axis == 1 ? g.y : g.z; };
             std::sort(first, end, [&](const Glint &a, const Glint &b) { return along(a) < along(b); });
             auto middle = first;
@@ -105,7 +103,7 @@ public:
         for (int j = 0; j < height; ++j)
             for (int i = 0; i < width; ++i) {
                 Rgb light = pixel(i, j);
-                double much = totalOf(light), kept = much > limit ? limit / much : 1;
+                double total = totalOf(light), kept = total > limit ? limit / total : 1;
                 if (kept < 1) addGlint(i, j, light * (float)((1 - kept) * solidAngle(j) / std::numbers::pi));
                 spread(i, j, light * (float)kept);
             }
@@ -119,14 +117,14 @@ private:
     pictures::Picture given;
     int width, height;
     SkyPicture sky;
-    std::vector<double> weight; // the area of each of its pixels covered so far
+    std::vector<double> weight; // the covered area of each of its pixels so far
     std::vector<Glint> glints;
 
     Rgb pixel(int i, int j) const {
         auto [red, green, blue] = given.linear((size_t)j * (size_t)width + (size_t)i);
         return {std::max(red, 0.f), std::max(green, 0.f), std::max(blue, 0.f)};
     }
-    double solidAngle(int j) const { // of a pixel in row j
+    double solidAngle(int j) const { // a pixel's, in row j
         return 2 * std::numbers::pi / width *
                (std::cos(std::numbers::pi * j / height) - std::cos(std::numbers::pi * (j + 1) / height));
     }
@@ -149,7 +147,7 @@ private:
     void spread(int i, int j, const Rgb &light) {
         int x0 = i * kSkyWidth / width, x1 = std::max(x0 + 1, ((i + 1) * kSkyWidth + width - 1) / width),
             y0 = j * kSkyHeight / height, y1 = std::max(y0 + 1, ((j + 1) * kSkyHeight + height - 1) / height);
-        auto overlap = [](int at, int count, int to, int of) { // of two intervals in [0, 1]
+        auto overlap = [](int at, int count, int to, int of) { // length of the overlap, in [0, 1]
             return std::max(std::min((at + 1.) / count, (to + 1.) / of) -
                                 std::max((double)at / count, (double)to / of),
                             0.);

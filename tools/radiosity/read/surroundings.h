@@ -1,4 +1,4 @@
-// Light that no surface of a model emits, set by options or by a file of glTF: a sky, suns, lamps.
+// Light that no surface of a model emits, from options or a glTF file: a sky, suns, and balls as lamps.
 //
 // The sky has a radiance in every direction, below the horizon too: one colour, or a picture of all
 // directions (latitude and longitude, of any format that pictures::readPicture reads). The middle of the
@@ -25,7 +25,7 @@ struct BallLamp {
     Vec3 centre;
     float radius;
     Rgb radiance;
-    Vec3 rest = {}; // what `centre` lacks for being rounded
+    Vec3 rest = {}; // the rounding error of `centre`: exact minus rounded
 };
 
 struct SkyPicture {
@@ -41,8 +41,9 @@ struct Surroundings {
     std::vector<Sun> suns;
     std::vector<BallLamp> lamps;
 
-    // Makes the places of lamps relative to a point; multiplies their places and sizes.
+    // Makes the centres of lamps relative to a point.
     void moveTo(const Vec3 &origin);
+    // Multiplies the centres and radii of lamps.
     void scale(double by);
     bool any() const { return sky.width || !suns.empty() || !lamps.empty(); }
 };
@@ -51,10 +52,10 @@ BallLamp ballLamp(const Vec3d &centre, double radius, const Rgb &radiance);
 
 SkyPicture evenSky(const Rgb &radiance);
 
-// Reads the picture of a sky. Adds notes of what it says and is not used, and if it has not the shape of a
-// panorama. Throws Refused, also for a picture of light that would be another (Picture::needUsual()).
+// Reads the picture of a sky. Adds notes on header lines that are not used, and on a picture that is not
+// twice as wide as high. Throws Refused, also for pictures that Picture::needUsual() refuses.
 pictures::Picture readPanorama(const std::string &path, std::vector<std::string> *notes = nullptr);
-// The same as a sky; adds its bright pixels to `suns`.
+// Reads a sky as readPanorama() does; turns its brightest pixels into `suns`.
 SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns,
                    std::vector<std::string> *notes = nullptr);
 

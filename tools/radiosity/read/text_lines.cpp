@@ -26,14 +26,14 @@ void appendUtf8(std::string &to, uint32_t c) {
         return;
     }
     int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
-    to += (char)((0xff00 >> (more + 1) & 0xff) | c >> (6 * more)); // as many ones as there are bytes
+    to += (char)((0xff00 >> (more + 1) & 0xff) | c >> (6 * more)); // begins with a 1 for each byte
     while (more--) to += (char)(0x80 | (c >> (6 * more) & 0x3f));
 }
 
 // UTF-16 as UTF-8; `high` is the index of each unit's high byte.
 std::string fromUtf16(std::string_view s, size_t high) {
     std::string to;
-    uint32_t first = 0; // of a surrogate pair
+    uint32_t first = 0; // unit of a surrogate pair
     for (size_t i = 0; i + 1 < s.size(); i += 2) {
         uint32_t unit = (uint32_t)(uint8_t)s[i + high] << 8 | (uint8_t)s[i + 1 - high];
         if (unit >> 10 == 0x36)
@@ -49,8 +49,8 @@ std::string fromUtf16(std::string_view s, size_t high) {
 
 std::string decoded(std::string text, const std::string &path) {
     auto begins = [&](std::string_view mark) { return text.compare(0, mark.size(), mark) == 0; };
-    // Without a mark, the zero bytes of ASCII characters decide
-    int zero = 0; // a bit for each of the first four bytes, the first one's highest
+    // Without a byte order mark, the zero bytes of ASCII characters decide
+    int zero = 0; // a bit for each of the first four bytes, the first byte's highest
     for (size_t i = 0; i < 4; ++i) zero = zero << 1 | (i < text.size() && text[i] == 0);
     const bool little = begins("\xff\xfe");
     if (zero == 0b1110 || zero == 0b0111 || (little && zero == 0b0011) || begins({"\0\0\xfe\xff", 4}))
@@ -80,17 +80,17 @@ TextLines::TextLines(const std::string &path) : text(decoded(common::readWhole(p
 bool TextLines::next() {
     while (at < text.size()) {
         number = following;
-        auto physical = [&] {
+        auto nextPhysical = [&] {
             size_t from = at, end = std::min(text.find('\n', at), text.size());
             at = end + 1, ++following;
             return std::string_view(text).substr(from, end - from);
         };
-        std::string_view line = trimmed(physical());
+        std::string_view line = trimmed(nextPhysical());
         if (!line.empty() && line.back() == '\\' && line.front() != '#') {
             joined = line;
             while (!joined.empty() && joined.back() == '\\') {
                 joined.back() = ' ';
-                if (at < text.size()) joined += physical();
+                if (at < text.size()) joined += nextPhysical();
             }
             line = trimmed(joined);
         }

@@ -17,13 +17,12 @@ public:
 
     // Moves to the next line that is not empty; false at the end.
     bool next();
-    size_t number = 0;     // of the line, from 1; the first one's if it is continued
+    size_t number = 0;     // the line's, from 1; of a continued line, the first one's
     std::string_view word; // the line's first word
-    std::string_view rest; // what follows it, without blanks at its ends
+    std::string_view rest; // the text after it, without blanks at its ends
     bool isText = true;    // whether the file has no control characters
 
-    // The index of the line's word in `keywords`, or -1. A word in other capitals counts, and is kept in
-    // `otherCase` with its keyword.
+    // The index of the line's word in `keywords`, or -1. Adds words that differ in case to `otherCase`.
     int keyword(std::span<const char *const> keywords);
     std::map<std::string, const char *> otherCase;
 
@@ -32,10 +31,10 @@ private:
     size_t at = 0, following = 1;
 };
 
-// Removes the first word from `text`, which has no leading blanks afterwards, and returns it.
+// Removes the first word from `text`, with the blanks after it, and returns it.
 std::string_view takeWord(std::string_view &text);
 
-// Removes a number. Returns false, and leaves `text` as it is, if the first word is none.
+// Removes a number. Returns false, and leaves `text` as it is, if the first word is not a number.
 bool takeNumber(std::string_view &text, double &number);
 
 } // namespace odraz::radiosity

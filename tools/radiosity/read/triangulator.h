@@ -40,27 +40,27 @@ public:
 
 private:
     using Area = __int128;
-    static constexpr int kBits = 50; // a coordinate's; a difference of products then fits into 128 bits
-    static constexpr double kThinEar = 1e-4; // the height of a thin ear, in lengths of its longest side
+    static constexpr int kBits = 50;         // per coordinate: differences of products fit into 128 bits
+    static constexpr double kThinEar = 1e-4; // largest height of a thin ear, in lengths of its longest side
 
     struct Point {
         int64_t x, y;
         bool operator==(const Point &) const = default;
     };
-    // Which corners may be cut off, from the best to those that only polygons with crossings need: ears that
-    // are not thin; any ears; corners without area; any convex corners; any
+    // Which corners may be cut off, best first: ears that are not thin, ears, corners without area, convex
+    // corners, any. Only polygons that cross themselves need the last two.
     enum Choice { kGood, kThin, kFlat, kConvex, kAny };
 
     std::vector<Point> points;
-    std::vector<int> before, after; // the neighbours that are left; -1: the corner is cut off
-    int left = 0;                   // corners that are left
-    std::vector<int> reflex;        // corners that may lie in an ear, by cells of a grid
+    std::vector<int> before, after; // remaining neighbours; after -1: the corner is cut off
+    int left = 0;                   // the number of remaining corners
+    std::vector<int> reflex;        // corners that may lie in an ear, by cell of a grid
     std::vector<int> firstInCell;
     int64_t side = 1; // cells along each axis
-    double thin = 0;  // spikes that are thinner have no area
+    double thin = 0;  // thinner spikes have no area
 
-    // Projects along the axis on which the polygon's area vector (Newell's) is longest; or, if its parts face
-    // both ways and cancel out, along that on which they are.
+    // Projects along the axis of the largest component of the polygon's area vector (Newell's). If its parts
+    // face both ways and cancel out, the sums of their absolute components decide.
     void project(const std::vector<Vec3d> &corners, double least) {
         Vec3d area = {}, parts = {}, lo = corners[0], hi = lo;
         for (size_t i = 0; i < corners.size(); ++i) {
@@ -116,7 +116,7 @@ private:
         --left;
     }
 
-    // Whether the outline turns back on itself at a corner, or stays: it has no area then.
+    // Whether the outline turns back on itself at a corner, or repeats it, so that no area is lost.
     bool isSpike(int b) const {
         int a = before[(size_t)b], c = after[(size_t)b];
         if (left < 3 || c < 0) return false;
@@ -127,17 +127,17 @@ private:
                                              thin * std::max(std::hypot(x0, y0), std::hypot(x1, y1));
     }
 
-    // Cuts off a corner if it is a spike, and those beside it that become spikes.
+    // Cuts off a corner if it is a spike, then neighbours that become spikes.
     void cutSpikes(int b) {
         while (isSpike(b)) {
             int a = before[(size_t)b], c = after[(size_t)b];
-            triangles.push_back({a, b, c}); // it may have an area if its polygon is not flat
+            triangles.push_back({a, b, c}); // has an area if the polygon is not flat
             cutOff(b);
             b = isSpike(a) ? a : c;
         }
     }
 
-    // How often the outline turns around; to the left counts more than 0.
+    // The turning number of the outline: 1 for a simple counter-clockwise polygon.
     int turns() const {
         int sum = 0;
         auto up = [&](int a, int b) {
@@ -168,14 +168,14 @@ private:
             sides.push_back({left, right, low, high, a, b});
         }
         std::sort(sides.begin(), sides.end(), [](const Side &s, const Side &t) { return s.left < t.left; });
-        auto apart = [&](const Side &s, const Side &t) { // whether the ends of t lie on both sides of s
+        auto separates = [&](const Side &s, const Side &t) { // whether the ends of t lie on both sides of s
             Area first = twiceArea(s.a, s.b, t.a), second = twiceArea(s.a, s.b, t.b);
             return (first > 0 && second < 0) || (first < 0 && second > 0);
         };
         for (size_t i = 0; i < sides.size(); ++i)
             for (size_t k = i + 1; k < sides.size() && sides[k].left <= sides[i].right; ++k)
                 if (sides[k].low <= sides[i].high && sides[i].low <= sides[k].high &&
-                    apart(sides[i], sides[k]) && apart(sides[k], sides[i]))
+                    separates(sides[i], sides[k]) && separates(sides[k], sides[i]))
                     return true;
         return false;
     }
@@ -200,8 +200,8 @@ private:
         for (int i : all) reflex[(size_t)firstInCell[cell(i) + 1]++] = i;
     }
 
-    // Whether a corner that is left lies in the triangle or on its border. Where it coincides with the ear's
-    // tip, as at a bridge, it does if one of its sides runs into the triangle.
+    // Whether a remaining corner lies in the triangle a b c or on its border. A corner in the same place as
+    // b, as at a bridge, does if one of its sides runs into the triangle.
     bool blocks(int reflex, int a, int b, int c) const {
         if (after[(size_t)reflex] < 0 || reflex == a || reflex == b || reflex == c) return false;
         const Point &p = points[(size_t)reflex];
@@ -241,10 +241,10 @@ private:
 
     void cutEars() {
         const int count = (int)points.size();
-        // Ears are cut in turn, not one beside the other, or triangles become thin
+        // Cut ears in turns around the outline: neighbours in succession would make thin triangles
         std::vector<int> queue;
         size_t next = 0;
-        bool found = true; // an ear, since the queue was filled
+        bool found = true; // whether a corner was cut since the queue was filled
         for (int choice = kGood; left > 2;) {
             if (next == queue.size()) {
                 if (!std::exchange(found, false)) ++choice;
@@ -266,8 +266,7 @@ private:
         }
     }
 
-    // Turns the longest side of a triangle that is lower than `least` to the other diagonal of the two
-    // triangles beside it.
+    // Replaces the longest side of triangles lower than `least` by the other diagonal of both its triangles.
     void flipFlat(const std::vector<Vec3d> &corners, double least) {
         constexpr size_t kMost = 1000; // the time grows with the square
         for (size_t i = 0; i < triangles.size() && triangles.size() < kMost; ++i) {

@@ -1,4 +1,4 @@
-// glTF as other programs write it, and damaged: its triangles, places, materials and lights.
+// glTF as other programs write it, and damaged files: triangles, transforms, materials and lights.
 #include "tests/support/read_model.h"
 #include "tools/common/text.h"
 
@@ -26,13 +26,13 @@ std::string base64(const std::string &bytes) {
     return text;
 }
 
-// In this file, JSON has ' for ".
+// Replaces ' by ": JSON in this file is written with '.
 std::string json(std::string text) {
     std::replace(text.begin(), text.end(), '\'', '"');
     return text;
 }
 
-// The numbers of a file, each list with a view and an accessor of its own, and the text around them.
+// Writes a file: lists of numbers, each with its own view and accessor, and the JSON around them.
 struct Writer {
     std::string bytes, views, accessors;
     int count = 0;
@@ -42,11 +42,11 @@ struct Writer {
                 const std::string &view = "", size_t items = 0) {
         const int component =
             std::is_same_v<T, float> ? 5126 : 5120 + (int)sizeof(T) / 2 * 2 + std::is_unsigned_v<T>;
-        const size_t wide = type == "SCALAR" ? 1 : type == "MAT4" ? 16 : (size_t)(type.back() - '0');
+        const size_t width = type == "SCALAR" ? 1 : type == "MAT4" ? 16 : (size_t)(type.back() - '0');
         views += common::format("%s{'buffer':0,'byteOffset':%zu,'byteLength':%zu%s}", count ? "," : "",
                                 bytes.size(), values.size() * sizeof(T), view.c_str());
         accessors += common::format("%s{'bufferView':%d,'componentType':%d,'count':%zu,'type':'%s'%s}",
-                                    count ? "," : "", count, component, items ? items : values.size() / wide,
+                                    count ? "," : "", count, component, items ? items : values.size() / width,
                                     type.c_str(), more.c_str());
         bytes.append((const char *)values.data(), values.size() * sizeof(T));
         bytes.resize((bytes.size() + 3) / 4 * 4);
@@ -91,7 +91,7 @@ void expectNear(Vec3d a, Vec3d b, double within = 1e-6) {
 
 } // namespace
 
-// Four points as two triangles, in each way to say so.
+// Four points as two triangles, in all modes and types of indices.
 TEST(GltfReader, TakesAllTriangles) {
     struct Case {
         int mode;
@@ -117,12 +117,12 @@ TEST(GltfReader, TakesAllTriangles) {
 
 TEST(GltfReader, TakesAllNumbers) {
     auto facing = [](const Writer &w) { return Read(w.text(kNode + kFan)).facing(); };
-    // Between other data, from the second point's place on
+    // Interleaved with other data
     std::vector<float> wide;
     for (size_t i = 0; i < 12; i += 3)
         wide.insert(wide.end(), {9, 9, kSquare[i], kSquare[i + 1], kSquare[i + 2]});
     expectNear(facing(Writer().add("VEC3", wide, ",'byteOffset':8", ",'byteStride':20", 4)), {0, 0, 1});
-    // Quantised: 65535 and 127 are 1, and whole numbers are themselves
+    // Quantised: normalised 65535 and 127 are 1; other integers keep their values
     const std::string normal = ",'normalized':true";
     expectNear(
         facing(Writer().add<uint16_t>("VEC3", {0, 0, 0, 65535, 0, 0, 65535, 65535, 0, 0, 65535, 0}, normal)),
@@ -142,7 +142,7 @@ TEST(GltfReader, TakesAllNumbers) {
                {0, 0, 3});
 }
 
-// A square of 2 x 3, turned by a quarter about x, then placed by its parent.
+// A square of 2 x 3, rotated by 90 degrees about x, then transformed by its parent.
 TEST(GltfReader, PlacesNodes) {
     Read r(
         square("'nodes':[{'mesh':0},{'children':[2],'translation':[10,0,0],'scale':[2,2,2]},"
@@ -154,17 +154,17 @@ TEST(GltfReader, PlacesNodes) {
     expectNear(lo + toDouble(r.mesh.place), {12, 2, 2}, 1e-5);
     expectNear(hi + toDouble(r.mesh.place), {14, 2, 5}, 1e-5);
     EXPECT_EQ(r.notes, Lines{"m.gltf: one of its 2 scenes is read"});
-    // A matrix has its columns one after the other; mirrored triangles face the way that they are seen from
+    // Matrices are stored by columns. A mirrored triangle still faces the same side
     const Read placed(square("'nodes':[{'mesh':0,'matrix':[-2,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}]," + kMesh));
     expectNear(placed.facing(), {0, 0, 2});
     expectNear(boxOf(placed.mesh.points).second + toDouble(placed.mesh.place), {5, 7, 7});
-    // Without a scene, all nodes that are no children; and one mesh several times
+    // Without a scene all root nodes are used. Nodes may share a mesh
     EXPECT_NEAR(Read(square("'nodes':[{'mesh':0},{'mesh':0,'translation':[3,0,0],'children':[2]},"
                             "{'mesh':0,'translation':[3,0,0]}]," +
                             kMesh))
                     .area(),
                 3, 1e-6);
-    // A skin stands as its mesh was bound: by the first joint, not by its own node
+    // A skinned mesh keeps its bind pose: the transform of the first joint counts, not of its node
     Read skinned(Writer()
                      .add("VEC3", kSquare)
                      .add<float>("MAT4", {3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1})
@@ -172,18 +172,18 @@ TEST(GltfReader, PlacesNodes) {
                            "'skins':[{'joints':[1],'inverseBindMatrices':1}]," +
                            kFan));
     expectNear(skinned.facing(), {0, 0, 3});
-    EXPECT_EQ(skinned.notes, Lines{"m.gltf: skins are not bent: meshes stand as they were bound: node 0"});
-    // ... which leaves points alone if it has no matrix
+    EXPECT_EQ(skinned.notes, Lines{"m.gltf: skins are not deformed: meshes keep their bind pose: node 0"});
+    // Without an inverse bind matrix, the transform of the joint alone counts
     Read bare(square("'nodes':[{'mesh':0,'skin':0,'scale':[9,9,9]},{'scale':[2,1,1]}],"
                      "'skins':[{'joints':[1]}]," +
                      kMesh));
     EXPECT_EQ(bare.error, "");
     expectNear(bare.facing(), {0, 0, 2});
-    // Morph targets by the weights of the mesh, unless the node has its own. What is not used may lack
-    // anything
-    for (const auto &[own, area] :
+    // The weights of morph targets are the mesh's, unless the node has its own. Unused objects may be
+    // incomplete
+    for (const auto &[weights, area] :
          {std::pair{"", 4.}, {",'weights':[0]", 1.}, {",'weights':[0.5,7]", 2.25}}) {
-        Read morphed(square("'nodes':[{'mesh':0" + std::string(own) +
+        Read morphed(square("'nodes':[{'mesh':0" + std::string(weights) +
                             "}],'cameras':[{}],'animations':[{'name':'a','channels':[{'sampler':0}]}],"
                             "'meshes':[{'weights':[1],'primitives':[{'attributes':{'POSITION':0},'indices':1,"
                             "'targets':[{'POSITION':0}]}]}]"));
@@ -213,23 +213,22 @@ TEST(GltfReader, TakesMaterials) {
     EXPECT_EQ(m[0].emits, (std::array<float, 3>{8, 4, 0}));
     EXPECT_EQ(m[1].reflects, (std::array<float, 3>{0.2f, 0.3f, 0.4f}));
     EXPECT_EQ(m[2].reflects, (std::array<float, 3>{1, 0, 0}));
-    EXPECT_NEAR(r.area(), 4, 1e-6); // the first one has two sides
-    EXPECT_EQ(
-        r.notes,
-        (Lines{"m.gltf: material unnamed 2: its baseColorFactor must lie between 0 and 1: more counts as 1",
-               "m.gltf: alpha is not used, and all is opaque: material a",
-               "m.gltf: materials with a name that was used before get a number: material a (2)",
-               "m.gltf: metal counts as diffuse: material unnamed 2",
-               "m.gltf: normalTexture is not used: material unnamed 2"}));
-    // Changes name them
+    EXPECT_NEAR(r.area(), 4, 1e-6); // the first one is lit from both sides
+    EXPECT_EQ(r.notes,
+              (Lines{"m.gltf: material unnamed 2: its baseColorFactor is above 1, and counts as 1",
+                     "m.gltf: alpha is not used, and all is opaque: material a",
+                     "m.gltf: materials with a name that was used before get a number: material a (2)",
+                     "m.gltf: metal counts as diffuse: material unnamed 2",
+                     "m.gltf: normalTexture is not used: material unnamed 2"}));
+    // Options find materials by the new names
     const ReadSettings changed = {1, false, {readMaterialChange("--power", "a (2)=1,2,3")}};
     EXPECT_EQ(Read(file, "m.gltf", changed).mesh.materials[1].emits, (std::array<float, 3>{1, 2, 3}));
-    // Without any
+    // Without materials
     EXPECT_EQ(Read(square(kNode + kMesh)).mesh.materials[0].reflects[0], 0.7f);
 }
 
-// A picture of two rows, light above dark, in the file; its coordinates are bytes of the second set, turned
-// by a quarter counter-clockwise and moved.
+// An embedded picture of two rows, light above dark. Its coordinates are bytes of the second set, rotated by
+// 90 degrees and moved.
 TEST(GltfReader, TakesPictures) {
     const std::string pnm = "P6 1 2 255\n\xff\xff\xff" + std::string(3, '\0');
     Writer w;
@@ -255,7 +254,7 @@ TEST(GltfReader, TakesPictures) {
     EXPECT_TRUE(r.mesh.materials[0].picture.clamp);
     EXPECT_FLOAT_EQ(r.picture.linear(0)[0], 1);
     EXPECT_FLOAT_EQ(r.picture.linear(1)[0], 0);
-    // v is counted from the bottom here
+    // v points up here, down in glTF
     EXPECT_EQ(r.mesh.coordinates[0], (std::array<float, 6>{0, 1, 1, 1, 1, 0}));
     r = read("'extensions':{'KHR_texture_transform':{'texCoord':1,'offset':[0.25,0],"
              "'rotation':1.5707963267948966,'scale':[2,1]}}",
@@ -264,11 +263,11 @@ TEST(GltfReader, TakesPictures) {
     const std::array<float, 6> at = r.mesh.coordinates[0], right = {0.25f, 1, 0.25f, 3, 1.25f, 3};
     for (size_t k = 0; k < 6; ++k) EXPECT_NEAR(at[k], right[k], 1e-6) << k;
     EXPECT_FLOAT_EQ(r.picture.linear(0)[0], 1);
-    // Beside the file, with a blank in its name; and elsewhere
+    // A file next to the model, with a blank in its name; and a picture with a URL
     EXPECT_FLOAT_EQ(read(plain, "{'uri':'a%20b.ppm'}").picture.linear(0)[0], 1);
     EXPECT_EQ(read(plain, "{'uri':'https://a/b.ppm'}").notes,
               Lines{"m.gltf: a picture's URI has a scheme, and is not read: material unnamed 0"});
-    // A damaged one does not cost the model
+    // The model is read in spite of a damaged picture
     for (const auto &[image, why] : {std::pair{"{'uri':'data:image/png'}", "a data URI has no data"},
                                      {"{'bufferView':9}", "there is no bufferView 9"},
                                      {"{}", "a bufferView is missing"}})
@@ -276,7 +275,7 @@ TEST(GltfReader, TakesPictures) {
                   Lines{std::string("m.gltf: a picture is damaged: ") + why + ": material unnamed 0"});
 }
 
-// Base64 in lines, and percent-coded.
+// Base64 with line breaks and blanks, partly percent-encoded.
 TEST(GltfReader, TakesDataUris) {
     for (const char *by : {"\\n", " ", "%0A", "\\t\\r"}) {
         Writer w = Writer().add("VEC3", kSquare);
@@ -298,7 +297,7 @@ TEST(GltfReader, TakesLights) {
     auto node = [](int light, const char *more) {
         return common::format(",{'extensions':{'KHR_lights_punctual':{'light':%d}},%s}", light, more);
     };
-    // The sun shines along its -z: turned by a quarter about x, that is down
+    // A sun shines along its -z: downwards if rotated by -90 degrees about x
     Read r = read("{'type':'directional','intensity':31.415926535897931,'color':[1,0.5,0]},"
                   "{'type':'point','intensity':5},{'type':'spot','spot':{},'color':[0,1,0]}",
                   "'nodes':[{'mesh':0}" + node(0, "'rotation':[-0.70710678118,0,0,0.70710678118]") +
@@ -317,7 +316,7 @@ TEST(GltfReader, TakesLights) {
     EXPECT_EQ(r.notes,
               Lines{"m.gltf: 2 point or spot lights become balls, up to 0.00141 across; 1 spot shines "
                     "in all directions"});
-    // A very bright ball is wide; a dark light is none; animations are noted
+    // Very bright balls are enlarged; dark lights are left out; animations are noted
     auto one = [&](const char *intensity) {
         return read("{'type':'point','intensity':" + std::string(intensity) + "}",
                     "'nodes':[{'mesh':0}" + node(0, "'name':'n'") +
@@ -331,7 +330,7 @@ TEST(GltfReader, TakesLights) {
     EXPECT_TRUE(one("0").mesh.lights.lamps.empty());
 }
 
-// The content decides, not the name.
+// The content of a file selects the format, not its name.
 TEST(GltfReader, TakesContainers) {
     auto word = [](size_t value) {
         uint32_t four = (uint32_t)value;
@@ -349,14 +348,14 @@ TEST(GltfReader, TakesContainers) {
     const std::string text = w.text(kNode + kFan), more = chunk("MORE", "abcd"),
                       both =
                           chunk("JSON", w.text(kNode + kFan, "")) + chunk(std::string("BIN\0", 4), w.bytes),
-                      whole = glb(both), beside = w.text(kNode + kFan, ",'uri':'a%20b.bin'");
+                      whole = glb(both), external = w.text(kNode + kFan, ",'uri':'a%20b.bin'");
     for (const char *name : {"m.glb", "m.gltf", "m.obj", "m"}) {
         EXPECT_NEAR(Read(whole, name).area(), 1, 1e-6) << name;
         EXPECT_NEAR(Read("\xef\xbb\xbf \n" + text, name).area(), 1, 1e-6) << name;
     }
     EXPECT_NEAR(Read(glb(more + both)).area(), 1, 1e-6); // chunks of other kinds are skipped
     EXPECT_NEAR(Read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.glb").area(), 0.5, 1e-6);
-    EXPECT_NEAR(Read(beside, "m.gltf", {}, "a b.bin", w.bytes + "more").area(), 1, 1e-6);
+    EXPECT_NEAR(Read(external, "m.gltf", {}, "a b.bin", w.bytes + "more").area(), 1, 1e-6);
     EXPECT_NEAR(Read(std::string(3000, '\n') + text, "m").area(), 1, 1e-6);
     for (size_t size = 4; size < whole.size(); size += 3)
         EXPECT_TRUE(Read(whole.substr(0, size), "m.glb").error.starts_with("m.glb: ")) << size;
@@ -365,21 +364,21 @@ TEST(GltfReader, TakesContainers) {
         Read read;
         std::string error;
     } refused[] = {
-        {Read(beside, "m.gltf", {}, "a b.bin", "short"), "buffer 0 has 5 of 48 bytes"},
-        {Read(beside), "cannot read a b.bin: No such file or directory"},
+        {Read(external, "m.gltf", {}, "a b.bin", "short"), "buffer 0 has 5 of 48 bytes"},
+        {Read(external), "cannot read a b.bin: No such file or directory"},
         {Read(glb(more)), "has no JSON"},
         {Read(""), "is empty"},
         {Read("[]"), neither},
         {Read(std::string("\xff\xfe{\0", 4)), neither},
         {Read("gLTF" + whole.substr(4)), neither},
-        {Read("glTF\1" + whole.substr(5)), "is glTF 1, and 2.0 is read"},
+        {Read("glTF\1" + whole.substr(5)), "is glTF 1: only 2.0 is read"},
         {Read(whole.substr(0, 200)), "ends early: it has 200 of " + std::to_string(whole.size()) + " bytes"},
     };
     for (const auto &r : refused) EXPECT_EQ(r.read.error, "m.gltf: " + r.error);
     EXPECT_EQ(Read("[]", "m.obj").error, "m.obj: holds no point");
 }
 
-// Part of a good file is replaced by something else, and is refused with these words.
+// Replaces a part of a good file, and expects these errors.
 TEST(GltfReader, RefusesDamage) {
     auto changed = [&](const std::string &from, const std::string &to) {
         std::string text = square(kNode + kMesh);
@@ -396,7 +395,7 @@ TEST(GltfReader, RefusesDamage) {
     } cases[] = {
         {"{", "{{", "its JSON is damaged at byte 2"},
         {"asset", "assets", "is JSON, but not glTF: it has no asset"},
-        {"2.0", "1.0", "is glTF 1.0, and 2.0 is read"},
+        {"2.0", "1.0", "is glTF 1.0: only 2.0 is read"},
         {"'asset'", "'extras':" + std::string(200, '[') + std::string(200, ']') + ",'asset'",
          "its JSON is nested too deeply"},
         {"'asset'", "'extensionsRequired':['KHR_draco_mesh_compression'],'asset'",
@@ -408,7 +407,7 @@ TEST(GltfReader, RefusesDamage) {
         {"'byteOffset':0", "'byteOffset':9007199254740990", "bufferView 0 ends outside its buffer"},
         {"'bufferView':0,", "", "accessor 0 has no bufferView"},
         {"'buffer':0", "'buffer':1", "there is no buffer 1"},
-        {"VEC3", "VEC4", "accessor 0 does not have the type that its use needs"},
+        {"VEC3", "VEC4", "accessor 0 has the wrong type for its use"},
         {"'mesh':0", "'mesh':0,'children':[0]", "holds no triangle"},
         {"[{'mesh':0}]", "[{'mesh':0,'children':[1]},{'children':[0]}],'scenes':[{'nodes':[0]}]",
          "node 0 has two parents, or is within itself"},
@@ -417,7 +416,7 @@ TEST(GltfReader, RefusesDamage) {
         {"'indices':1", "'mode':1", "holds no triangle"},
         {before, floor + "'pbrMetallicRoughness':{'baseColorFactor':[-1,0,0,1]}" + nodes,
          "material floor: baseColorFactor must lie between 0 and 1"},
-        // Of another type
+        // Wrong types
         {"'indices':1", "'material':'lamp'", "material" + index},
         {"'indices':1", "'material':4294967296", "material" + index},
         {"'indices':1", "'indices':-3", "indices" + index},
@@ -435,7 +434,7 @@ TEST(GltfReader, RefusesDamage) {
     for (const auto &[from, to, error] : cases) EXPECT_EQ(changed(from, to), "m.gltf: " + error);
     EXPECT_TRUE(changed("data:application/octet-stream;base64,", "http://a/")
                     .starts_with("m.gltf: buffer 0 is not read, as its URI has a scheme: http://a/AAAA"));
-    // What is not read may be anything
+    // Parts that are not read may have any type
     EXPECT_EQ(changed("'mesh':0", "'mesh':0,'extras':{'mesh':-1},'extensions':{'VRM':{'mesh':-1}}"), "");
     Writer w;
     w.add<float>("VEC3", {0, 0, 0, 1, 0, 0, NAN, 1, 0});
@@ -443,7 +442,7 @@ TEST(GltfReader, RefusesDamage) {
               "m.gltf: mesh 0 has a coordinate that is not a number below 1e18");
     w.add<uint8_t>("SCALAR", {0, 1, 3});
     EXPECT_EQ(Read(w.text(kNode + kMesh)).error, "m.gltf: mesh 0 has an index beyond its 3 points");
-    // A chain of nodes as deep as there are nodes
+    // A chain of 50,001 nodes
     std::string chain = "'nodes':[{'mesh':0}";
     for (int i = 0; i < 50000; ++i) chain += ",{'children':[" + std::to_string(i) + "]}";
     EXPECT_NEAR(Read(square(chain + "]," + kMesh)).area(), 1, 1e-6);

@@ -1,4 +1,4 @@
-// Changes of materials: how they are read, their effect, and the errors.
+// Options that change materials: reading, effect and errors.
 #include "tests/support/thrown.h"
 #include "tools/radiosity/read/material_changes.h"
 #include "tools/radiosity/read/mesh.h"
@@ -79,16 +79,17 @@ TEST(Materials, WithPictures) {
 TEST(Materials, ReflectAllLightAtMost) {
     EXPECT_EQ(changed({{"--reflectance", "white=1.3333333"}})[0].reflects[0], 1);
     EXPECT_EQ(refusal("--reflectance", "white=1.34"),
-              "--reflectance white=1.34: white would reflect 1.005, and the most is 1");
-    EXPECT_EQ(refusal("--power", "lamp=1e12"),
-              "--power lamp=1e12: lamp would emit 2e+13, and the most is 1e12");
+              "--reflectance white=1.34: white would reflect 1.005; the most is 1");
+    EXPECT_EQ(refusal("--power", "lamp=1e12"), "--power lamp=1e12: lamp would emit 2e+13; the most is 1e12");
 }
 
 TEST(Materials, AreNamedWhereAnotherIsAskedFor) {
-    EXPECT_EQ(refusal("--reflectance", "grey=1"),
-              "--reflectance grey=1: no polygon has this material; there are white, lamp, cloth, a=b");
-    EXPECT_EQ(refusal("--power", "unused=1,1,1"),
-              "--power unused=1,1,1: no polygon has this material; there are white, lamp, cloth, a=b");
+    EXPECT_EQ(
+        refusal("--reflectance", "grey=1"),
+        "--reflectance grey=1: no polygon has this material; the materials are white, lamp, cloth, a=b");
+    EXPECT_EQ(
+        refusal("--power", "unused=1,1,1"),
+        "--power unused=1,1,1: no polygon has this material; the materials are white, lamp, cloth, a=b");
     EXPECT_NE(refusal("--power", "white=2").find("white emits no light: name a material"), std::string::npos);
     std::vector<MeshMaterial> dark = {{"white", {1, 1, 1}, {}}};
     EXPECT_THROW(changeMaterials(dark, {true}, {readMaterialChange("--power", "2")}), common::Refused);
@@ -101,6 +102,6 @@ TEST(Materials, RefuseWhatIsNoColour) {
           "white=1;1;1", "white", "nan", "inf", "1,1,nan", "-1", "-0.1,0,0", "white=1e400"})
         for (const char *option : {"--reflectance", "--power"})
             EXPECT_NE(refusal(option, text), "") << option << " " << text;
-    EXPECT_EQ(refusal("--reflectance", "1,1,1.01"), "--reflectance 1,1,1.01: a reflectance is from 0 to 1");
-    EXPECT_EQ(refusal("--power", "1,1,2e12"), "--power 1,1,2e12: power is from 0 to 1e12");
+    EXPECT_EQ(refusal("--reflectance", "1,1,1.01"), "--reflectance 1,1,1.01: a reflectance must be 0 to 1");
+    EXPECT_EQ(refusal("--power", "1,1,2e12"), "--power 1,1,2e12: power must be 0 to 1e12");
 }

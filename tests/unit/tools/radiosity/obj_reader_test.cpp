@@ -32,7 +32,7 @@ std::string utf16(const std::string &text, bool mark, bool bigEndian) {
 
 } // namespace
 
-// Of all these the square is read, without a note.
+// The square is read from each of these, without a note.
 TEST(ObjReader, TakesAllFormsOfLines) {
     for (const char *polygon :
          {"f 1 2 3 4", "f 1/ 2/ 3/ 4/", "f 1// 2// 3// 4//", "f 1//0 2//0 3//0 4//0", "f 1/0/0 2/0 3/0/ 4",
@@ -80,7 +80,7 @@ TEST(ObjReader, TakesAllKindsOfText) {
     for (bool big : {false, true})
         for (bool mark : {false, true}) {
             std::string wide;
-            for (char c : (mark ? "m" : "") + text) // of which m becomes the mark
+            for (char c : (mark ? "m" : "") + text) // m becomes the byte order mark
                 for (int k = 0; k < 4; ++k)
                     wide += mark && wide.size() < 4 ? (big ? "\0\0\xfe\xff" : "\xff\xfe\0\0")[k]
                             : k == (big ? 3 : 0)    ? c
@@ -100,7 +100,7 @@ TEST(ObjReader, TakesAllKindsOfText) {
 TEST(ObjReader, NamesTheLine) {
     const std::string zip("\x1f\x8b\b\0\0", 5);
     const std::pair<std::string, std::string> cases[] = {
-        {"v 0 0 0\r\nv 0 0 \\\r\n 1\r\nf 1 2 9\r\n", ":4: there is no point 9: there are 2"},
+        {"v 0 0 0\r\nv 0 0 \\\r\n 1\r\nf 1 2 9\r\n", ":4: there is no point 9: the file has 2"},
         {"\xef\xbb\xbfv 0 0\n", ":1: a point needs three coordinates"},
         {"# a\\\n\nv 0 0 0,5\n", ":3: a point needs three coordinates: 0,5 is not a number"},
         {"v 0 0 1e400\n", ":1: a coordinate is not a number below 1e18"},
@@ -142,7 +142,7 @@ TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
               Lines{"m.mtl: is not a text file, and has no materials"});
 }
 
-// Each kind once, with the place of the first.
+// One note for each kind, with the first line or material.
 TEST(ObjReader, NotesWhatIsNotUsed) {
     const std::string obj =
         "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 0 1 1.0\nv 0 0 1 2\nvt nan 0\nvt 1 inf\nvt\nvt "
@@ -196,7 +196,7 @@ TEST(ObjReader, TakesColours) {
     EXPECT_NEAR(with("Kd xyz 0.4755 0.5 0.5445").mesh.materials[0].reflects[1], 0.5, 0.01);
 }
 
-// Material files by names with blanks, other capitals and another system's folders; names with blanks and #.
+// Material files in another case or in another system's folders; material names with blanks and #.
 TEST(ObjReader, FindsMaterials) {
     for (const char *library : {"M.MTL", "C:\\\\my\\\\m.mtl", "none.mtl m.mtl"})
         for (const std::string name : {"a b", "a#1"}) {
@@ -211,7 +211,7 @@ TEST(ObjReader, FindsMaterials) {
               Lines{"m.obj: its materials cannot be read: cannot read none.mtl: No such file or directory"});
 }
 
-// A model far away is moved to the origin; what is written has the model's coordinates.
+// The mesh of a model far away is moved to the origin.
 TEST(ObjReader, MovesFarModels) {
     ReadObj far(
         "v 460123 210 5411233\nv 460123 210 5411235.5\nv 460125 210 5411235.5\nv 460125 210 5411233\nf "
@@ -220,7 +220,7 @@ TEST(ObjReader, MovesFarModels) {
     EXPECT_GT(length(far.mesh.place), 5e6f);
     for (const Vec3d &p : far.mesh.points) EXPECT_LT(length(p), 4);
     EXPECT_EQ(length(ReadObj(kObjSquare + "f 1 2 3 4\n").mesh.place), 0);
-    // A point that no polygon has does not matter, wherever it lies
+    // Points that no polygon uses do not count
     ReadObj stray("v 0 0 0\nv 5411233 210 460123\nv 5411233 210 460123.5\nv 5411233.5 210 460123\nf 2 3 4\n");
     EXPECT_NEAR(stray.area(), 0.125, 1e-8);
     EXPECT_LT(stray.mesh.size(), 1);
@@ -238,14 +238,14 @@ TEST(ObjReader, PutsTheFirstPolygonInFront) {
     };
     ReadObj wallFirst("mtllib m.mtl\n" + points + wall + decal, mtl);
     EXPECT_NEAR(areas(wallFirst.mesh)["wall"], 144, 1e-9);
-    EXPECT_NEAR(areas(wallFirst.mesh)["decal"], 9, 1e-4); // it stands out by three
+    EXPECT_NEAR(areas(wallFirst.mesh)["decal"], 9, 1e-4); // the part beyond the wall
     EXPECT_EQ(wallFirst.notes,
               Lines{"m.obj: polygons overlap in one plane, and the first is in front: line 13 (decal) behind "
                     "line 11 (wall)"});
     ReadObj decalFirst("mtllib m.mtl\n" + points + decal + wall, mtl);
     EXPECT_NEAR(areas(decalFirst.mesh)["wall"], 144 - 27, 1e-4);
     EXPECT_NEAR(areas(decalFirst.mesh)["decal"], 36, 1e-9);
-    // Backs, neighbours and what lies a little in front do not overlap
+    // Backs, neighbours and polygons a little in front do not overlap
     EXPECT_EQ(ReadObj(points + "f 1 2 3 4\nf 8 7 6 5\n").notes, Lines{});
     EXPECT_EQ(ReadObj(points + "f 1 2 3\nf 1 3 4\n").notes, Lines{});
     EXPECT_EQ(ReadObj(kObjSquare + "v 3 .001 3\nv 3 .001 9\nv 6 .001 9\nf 1 2 3 4\nf 5 6 7\n").notes,

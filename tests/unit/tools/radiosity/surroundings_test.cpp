@@ -54,7 +54,7 @@ Rgb all(const SkyPicture &sky, const std::vector<Sun> &suns) {
 
 } // namespace
 
-// Other primaries would be other light; another shape is noted.
+// Refuses other primaries; notes another aspect ratio.
 TEST(Sky, IsAPanoramaOfItsLight) {
     std::vector<Sun> suns;
     std::vector<std::string> notes;
@@ -157,7 +157,7 @@ TEST(Sky, StandsWhereItIsAsked) {
     EXPECT_TRUE(near(sunTowards(-90, 0, true), {0, 0, -1}));
 }
 
-// (hdr_reader_test has what is no picture.)
+// (hdr_reader_test has files that are no pictures.)
 TEST(Sky, RefusesSumsThatAreNoNumbers) {
     std::vector<Sun> suns;
     EXPECT_THROW(read("#?RADIANCE\n\n-Y 1 +X 1\n\xff\xff\xff\xff", false, suns), common::Refused);

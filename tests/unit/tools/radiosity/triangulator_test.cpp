@@ -24,7 +24,7 @@ bool crosses(const Loop &p, size_t i, size_t k) { // the sides that begin at i a
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-// Random points in random order, with parts of the outline turned round until nothing crosses.
+// Random points in random order; parts of the outline are reversed until no sides cross.
 Loop untangled(size_t count, std::mt19937 &random) {
     std::uniform_real_distribution<double> uniform(0, 1);
     Loop p(count);
@@ -41,7 +41,7 @@ Loop untangled(size_t count, std::mt19937 &random) {
     return p;
 }
 
-// Points around a middle, near and far.
+// Points around a centre, at random distances.
 Loop star(size_t count, std::mt19937 &random) {
     std::uniform_real_distribution<double> uniform(0.1, 1);
     Loop p;
@@ -61,7 +61,7 @@ Vec3d newell(const std::vector<Vec3d> &p) {
 struct Built {
     Mesh mesh;
     std::vector<std::string> notes;
-    double area = 0; // of all triangles along Newell's normal; not a number if one faces the other way
+    double area = 0; // the triangles', along Newell's normal; NaN if one faces the other way
 
     explicit Built(const std::vector<Vec3d> &points) {
         Polygons polygons;
@@ -97,8 +97,8 @@ TEST(Triangulator, DividesTenThousandRandomPolygons) {
         Vec3d n = axis(), u = normalize(cross(n, axis())), v = cross(n, u);
         if (k % 4 < 2) u = {0, 0, 1}, v = {1, 0, 0};
         if (k % 3 == 0) std::reverse(p.begin(), p.end());
-        for (double far : {0., 1e6}) {
-            std::vector<Vec3d> points = placed(p, u, v, {far, -far, far});
+        for (double offset : {0., 1e6}) {
+            std::vector<Vec3d> points = placed(p, u, v, {offset, -offset, offset});
             Built built(points);
             double area = length(newell(points));
             wrong += !(std::fabs(built.area - area) <= 1e-6 * area) || !built.notes.empty();
@@ -126,7 +126,7 @@ TEST(Triangulator, DividesQuadsWithANotch) {
         }
 }
 
-// Holes are joined to the outline by bridges, of which two end in one corner.
+// Bridges join holes to the outline. In the second polygon two of them end in one corner.
 TEST(Triangulator, LeavesHoles) {
     Built one(onFloor({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {1, 1}, {1, 8}, {8, 8}, {8, 1}, {1, 1}}));
     EXPECT_NEAR(one.area, 81 - 49, 1e-9);
@@ -139,15 +139,15 @@ TEST(Triangulator, LeavesHoles) {
     EXPECT_TRUE(two.notes.empty());
 }
 
-// The outline of squares that hang together as a tree: it touches itself at corners and along sides, where it
-// leaves holes and slits, and turns back at their ends.
+// The outline of squares that are joined as a tree: it touches itself at corners and along sides, encloses
+// holes and slits, and turns back at the ends of slits.
 struct Tiles {
     std::mt19937 &random;
     size_t most;
     std::set<std::array<int, 2>> taken = {};
     Loop outline = {};
 
-    void add(int x, int y, size_t from) { // beside the square in this direction
+    void add(int x, int y, size_t from) { // next to the square in this direction
         taken.insert({x, y});
         for (size_t k = from + 1; k < from + 5; ++k) {
             const int dx[4] = {1, 0, -1, 0}, dy[4] = {0, 1, 0, -1};
@@ -176,8 +176,7 @@ TEST(Triangulator, DividesWhatTouchesItself) {
     EXPECT_EQ(wrong, 0);
 }
 
-// Some programs close an outline with a point that comes twice, or leave a line that is followed there and
-// back.
+// Some programs repeat the first point at the end, or leave lines that the outline follows there and back.
 TEST(Triangulator, CutsSpikes) {
     for (const Loop &p :
          {Loop{{0, 0}, {4, 0}, {4, 2}, {8, 2}, {4, 2}, {4, 4}, {0, 4}},
@@ -190,7 +189,7 @@ TEST(Triangulator, CutsSpikes) {
     }
 }
 
-// A part that is seen edge-on, along the axis on which the rest is large, is there.
+// Keeps a part that is edge-on along the axis of projection.
 TEST(Triangulator, KeepsPartsOfFoldedPolygons) {
     Built built({{5, 0, 0}, {6, 0, 0}, {6, 5, .5}, {5, .5, 3}});
     EXPECT_EQ(built.mesh.triangles.size(), 2u);
@@ -207,7 +206,7 @@ TEST(Triangulator, NotesCrossings) {
         Built built(onFloor(p));
         ASSERT_FALSE(built.notes.empty());
         EXPECT_NE(built.notes.back().find("cross themselves"), std::string::npos);
-        EXPECT_FALSE(built.area <= 0); // that of `even` is not a number, as it faces no side
+        EXPECT_FALSE(built.area <= 0); // NaN for `even`, whose area vector is 0
     }
 }
 
