@@ -55,9 +55,9 @@ private:
 
 struct ColourSum {
     double area = 0, light[3] = {};
-    void add(double much, const Rgb &c) {
-        area += much;
-        light[0] += much * (double)c.x, light[1] += much * (double)c.y, light[2] += much * (double)c.z;
+    void add(double part, const Rgb &c) {
+        area += part;
+        light[0] += part * (double)c.x, light[1] += part * (double)c.y, light[2] += part * (double)c.z;
     }
     void add(const ColourSum &s) {
         area += s.area;
@@ -68,7 +68,7 @@ struct ColourSum {
     }
 };
 
-// Adds a triangle's part inside a cell.
+// Adds the part of a triangle inside a cell.
 void addTo(ColourSum &sum, const Outline &cell, const ChartTriangle &t, const ReflectancePicture &texture,
            bool clamp) {
     Outline part = cell;
@@ -76,9 +76,9 @@ void addTo(ColourSum &sum, const Outline &cell, const ChartTriangle &t, const Re
     if (part.size() < 3) return;
     double area = areaOf(part);
     if (!(area > 0)) return;
-    std::vector<TexturePoint> shown;
-    for (PlanePoint p : part) shown.push_back(t.coordinates(p));
-    sum.add(area, texture.mean(shown, clamp));
+    std::vector<TexturePoint> covered;
+    for (PlanePoint p : part) covered.push_back(t.coordinates(p));
+    sum.add(area, texture.mean(covered, clamp));
 }
 
 // Adds a triangle to the cells that it touches.
@@ -98,18 +98,18 @@ void addTriangle(std::vector<ColourSum> &sums, const Chart &c, const ChartTriang
         }
 }
 
-// The pictures' colour in each cell; empty if no picture can be read.
+// The sum of the pictures' colours in each cell; empty if no picture can be read.
 std::vector<ColourSum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf,
                                    std::span<const Chart> charts, std::span<const Cell> cells,
                                    std::vector<std::string> &notes) {
     // Read one picture at a time, to save memory
-    std::map<std::string, std::vector<size_t>> shown;
+    std::map<std::string, std::vector<size_t>> trianglesOf; // by picture
     for (size_t i = 0; i < mesh.triangles.size() && !mesh.coordinates.empty(); ++i) {
         const std::string &path = mesh.materials[(size_t)mesh.triangles[i].material].picture.path;
-        if (!path.empty() && chartOf[i] >= 0) shown[path].push_back(i);
+        if (!path.empty() && chartOf[i] >= 0) trianglesOf[path].push_back(i);
     }
     std::vector<ColourSum> sums;
-    for (const auto &[path, triangles] : shown) try {
+    for (const auto &[path, triangles] : trianglesOf) try {
             ReflectancePicture texture(
                 mesh.materials[(size_t)mesh.triangles[triangles[0]].material].picture.read());
             sums.resize(cells.size());
@@ -163,9 +163,9 @@ void ElementReflectance::toPatches(Model &m) const {
     std::vector<ColourSum> sums((size_t)m.patchCount);
     for (size_t i = 0; i < ofCell.size(); ++i) {
         const Cell &c = m.cells[i];
-        int seen = 0; // quarters
-        for (int k = 0; k < 4; ++k) seen += m.quarterVisible(c, k);
-        if (seen) sums[(size_t)c.patch].add((double)c.area * seen, ofCell[i]);
+        int quarters = 0; // visible ones
+        for (int k = 0; k < 4; ++k) quarters += m.quarterVisible(c, k);
+        if (quarters) sums[(size_t)c.patch].add((double)c.area * quarters, ofCell[i]);
     }
     for (int i = 0; i < m.patchCount; ++i)
         if (sums[(size_t)i].area > 0) m.patches[i].reflects = sums[(size_t)i].mean();

@@ -6,7 +6,7 @@
 
 namespace odraz::radiosity {
 
-// Twice the signed area of a triangle: positive if p lies to the left of the line from a to b.
+// Twice the signed area of a triangle: positive if p is to the left of the line from a to b.
 static float side(PlanePoint a, PlanePoint b, PlanePoint p) {
     return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u);
 }

@@ -15,7 +15,7 @@ using Outline = std::vector<PlanePoint>; // convex, counter-clockwise about the 
 
 Outline outlineOf(const Facet &facet); // three or four points
 double areaOf(const Outline &outline);
-// The part of the outline that lies to the left of the line from a to b.
+// The part of an outline to the left of the line from a to b.
 Outline cut(const Outline &outline, PlanePoint a, PlanePoint b);
 
 // The cell at a point of a chart.

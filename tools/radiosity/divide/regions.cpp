@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 namespace {
 
 constexpr double kEven = 0.999995; // normals count as parallel above this cosine of their angle
-constexpr size_t kBothSides = 4;   // triangles that meet at an edge of a sheet that is lit from both sides
+constexpr size_t kBothSides = 4;   // triangles at an inner edge of a sheet that is lit from both sides
 
 using Vec2d = std::array<double, 2>;
 
@@ -19,8 +19,8 @@ struct Rectangle {
     double u0, v0, u1, v1;
 };
 
-// The rectangles of a region whose borders all run along u or v; empty if some do not. Divides it into slabs
-// at each v where a border along v ends. Lengths below `tiny` count as zero.
+// The rectangles of a region; empty if some border runs neither along u nor along v. Divides the region into
+// slabs at each v where a border along v ends. Lengths below `tiny` count as zero.
 std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &borders, double tiny) {
     struct Vertical {
         double u, v0, v1;
@@ -106,21 +106,21 @@ struct Union {
     }
 };
 
-// Items sorted by the set that they belong to.
-template <class T> struct Sorted {
-    std::vector<size_t> first; // of each set, and the end of the last
-    std::vector<T> things;
+// Items grouped by the set that they belong to.
+template <class T> struct Grouped {
+    std::vector<size_t> first; // index of each set's first item, and the end of the last set
+    std::vector<T> items;
 
-    // root(i): the set of the i-th of `count` items, or -1; thing(i): the item itself.
-    template <class Root, class Thing> Sorted(size_t sets, size_t count, Root &&root, Thing &&thing) {
+    // root(i): the set of the i-th of `count` items, or -1; item(i): the item itself.
+    template <class Root, class Item> Grouped(size_t sets, size_t count, Root &&root, Item &&item) {
         first.resize(sets + 2);
         for (size_t i = 0; i < count; ++i) ++first[(size_t)(root(i) + 2)];
         for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-        things.resize(first.back());
-        for (size_t i = 0; i < count; ++i) things[first[(size_t)(root(i) + 1)]++] = thing(i);
+        items.resize(first.back());
+        for (size_t i = 0; i < count; ++i) items[first[(size_t)(root(i) + 1)]++] = item(i);
     }
     std::span<const T> of(size_t set) const {
-        return {things.data() + first[set], first[set + 1] - first[set]};
+        return {items.data() + first[set], first[set + 1] - first[set]};
     }
 };
 
@@ -153,13 +153,13 @@ struct ChartBuilder {
     }
 
 private:
-    struct PlaneFrame { // of the plane
+    struct PlaneFrame {
         Vec3d origin, u, v, n;
     };
-    struct Extent { // in the frame
+    struct Extent { // in a PlaneFrame
         Vec2d lo = {1e300, 1e300}, hi = {-1e300, -1e300};
-        double twiceArea = 0; // of the triangles
-        double off = 0;       // their largest distance from the plane
+        double twiceArea = 0; // the triangles'
+        double off = 0;       // the triangles' largest distance from the plane
         double width() const { return hi[0] - lo[0]; }
         double height() const { return hi[1] - lo[1]; }
     };
@@ -248,13 +248,13 @@ public:
     }
 
     // The triangles of each set; sets are sorted by their first triangle.
-    Sorted<int> members() const {
-        return Sorted<int>(
+    Grouped<int> members() const {
+        return Grouped<int>(
             roots.size(), roots.size(), [&](size_t i) { return roots[i]; }, [](size_t i) { return (int)i; });
     }
-    // The edges of each set that are not shared in opposite directions.
-    Sorted<Edge> borders() const {
-        return Sorted<Edge>(
+    // The border of each set: its edges that do not occur in both directions.
+    Grouped<Edge> borders() const {
+        return Grouped<Edge>(
             roots.size(), edges.size(), [&](size_t i) { return borderOf(i); },
             [&](size_t i) { return edges[i]; });
     }
@@ -269,8 +269,7 @@ private:
 
     static bool sameEnds(const Edge &a, const Edge &b) { return a.low == b.low && a.high == b.high; }
 
-    // Whether an edge's triangles form one sheet. In a sheet that is lit from both sides there are four: two
-    // fronts and two backs.
+    // Whether an edge's triangles form one sheet: two, or two fronts and two backs if both sides are lit.
     bool oneSheet(std::span<const Edge> all) const {
         if (all.size() == 2) return true;
         if (all.size() != kBothSides) return false;
@@ -301,8 +300,7 @@ private:
         for (size_t k = 0; k + 1 < all.size(); ++k)
             for (size_t l = k + 1; l < all.size(); ++l) {
                 int s = all[k].triangle, t = all[l].triangle, a = sets.root(s), b = sets.root(t);
-                // Compare with the region's first triangle, so that a curved surface cannot drift out of its
-                // plane
+                // Compare with the region's first triangle, or regions would follow curved surfaces
                 if (all[k].forward != all[l].forward && a != b && joins(std::min(a, b), s) &&
                     joins(std::min(a, b), t))
                     sets.parent[(size_t)std::max(a, b)] = std::min(a, b);
@@ -329,12 +327,12 @@ Regions joinRegions(const Mesh &mesh, double cell) {
     const double tiny = mesh.size() * 5e-6;
     regions.chartOf.resize(count);
     RegionGrower grower(mesh, tiny);
-    Sorted<int> members = grower.members();
-    Sorted<Edge> borders = grower.borders();
+    Grouped<int> members = grower.members();
+    Grouped<Edge> borders = grower.borders();
     ChartBuilder builder = {mesh, regions, tiny, cell};
     for (size_t i = 0; i < count; ++i) {
         if (members.of(i).empty() || builder.add(members.of(i), borders.of(i))) continue;
-        // The region fills too little of its rectangle: make each triangle a chart
+        // The region fills too little of its rectangle: make a chart of each triangle
         for (int t : members.of(i)) {
             const auto &c = mesh.triangles[(size_t)t].corners;
             const Edge sides[] = {{c[0], c[1], t, true}, {c[1], c[2], t, true}, {c[2], c[0], t, true}};

@@ -1,6 +1,5 @@
-// Turns triangles into charts. Neighbours in one plane and of one material are joined into regions, and each
-// region becomes a chart. If a region consists of rectangles, these are its facets; otherwise its triangles
-// are.
+// Turns triangles into charts. Neighbours in one plane with one material are joined into a region, which
+// becomes a chart. Its facets are rectangles if the region consists of them, otherwise its triangles.
 #pragma once
 
 #include "radiosity/model.h"
@@ -12,12 +11,12 @@ namespace odraz::radiosity {
 struct Regions {
     std::vector<Chart> charts; // not divided into patches
     std::vector<Facet> facets;
-    std::vector<int> material; // of each chart, index into Mesh::materials
-    std::vector<int> chartOf;  // of each triangle
+    std::vector<int> material; // each chart's, index into Mesh::materials
+    std::vector<int> chartOf;  // each triangle's
     std::vector<float> off;    // for each chart: the largest distance of a corner from its plane
 };
 
-// Cells have sides of about `cell`. Throws ModelError if there are too many materials.
+// Finds the charts. Cells have sides of about `cell`. Throws ModelError for too many materials.
 Regions joinRegions(const Mesh &mesh, double cell);
 
 // Copies the regions into an empty model. Throws ModelError if they do not fit.

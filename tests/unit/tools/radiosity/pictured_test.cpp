@@ -37,10 +37,11 @@ TEST(ReflectancePicture, IsAveragedOverAreas) {
     EXPECT_NEAR(mean(box(0, 0, 1, 1)), 0.5, 1e-4);
     EXPECT_NEAR(mean(box(0, 0.875, 0.125, 1)), 1, 1e-6); // the first pixel, in the upper row
     EXPECT_NEAR(mean(box(0.125, 0.875, 0.25, 1)), 0, 1e-6);
-    EXPECT_NEAR(mean(box(0.09375, 0.875, 0.1875, 1)), 1 / 3., 1e-6); // a quarter and a half of two
-    EXPECT_NEAR(mean(box(5, 7.875, 5.125, 8)), 1, 1e-6);             // repeated
+    EXPECT_NEAR(mean(box(0.09375, 0.875, 0.1875, 1)), 1 / 3.,
+                1e-6);                                   // a quarter of one pixel and half of the next
+    EXPECT_NEAR(mean(box(5, 7.875, 5.125, 8)), 1, 1e-6); // repeated
     EXPECT_NEAR(mean(box(-3, -5.125, -2.875, -5)), 1, 1e-6);
-    EXPECT_NEAR(mean(box(-3, 2, -2, 3), true), 1, 1e-6); // its corner
+    EXPECT_NEAR(mean(box(-3, 2, -2, 3), true), 1, 1e-6); // the corner pixel
     EXPECT_NEAR(mean(box(-300, -200, 600, 700)), 0.5, 1e-3);
     EXPECT_NEAR(mean({{0, 1}, {0.125, 1}, {0, 0.875}}), 1, 1e-6); // half a pixel
     EXPECT_NEAR(mean({{0, 1}, {0, 0.875}, {0.125, 1}}), 1, 1e-6); // mirrored
@@ -65,8 +66,8 @@ TEST(ReflectancePicture, HasTheSameMeanInAllItsSizes) {
     }
 }
 
-// A square of various triangles, rotated in space and on the picture: each element has the mean of its part
-// of the picture.
+// A square of four triangles, tilted in space and rotated on the picture: each element has the mean of its
+// part of the picture.
 TEST(ElementReflectance, ElementsHaveTheirPartOfThePicture) {
     common::TemporaryFolder folder;
     // Brightness falls from left to right, by 128 columns
@@ -122,7 +123,7 @@ TEST(ElementReflectance, ElementsHaveTheirPartOfThePicture) {
                     low = std::min(low, turn(place, 0)), high = std::max(high, turn(place, 0));
                 }
                 float place[2] = {middle.x / 2, middle.z / -0.8f};
-                // The mean of sRGB's curve between two places
+                // The mean of sRGB's curve between two columns
                 double wanted = 0;
                 for (int k = 0; k < 64; ++k) {
                     double column = ((double)low + (double)(high - low) * (k + 0.5) / 64) * 128;

@@ -1,4 +1,4 @@
-// Triangles joined into charts, and elements along them. (radiosity_errors compares solutions with paths.)
+// Triangles joined into charts, and the elements of charts. (radiosity_errors compares solutions with paths.)
 #include "tests/support/headless_gl.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/divide/facets.h"
@@ -96,7 +96,7 @@ TEST(Regions, FrontsJoinFrontsAndBacksBacks) {
         EXPECT_GT((double)j.model->charts[j.regions.chartOf[i]].n.y * normalOf(mesh, mesh.triangles[i]).y, 0);
 }
 
-// Where two planes cross, light changes: regions end there.
+// Regions end where two planes cross, because light changes there.
 TEST(Regions, PlanesThatCrossAreCutThere) {
     Mesh mesh = grid(2, 1, [](int, int) { return false; });
     mesh.points.push_back({1, 1, 0}), mesh.points.push_back({1, 1, -1}); // 6, 7: above the middle
