@@ -16,7 +16,7 @@ std::vector<float> formFactorSums(int px) {
         accumulateFormFactors(px, delta.data(), all.data());
         return all;
     }
-    // A pixel is four pixels of half its size
+    // Add the four pixels of half the size that make up a pixel
     float *sums = all.data();
     int h = px / 2;
     for (int y = 0; y < 3 * px; ++y) {
@@ -35,7 +35,7 @@ std::vector<float> formFactorSums(int px) {
     return all;
 }
 
-// The memory for the next even number of pixels is enough
+// Memory for the next even number of pixels is enough.
 AnyHemicubes::AnyHemicubes(const Gl &gl, int px)
     : memory(hemicubeBytes(px + px % 2)), sums(formFactorSums(px)) {
     if (!openHemicubes(h, gl, memory.arena, px + px % 2))
@@ -54,9 +54,9 @@ const std::vector<std::vector<float>> &AnyHemicubes::rows(const Model &m, std::s
     return found;
 }
 
-bool findRows(AnyHemicubes &hemicubes, const Model &m, const std::vector<uint8_t> &lit, Workers &workers,
-              FormFactorRows &rows, size_t memory, const std::function<bool(float)> &progress, int each,
-              const EyeOf &eyeOf) {
+bool findRows(AnyHemicubes &hemicubes, const Model &m, const RowSettings &settings, FormFactorRows &rows,
+              Workers &workers, const std::function<bool(float)> &progress) {
+    const auto &[lit, memory, each, eyeOf] = settings;
     auto count = (size_t)m.patchCount, batch = (size_t)(hemicubes.h.batch / each), links = (size_t)0;
     auto step = (size_t)((double)count * 0.6180339) | 1;
     while (std::gcd(step, count) != 1) step += 2;

@@ -2,9 +2,9 @@
 // smallest has 25.
 //
 // With an odd px a half face is px / 2 = h + 1/2 rows high. The picture is drawn as for an even px: the faces
-// begin at rows px, px + h + 1/2, 2 px and 2 px + h + 1/2. Row px + h lies half on the first face's upper
-// edge and half on the second one's horizon; its content is undefined and does not count; the rows next to it
-// count for its halves. The same holds for row 2 px + h.
+// begin at rows px, px + h + 1/2, 2 px and 2 px + h + 1/2. Row px + h is half the upper edge of the first
+// face and half the horizon of the second one. Its content is undefined and not used: the rows next to it
+// stand for its halves. The same holds for row 2 px + h.
 #pragma once
 
 #include "radiosity/form_factor.h"
@@ -17,10 +17,10 @@
 
 namespace odraz::radiosity {
 
-// The running sums of the pixels' form factors along every row, for odd px too: px + 1 of each of 3 px rows.
+// Running sums of the pixels' form factors along 3 px rows, px + 1 sums for each. px may be odd.
 std::vector<float> formFactorSums(int px);
 
-// Hemicubes that OpenGL draws, 4 .. kMaxHemicube pixels along the top face, in memory of their own.
+// Hemicubes with 4 .. kMaxHemicube pixels along the top face, drawn by OpenGL, and their memory.
 class AnyHemicubes {
 public:
     // Throws std::runtime_error if OpenGL cannot draw them.
@@ -28,8 +28,7 @@ public:
     AnyHemicubes(const AnyHemicubes &) = delete;
     ~AnyHemicubes() { closeHemicubes(h); }
 
-    // Draws the hemicubes of up to h.batch eyes. Returns for each its form factors to every patch of the
-    // model.
+    // Draws hemicubes at up to h.batch eyes. Returns for each eye the form factors to all patches.
     const std::vector<std::vector<float>> &rows(const Model &model, std::span<const Eye> eyes,
                                                 Workers &workers);
 
@@ -42,13 +41,13 @@ public:
     Hemicubes h;
 };
 
-// The form factors of all patches; one that is not known is hidden, or nothing needs it.
+// The rows of form factors of all patches. Hidden patches, and patches that need none, have no known row.
 struct FormFactorRows {
-    std::vector<std::vector<Link>> of; // each patch
+    std::vector<std::vector<Link>> of; // of[i]: the row of patch i
     std::vector<uint8_t> known;
 
     explicit FormFactorRows(size_t patches) : of(patches), known(patches) {}
-    // The light that arrives at a patch from patches of these radiosities.
+    // The light that arrives at a patch if the patches have these radiosities.
     Rgb gather(int patch, const std::vector<Rgb> &radiosity) const {
         Rgb sum = {};
         for (const Link &link : of[(size_t)patch]) sum += radiosity[link.patch] * link.share;
@@ -56,12 +55,18 @@ struct FormFactorRows {
     }
 };
 
-// Finds the rows of the visible patches that `lit` marks; the others are left out of them. A patch has `each`
-// hemicubes, which stand at `eyeOf` or, if that is null, in its middle, each turned differently; the mean
-// counts. Patches are taken in an order that spreads the first ones over the model. Calls progress(done)
-// after every picture, and stops if it returns false. Throws std::runtime_error if they need more memory.
-bool findRows(AnyHemicubes &hemicubes, const Model &model, const std::vector<uint8_t> &lit, Workers &workers,
-              FormFactorRows &rows, size_t memory, const std::function<bool(float done)> &progress,
-              int each = 1, const EyeOf &eyeOf = {});
+// A row is the mean of `each` hemicubes at `eyeOf`; null: at the patch's middle, rotated differently.
+struct RowSettings {
+    std::vector<uint8_t> lit; // patches that have a row and are part of rows
+    size_t memory;            // bytes
+    int each = 1;
+    const EyeOf &eyeOf;
+};
+
+// Finds the rows of visible patches, in an order that spreads the first ones over the model. Calls
+// progress(done), 0 .. 1, after every picture; stops and returns false if it returns false. Throws
+// std::runtime_error if the rows need more memory.
+bool findRows(AnyHemicubes &hemicubes, const Model &model, const RowSettings &settings, FormFactorRows &rows,
+              Workers &workers, const std::function<bool(float done)> &progress);
 
 } // namespace odraz::radiosity

@@ -1,4 +1,4 @@
-// The stages of a solution between patches.
+// Solves a model between patches, in stages.
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/patches/shooting.h"
 #include "tools/radiosity/rays/lamp_rays.h"
@@ -15,15 +15,14 @@ namespace {
 
 constexpr int kMostSweeps = 10000;
 
-// Whether any patch sees the back of a surface; about 500 patches are checked. If none does, hemicubes need
-// not draw backs.
+// Whether one of about 500 patches sees the back of a surface. If none does, hemicubes draw no backs.
 bool seesBacks(const Model &m, const RayTree &tree) {
-    static constexpr int kPlaces = 500, kAround = 96;
-    for (int i = 0, every = std::max(1, m.patchCount / kPlaces); i < m.patchCount; i += every) {
+    static constexpr int kPatches = 500, kDirections = 96;
+    for (int i = 0, every = std::max(1, m.patchCount / kPatches); i < m.patchCount; i += every) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
-        for (int k = 0; p.share > 0 && k < kAround; ++k) {
-            float up = 1 - ((float)k + 0.5f) / kAround, out = std::sqrt(1 - up * up),
+        for (int k = 0; p.share > 0 && k < kDirections; ++k) {
+            float up = 1 - ((float)k + 0.5f) / kDirections, out = std::sqrt(1 - up * up),
                   turn = 2.3999632f * (float)k;
             Vec3 d = c.u * (out * std::cos(turn)) + c.v * (out * std::sin(turn)) + c.n * up;
             if (tree.nearest(p.p + c.n * c.off(), d).back) return true;
@@ -35,7 +34,7 @@ bool seesBacks(const Model &m, const RayTree &tree) {
 // The number of cells along a side of a patch.
 int cellsOfPatch(const SolveTask &task) {
     const SolveSettings &s = task.settings;
-    // Hemicubes take longer in models of many polygons, so these get fewer
+    // Hemicubes take longer in models of many polygons, so use fewer
     auto polygons = (double)task.regions.facets.size();
     double patch =
         s.patch > 0 ? s.patch : areaOf(task.mesh) / std::clamp(6000. * 2000 / polygons, 400., 6000.);
@@ -75,8 +74,8 @@ private:
     const Gl &gl;
     const RayTree tree;
     LightGrid grid;
-    std::vector<Rgb> direct;  // of texels
-    std::vector<Rgb> arrives; // at patches, without that
+    std::vector<Rgb> direct;  // light of texels
+    std::vector<Rgb> arrives; // light at patches, without direct light
 
     void divide() {
         fillModel(m, task.regions);
@@ -102,8 +101,8 @@ private:
         task.show(SolveStep::kDirectLight, 0);
         LampRays lamps(task.mesh, task.regions, s.lampSamples);
         if (!s.analytic) lamps.clear();
-        const std::vector<uint16_t> excluded(grid.sites.size());
-        direct = directLight(lamps, s.surroundings, grid, excluded, tree, task.workers);
+        const std::vector<uint16_t> none(grid.sites.size());
+        direct = directLight(lamps, s.surroundings, grid, none, tree, task.workers);
         if (s.surroundings.sky.width) {
             std::vector<Rgb> sky = skyLight(s.surroundings.sky, grid, tree, task.workers);
             for (size_t t = 0; t < sky.size(); ++t) direct[t] += sky[t];
@@ -129,18 +128,18 @@ private:
                 task.show(SolveStep::kFormFactors, done);
                 return !task.stopped();
             };
-            report.whole = radiosity::findRows(hemicubes, m, lit, task.workers, p.rows, s.memory, progress,
-                                               s.each, s.eyeOf);
+            const RowSettings settings = {lit, s.memory, s.each, s.eyeOf};
+            report.whole = radiosity::findRows(hemicubes, m, settings, p.rows, task.workers, progress);
         }
         for (uint8_t known : p.rows.known) report.rows += known;
     }
 
     void solve() {
-        std::vector<Rgb> seen; // the light of lamps that hemicubes see
-        for (size_t i = 0; i < p.patches.size(); ++i) seen.push_back(p.rows.gather((int)i, p.emits));
-        for (size_t i = 0; i < seen.size(); ++i) p.direct[i] += seen[i];
+        std::vector<Rgb> lampLight; // found by hemicubes
+        for (size_t i = 0; i < p.patches.size(); ++i) lampLight.push_back(p.rows.gather((int)i, p.emits));
+        for (size_t i = 0; i < lampLight.size(); ++i) p.direct[i] += lampLight[i];
         const bool counted = s.bounces >= 0;
-        std::vector<Rgb> radiosity = counted ? std::vector<Rgb>(seen.size()) : p.reflectDirect();
+        std::vector<Rgb> radiosity = counted ? std::vector<Rgb>(lampLight.size()) : p.reflectDirect();
         if (!counted) report.residual = kInfinity;
         while (report.whole && report.sweeps < (counted ? s.bounces : kMostSweeps) &&
                (counted || report.residual > s.residual)) {
@@ -152,13 +151,12 @@ private:
             report.whole = !task.stopped();
         }
         for (size_t i = 0; i < p.patches.size(); ++i)
-            arrives.push_back(p.rows.gather((int)i, radiosity) + seen[i]);
+            arrives.push_back(p.rows.gather((int)i, radiosity) + lampLight[i]);
     }
 
     // Shoots light instead of solving with rows.
     void shootLight() {
-        // A quarter of the shots is for the lamps; with the others each block of patches shoots about three
-        // times
+        // A quarter of the shots is for lamps. With the rest each block shoots about three times
         Shooting shooting(m, blocksOfPatches(m, p.emits, std::max(s.shots / 4, 1)), p.emits, p.direct);
         HemicubeShooter shooter(gl, m, s.hemicube);
         for (int most; (most = s.shots - report.shots) > 0 && shooting.left() > (double)s.residual;) {
@@ -175,7 +173,7 @@ private:
         for (size_t i = 0; i < p.patches.size(); ++i) p.rows.known[i] = p.patches[i].share > 0;
     }
 
-    // From the patches to the texels: hidden patches and texels get their neighbours' light.
+    // Spreads light from the patches to the texels. Hidden patches and texels get their neighbours' light.
     void spread() {
         constexpr size_t kColumns = 8;
         std::vector<Row> known;

@@ -27,25 +27,25 @@ float PatchSystem::sweep(std::vector<Rgb> &b, bool atOnce) const {
     return std::max({share(changed.x, put.x), share(changed.y, put.y), share(changed.z, put.z)});
 }
 
-// Rays by the cosine law, in a spiral (Vogel, 1979: the golden angle on a disc) that is turned differently at
-// every texel; the texel's places take turns.
+// Rays follow the cosine law, in a spiral (Vogel, 1979: the golden angle on a disc) with a different rotation
+// at every texel. They start from the texel's sample points in turn.
 std::vector<Rgb> skyLight(const SkyPicture &sky, const LightGrid &grid, const RayTree &tree,
                           Workers &workers) {
     constexpr int kRays = 256;
-    std::vector<std::vector<Vec3>> placesOf(grid.texels.size());
-    for (const LightGrid::SamplePoint &place : grid.points) placesOf[(size_t)place.texel].push_back(place.p);
+    std::vector<std::vector<Vec3>> pointsOf(grid.texels.size());
+    for (const LightGrid::SamplePoint &point : grid.points) pointsOf[(size_t)point.texel].push_back(point.p);
     std::vector<Rgb> light(grid.texels.size());
     parallelRanges(workers, (int)light.size(), 64, [&](int first, int end, int) {
         for (auto t = (size_t)first; t < (size_t)end; ++t) {
             const Chart &c = grid.charts[(size_t)grid.texels[t].chart];
-            const std::vector<Vec3> &places = placesOf[t];
+            const std::vector<Vec3> &points = pointsOf[t];
             float begin = unitFloat(pcg((uint32_t)t)) * 6.2831853f;
-            for (int k = 0; k < kRays && !places.empty(); ++k) {
+            for (int k = 0; k < kRays && !points.empty(); ++k) {
                 float square = ((float)k + 0.5f) / kRays, out = std::sqrt(square),
                       turn = begin + 2.3999632f * (float)k;
                 Vec3 d =
                     c.u * (out * std::cos(turn)) + c.v * (out * std::sin(turn)) + c.n * std::sqrt(1 - square);
-                if (!tree.blocked(places[(size_t)k % places.size()], d, kInfinity))
+                if (!tree.blocked(points[(size_t)k % points.size()], d, kInfinity))
                     light[t] += sky.radiance(d) * (1.f / kRays);
             }
         }

@@ -1,5 +1,5 @@
-// A solution between patches: the model in the form that the film's hemicubes need, and light as the thesis
-// finds it, with a hemicube for each patch, a row of form factors, and sweeps over all patches.
+// A solution between patches, as in the thesis: a hemicube at each patch gives its row of form factors, and
+// sweeps over all patches find the light. The model has the form that the film's hemicubes need.
 #pragma once
 
 #include "tools/engine/machine.h"
@@ -18,14 +18,14 @@ struct PatchSystem {
     std::vector<Patch> patches;
     FormFactorRows rows{0};
     // For each patch
-    std::vector<Rgb> emits;  // for hemicubes: black if shadow rays find the light of lamps
+    std::vector<Rgb> emits;  // emission that hemicubes see; black if shadow rays find it
     std::vector<Rgb> direct; // the light that arrives without a bounce
 
-    // What patches reflect of direct light alone.
+    // The radiosity of patches by direct light alone.
     std::vector<Rgb> reflectDirect() const;
-    // A sweep over all patches: B = rho (D + F B). `atOnce` uses new values in the same sweep (Gauss-Seidel);
-    // otherwise it is one bounce. Returns the residual: how much changed, as a share of reflectDirect(), in
-    // the colour in which that is most.
+    // A sweep over all patches: B = rho (D + F B). With `atOnce` new values are used in the same sweep
+    // (Gauss-Seidel); otherwise it is one bounce. Returns the residual: the sum of changes as a share of the
+    // sum of reflectDirect(), for the colour with the largest share.
     float sweep(std::vector<Rgb> &radiosity, bool atOnce) const;
 };
 

@@ -35,7 +35,7 @@ Shooters patchesAlone(const Model &m) {
 }
 
 Shooters blocksOfPatches(const Model &m, std::span<const Rgb> emits, int count) {
-    double areas[2] = {}; // of patches that only reflect, and of those that emit
+    double areas[2] = {}; // patches that only reflect; patches that emit
     for (int i = 0; i < m.patchCount; ++i) areas[sum(emits[(size_t)i]) > 0] += (double)m.patches[i].area;
     Shooters s = {{}, {0}};
     for (int i = 0; i < m.chartCount; ++i) {
@@ -55,7 +55,7 @@ Shooting::Shooting(const Model &model, Shooters given, std::vector<Rgb> emits, s
         auto k = (size_t)i;
         if (shooterOf[k] < 0) continue;
         unshot[k] += model.patches[i].reflects * this->direct[k];
-        put += (double)powerOf(i);
+        initialPower += (double)powerOf(i);
     }
     Workers alone = serialWorkers();
     countPower(alone);
@@ -87,7 +87,7 @@ std::vector<int> Shooting::brightest(int count) const {
 }
 
 Shooting::Shot Shooting::take(int shooter) {
-    // The golden ratio spreads the places of successive shots
+    // Choose the patch by the golden ratio, which spreads the patches of successive shots
     uint32_t turn = ++shots * 0x9e3779b9u;
     std::span<const int> patches = shooters.of(shooter);
     float at = (float)(turn >> 8) * 0x1p-24f * power[(size_t)shooter];
@@ -131,8 +131,7 @@ void Shooting::distribute(Rgb radiance, std::span<const Link> column) {
     }
 }
 
-// Unshot light is spread evenly over the model; then the reflected share of it, and so on: a geometric
-// series.
+// Spreads unshot light evenly over the model, then its reflected share, and so on: a geometric series.
 Rgb Shooting::ambient() const {
     Rgb light = {}, reflects = {};
     float area = 0;

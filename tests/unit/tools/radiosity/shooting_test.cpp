@@ -1,5 +1,5 @@
 // Shooting against gathering, Gauss-Seidel and a direct solution in double; odd hemicubes against closed
-// forms. (radiosity and radiosity_study compare shots by hemicubes, of patches and of blocks,
+// forms. (The tests radiosity and radiosity_study compare shots by hemicubes, from patches and from blocks,
 // with rows.)
 #include "tests/support/dice.h"
 #include "tests/support/headless_gl.h"
@@ -19,7 +19,7 @@ using namespace odraz::radiosity;
 
 namespace {
 
-// A system of a few patches with random rows, of one colour in three channels.
+// A system of a few patches with random form factors.
 struct RandomSystem {
     int count;
     PatchSystem system;
@@ -27,7 +27,7 @@ struct RandomSystem {
     std::vector<Rgb> &direct = system.direct;
     std::unique_ptr<Model> &model = system.model;
 
-    // As in a closed room, rows sum to 1, and area times form factor is the same both ways
+    // As in a closed room, rows sum to 1, and area times form factor is the same in both directions
     RandomSystem(int patchCount, float reflects, float light, unsigned seed) : count(patchCount) {
         patches.resize((size_t)count), system.rows = FormFactorRows((size_t)count);
         std::vector<std::vector<Link>> &links = system.rows.of;
@@ -72,7 +72,7 @@ struct RandomSystem {
         return b;
     }
 
-    // Shoots until less than the residual is left; the number of shots
+    // Shoots until less than the residual is left. Returns the number of shots
     int shoot(Shooting &shooting, double residual) const {
         Columns columns(system.rows);
         int shots = 0;
@@ -90,18 +90,18 @@ struct RandomSystem {
 TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
     for (float reflects : {0.f, 0.3f, 0.8f, 0.98f})
         for (int count : {2, 3, 20, 90}) {
-            RandomSystem few(count, reflects, 10, (uint32_t)count);
-            std::vector<Rgb> once = few.system.reflectDirect(), next((size_t)count);
-            for (int sweeps = 0; few.system.sweep(once, true) > 1e-6f && sweeps < 10000;) ++sweeps;
-            for (int pass = 0; pass < (reflects > 0.9f ? 1000 : 100); ++pass) few.system.sweep(next, false);
-            Shooting shooting(*few.model, patchesAlone(*few.model), std::vector<Rgb>((size_t)count),
-                              few.direct);
+            RandomSystem room(count, reflects, 10, (uint32_t)count);
+            std::vector<Rgb> once = room.system.reflectDirect(), next((size_t)count);
+            for (int sweeps = 0; room.system.sweep(once, true) > 1e-6f && sweeps < 10000;) ++sweeps;
+            for (int pass = 0; pass < (reflects > 0.9f ? 1000 : 100); ++pass) room.system.sweep(next, false);
+            Shooting shooting(*room.model, patchesAlone(*room.model), std::vector<Rgb>((size_t)count),
+                              room.direct);
             EXPECT_DOUBLE_EQ(shooting.left(), reflects > 0 ? 1 : 0);
-            few.shoot(shooting, 1e-6);
+            room.shoot(shooting, 1e-6);
             EXPECT_LE(shooting.left(), 1e-6);
             float Rgb::*channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
             for (int c = 0; c < 3; ++c) {
-                std::vector<double> exact = few.solvedDirectly(channels[c]);
+                std::vector<double> exact = room.solvedDirectly(channels[c]);
                 double most = 0;
                 for (double b : exact) most = std::max(most, b);
                 for (int i = 0; i < count; ++i) {
@@ -115,26 +115,26 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
         }
 }
 
-// A geometric series bounds the light that follows from unshot light.
+// A geometric series bounds the light that unshot light would still bring.
 TEST(Shooting, TheResidualBoundsTheError) {
-    RandomSystem few(60, 0.7f, 5, 3);
-    std::vector<double> exact = few.solvedDirectly(&Rgb::x);
+    RandomSystem room(60, 0.7f, 5, 3);
+    std::vector<double> exact = room.solvedDirectly(&Rgb::x);
     double put = 0;
     for (size_t i = 0; i < 60; ++i) {
-        Rgb d = few.patches[i].reflects * few.direct[i];
-        put += (double)((d.x + d.y + d.z) * few.patches[i].area);
+        Rgb d = room.patches[i].reflects * room.direct[i];
+        put += (double)((d.x + d.y + d.z) * room.patches[i].area);
     }
     int before = 0;
     for (double residual : {0.1, 1e-2, 1e-3, 1e-4}) {
-        Shooting shooting(*few.model, patchesAlone(*few.model), std::vector<Rgb>(60), few.direct);
-        int shots = few.shoot(shooting, residual);
+        Shooting shooting(*room.model, patchesAlone(*room.model), std::vector<Rgb>(60), room.direct);
+        int shots = room.shoot(shooting, residual);
         EXPECT_GT(shots, before);
         before = shots;
         double missing = 0;
         for (int i = 0; i < 60; ++i) {
             double b = (double)shooting.radiosity(i).x;
             EXPECT_LE(b, exact[(size_t)i] * (1 + 1e-4)) << residual; // it only grows
-            missing += (exact[(size_t)i] - b) * (double)few.patches[(size_t)i].area;
+            missing += (exact[(size_t)i] - b) * (double)room.patches[(size_t)i].area;
         }
         EXPECT_GE(missing, -1e-4 * put);
         EXPECT_LE(missing, residual * put / (1 - 0.7) + 1e-5 * put);
@@ -147,7 +147,7 @@ TEST(Shooting, NoLightNoLampsNoPatches) {
     EXPECT_EQ(none.left(), 0);
     EXPECT_TRUE(none.brightest(5).empty());
     EXPECT_EQ(none.ambient().x, 0);
-    // A patch that sees nothing has only the reflected direct light
+    // A patch that sees no other reflects direct light only
     Shooting alone(*one.model, patchesAlone(*one.model), std::vector<Rgb>(1), one.direct);
     one.shoot(alone, 1e-9);
     EXPECT_FLOAT_EQ(alone.radiosity(0).x, 1.8f);
@@ -164,13 +164,12 @@ TEST(OddHemicube, PixelsSumToOne) {
             float row = sums[(size_t)(y * (px + 1) + px)];
             sum += (double)row;
             if (y < px) top += (double)row;
-            // The shared rows of an odd one do not count
+            // With odd px, the shared rows are not used
             bool shared = px % 2 && y >= px && (y - px) % px == px / 2;
             EXPECT_EQ(row == 0, shared) << px << ' ' << y;
         }
         EXPECT_NEAR(sum, 1, 1e-6) << px;
-        // The form factor of the top face: Howell's C-11 for a square at its half width, from its middle,
-        // four times
+        // The form factor of the top face: four times Howell's C-11, for a quarter of the square
         double a = 1,
                exact = 4 * (2 * a / std::sqrt(1 + a * a) * std::atan(a / std::sqrt(1 + a * a))) / (2 * M_PI);
         EXPECT_NEAR(top, exact, 1e-6) << px;
