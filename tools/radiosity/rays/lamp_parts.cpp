@@ -8,9 +8,9 @@
 
 namespace odraz::radiosity {
 
-// Spreads the bits of a number to every third position. Three of these make a Morton code, in which places
-// close to each other have close numbers.
-static uint64_t spread(uint32_t x) {
+// Moves the bits of a number to every third position. Three such numbers make a Morton code: points that are
+// close to each other have codes that are close.
+static uint64_t everyThirdBit(uint32_t x) {
     uint64_t v = x & 0x1fffff;
     v = (v | v << 32) & 0x1f00000000ffff;
     v = (v | v << 16) & 0x1f0000ff0000ff;
@@ -25,7 +25,7 @@ static Rgb emittedBy(const Mesh &mesh, const Triangle &t) {
 }
 
 LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
-    // The area that emits, of each chart and in total
+    // Add up the area that emits, by chart and in total
     std::vector<double> areas(regions.charts.size());
     for (size_t i = 0; i < mesh.triangles.size(); ++i)
         if (maxComponent(emittedBy(mesh, mesh.triangles[i])) > 0)
@@ -42,7 +42,7 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
     sortParts(mesh);
 }
 
-// Divides a triangle into rows of smaller ones of the same shape: about `samples` if its area is the largest.
+// Divides a triangle into smaller ones of the same shape: about `samples` if its area is `largest`.
 void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double largest) {
     Rgb radiance = emittedBy(mesh, t);
     float power = brightest > 0 ? luminance(radiance) / brightest : 1;
@@ -70,7 +70,7 @@ void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double l
         }
 }
 
-// Sorts parts by place, so that every n-th one is a selection spread over space.
+// Sorts parts by their position in space, so that every n-th part is a selection spread over space.
 void LampRays::sortParts(const Mesh &mesh) {
     Vec3d middle = mesh.middle();
     double size = std::max(mesh.size(), 1e-300);
@@ -80,8 +80,8 @@ void LampRays::sortParts(const Mesh &mesh) {
         auto step = [&](float x, double m) {
             return (uint32_t)std::clamp((((double)x - m) / size + 0.5) * 0x1fffff, 0., 2097151.);
         };
-        order.push_back({spread(step(c.x, middle.x)) | spread(step(c.y, middle.y)) << 1 |
-                             spread(step(c.z, middle.z)) << 2,
+        order.push_back({everyThirdBit(step(c.x, middle.x)) | everyThirdBit(step(c.y, middle.y)) << 1 |
+                             everyThirdBit(step(c.z, middle.z)) << 2,
                          i});
     }
     std::sort(order.begin(), order.end());

@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// If distance^2 / area is less, a disc is too coarse for a part, and for a whole lamp
+// The least distance^2 / area at which a part counts as a disc; the same for a whole triangle
 constexpr float kNear = 16, kNearWhole = 400;
 
 // Lambert's formula: a sum over the edges of a polygon.
@@ -25,26 +25,25 @@ float polygonFormFactor(const Vec3 &p, const Vec3 &n, const Vec3 *corner, int co
     return std::max(sum, 0.f) * (0.5f / kPi);
 }
 
-// The light of suns and balls.
-Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, const Vec3 &n,
-                uint32_t seed) {
+Rgb fromSunsAndBalls(const Surroundings &surroundings, const RayTree &tree, const Vec3 &p, const Vec3 &n,
+                     uint32_t seed) {
     Rgb sum = {};
     uint32_t state = pcg(seed);
     auto random = [&] { return unitFloat(state = pcg(state)); };
-    for (const Sun &sun : around.suns) {
+    for (const Sun &sun : surroundings.suns) {
         float cosine = dot(sun.towards, n);
         if (cosine > 0 && !tree.blocked(p, sun.towards, kInfinity)) sum += sun.light * cosine;
     }
-    for (const BallLamp &lamp : around.lamps) {
+    for (const BallLamp &lamp : surroundings.lamps) {
         Vec3 to = lamp.centre - p;
-        float far = length(to);
-        if (!(far > lamp.radius)) continue;
-        float factor = ballFormFactor(broadcast(dot(to, n) / far),
-                                      broadcast(lamp.radius * lamp.radius / (far * far)))[0];
+        float distance = length(to);
+        if (!(distance > lamp.radius)) continue;
+        float factor = ballFormFactor(broadcast(dot(to, n) / distance),
+                                      broadcast(lamp.radius * lamp.radius / (distance * distance)))[0];
         if (!(factor > 0)) continue;
-        // Four points of the disc as which the ball is seen
+        // Cast rays to four points of the disc that the ball appears as
         Vec3 side = normalize(cross(to, std::fabs(to.x) < std::fabs(to.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0})),
-             up = cross(to, side) * (1 / far);
+             up = cross(to, side) * (1 / distance);
         float turn = random() * 6.2831853f, open = 0;
         for (int k = 0; k < 4; ++k) {
             float r = lamp.radius * std::sqrt(((float)k + random()) / 4),
@@ -60,32 +59,31 @@ Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, 
 
 } // namespace
 
-// Near its side, a wall that touches the part hides it.
-bool LampRays::Emitter::seen(const RayTree &tree, const Vec3 &p, float a, float b) const {
+// A wall that touches the emitter hides points near its side.
+bool LampRays::Emitter::visible(const RayTree &tree, const Vec3 &p, float a, float b) const {
     Vec3 d = point(a, b) - p;
     if (a + b > 1) a = 1 - a, b = 1 - b; // as point() does
-    float far = length(d);
-    bool side = std::min(std::min(a, b), 1 - a - b) * least < far * 1.1e-4f;
-    return far > 0 &&
-           !tree.blocked(p, d * (1 / far), far * (side ? 1.000001f : 0.9999f), side ? &n : nullptr);
+    float distance = length(d);
+    bool nearSide = std::min(std::min(a, b), 1 - a - b) * least < distance * 1.1e-4f;
+    return distance > 0 && !tree.blocked(p, d * (1 / distance), distance * (nearSide ? 1.000001f : 0.9999f),
+                                         nearSide ? &n : nullptr);
 }
 
-// The form factor of a part, without shadows. Beyond sqrt(near * area) the part counts as a disc.
-float LampRays::formFactor(const Emitter &part, const Vec3 &p, const Vec3 &n, float near) {
-    if (dot(p - part.corner[0], part.n) <= 0) return 0;
-    Vec3 to = part.middle() - p;
+// The form factor of an emitter, without shadows. Beyond sqrt(near * area) it counts as a disc.
+float LampRays::formFactor(const Emitter &e, const Vec3 &p, const Vec3 &n, float near) {
+    if (dot(p - e.corner[0], e.n) <= 0) return 0;
+    Vec3 to = e.middle() - p;
     float square = dot(to, to);
-    if (square > part.area * near) {
-        // In the plane of the part, or of the place, only rounding errors remain
-        float here = dot(to, n), there = -dot(to, part.n), least = 1e-6f * std::sqrt(square);
-        return here > least && there > least ? here * there / square * part.area / (kPi * square + part.area)
-                                             : 0;
+    if (square > e.area * near) {
+        // In the plane of the emitter or of the receiver, only rounding errors remain
+        float here = dot(to, n), there = -dot(to, e.n), least = 1e-6f * std::sqrt(square);
+        return here > least && there > least ? here * there / square * e.area / (kPi * square + e.area) : 0;
     }
-    // Clip the part at the horizon
+    // Clip the emitter at the horizon
     Vec3 corner[4];
     int corners = 0;
     for (int k = 0; k < 3; ++k) {
-        const Vec3 &a = part.corner[k], &b = part.corner[(k + 1) % 3];
+        const Vec3 &a = e.corner[k], &b = e.corner[(k + 1) % 3];
         float here = dot(a - p, n), there = dot(b - p, n);
         if (here > 0) corner[corners++] = a;
         if ((here > 0) != (there > 0)) corner[corners++] = a + (b - a) * (here / (here - there));
@@ -94,13 +92,12 @@ float LampRays::formFactor(const Emitter &part, const Vec3 &p, const Vec3 &n, fl
     return factor > 1e-7f ? factor : 0; // smaller values are rounding errors
 }
 
-Rgb LampRays::fromWholes(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed,
-                         int rays) const {
+Rgb LampRays::fromWholes(const RayTree &tree, const Receiver &r, int rays) const {
     float power[kMostWhole], factors[kMostWhole], sum = 0;
     for (size_t i = 0; i < wholes.size(); ++i) {
         float factor = 0;
-        for (int k = 0; k < places; ++k) factor += formFactor(wholes[i], p[k], n, kNearWhole);
-        factors[i] = factor / (float)places;
+        for (int k = 0; k < r.count; ++k) factor += formFactor(wholes[i], r.p[k], r.n, kNearWhole);
+        factors[i] = factor / (float)r.count;
         sum += power[i] = wholes[i].power * factors[i];
     }
     Rgb all = {};
@@ -108,90 +105,87 @@ Rgb LampRays::fromWholes(const RayTree &tree, const Vec3 *p, int places, const V
         Rgb light = wholes[i].radiance * factors[i];
         if (!(maxComponent(light) > 0)) continue;
         // Distribute the rays by light. Their targets are spread over the lamp (Roberts, 2018: the R2
-        // sequence); their origins alternate between the places
-        int own = std::max(1, (int)std::lround((float)rays * power[i] / sum));
-        uint32_t state = pcg(seed + (uint32_t)i * 64);
+        // sequence); their origins alternate between the points
+        int count = std::max(1, (int)std::lround((float)rays * power[i] / sum));
+        uint32_t state = pcg(r.seed + (uint32_t)i * 64);
         float a = unitFloat(state), b = unitFloat(pcg(state));
-        float seen = 0, weights = 0;
-        for (int k = 0; k < own; ++k) {
-            const Vec3 &from = p[(seed + (uint32_t)k) % (uint32_t)places];
+        float visible = 0, weights = 0;
+        for (int k = 0; k < count; ++k) {
+            const Vec3 &from = r.p[(r.seed + (uint32_t)k) % (uint32_t)r.count];
             Vec3 to = wholes[i].point(a, b) - from;
             float square = std::max(dot(to, to), 1e-30f);
             float weight =
-                std::max(dot(to, n), 0.f) * std::max(-dot(to, wholes[i].n), 0.f) / (square * square);
-            if (weights += weight; weight > 0 && wholes[i].seen(tree, from, a, b)) seen += weight;
+                std::max(dot(to, r.n), 0.f) * std::max(-dot(to, wholes[i].n), 0.f) / (square * square);
+            if (weights += weight; weight > 0 && wholes[i].visible(tree, from, a, b)) visible += weight;
             a = std::fmod(a + 0.7548777f, 1.f), b = std::fmod(b + 0.5698403f, 1.f);
         }
-        if (seen > 0) all += light * (seen / weights);
+        if (visible > 0) all += light * (visible / weights);
     }
     return all;
 }
 
 Rgb LampRays::fromParts(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32_t seed, float shift,
-                        int some) const {
+                        int rays) const {
     Rgb sum = {};
     uint32_t state = pcg(seed);
     auto random = [&] { return unitFloat(state = pcg(state)); };
-    for (int k = 0; k < some; ++k) {
-        float at = ((float)k + shift) / (float)some * until.back();
+    for (int k = 0; k < rays; ++k) {
+        float at = ((float)k + shift) / (float)rays * until.back();
         auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
                           parts.size() - 1);
         const Emitter &part = parts[i];
         float a = random(), b = random(), factor = formFactor(part, p, n, kNear);
-        if (factor > 0 && maxComponent(part.radiance) > 0 && part.seen(tree, p, a, b))
-            sum += part.radiance * (factor * until.back() / ((float)some * part.area * part.power));
+        if (factor > 0 && maxComponent(part.radiance) > 0 && part.visible(tree, p, a, b))
+            sum += part.radiance * (factor * until.back() / ((float)rays * part.area * part.power));
     }
     return sum;
 }
 
-Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 *p, int places, const Vec3 &n,
-                 uint32_t seed, float shift, int sharers) const {
+Rgb LampRays::at(const RayTree &tree, const Surroundings &surroundings, const Receiver &r) const {
     Rgb sum = {};
-    int some = (std::min((int)parts.size(), kMost) + sharers - 1) / sharers;
-    // Each lamp needs at least one ray: take all lamps only if that does not need many more rays
-    bool all = !wholes.empty() && (int)wholes.size() <= std::max(kFew, 2 * some * places);
-    for (int k = 0; k < places; ++k) {
-        uint32_t own = seed * 4 + (uint32_t)k;
-        if (!all && some > 0)
-            sum += fromParts(tree, p[k], n, own, std::fmod(shift + (float)k / (float)sharers, 1.f), some);
-        sum += fromOutside(around, tree, p[k], n, own);
+    int rays = (std::min((int)parts.size(), kMost) + r.sharers - 1) / r.sharers;
+    // Each lamp needs at least one ray: use whole lamps only if that does not take many more rays
+    bool whole = !wholes.empty() && (int)wholes.size() <= std::max(kFew, 2 * rays * r.count);
+    for (int k = 0; k < r.count; ++k) {
+        uint32_t seed = r.seed * 4 + (uint32_t)k;
+        float shift = std::fmod(r.shift + (float)k / (float)r.sharers, 1.f);
+        if (!whole && rays > 0) sum += fromParts(tree, r.p[k], r.n, seed, shift, rays);
+        sum += fromSunsAndBalls(surroundings, tree, r.p[k], r.n, seed);
     }
-    sum = sum * (1 / (float)places);
-    if (all) sum += fromWholes(tree, p, places, n, seed, some * places);
+    sum = sum * (1 / (float)r.count);
+    if (whole) sum += fromWholes(tree, r, rays * r.count);
     return sum;
 }
 
-std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
+std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &surroundings, const LightGrid &grid,
                              const std::vector<uint16_t> &excluded, const RayTree &tree, Workers &workers) {
     std::vector<Rgb> light(grid.texels.size());
-    if (lamps.none() && around.suns.empty() && around.lamps.empty()) return light;
+    if (lamps.none() && surroundings.suns.empty() && surroundings.lamps.empty()) return light;
     parallelRanges(workers, (int)grid.sites.size(), 64, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const LightGrid::Site &s = grid.sites[(size_t)i];
-            const Vec3 &n = grid.charts[(size_t)s.chart].n;
+            LampRays::Receiver r = {{}, grid.charts[(size_t)s.chart].n, 0, 0, 0, 0};
             auto counts = [&](uint32_t k) { return !(excluded[(size_t)i] >> k & 1); };
             auto texelOf = [&](uint32_t k) { return (size_t)grid.points[s.firstPoint + k].texel; };
+            for (uint32_t k = 0; k < s.pointCount; ++k) r.sharers += counts(k);
             Rgb all = {};
-            int places = 0, sharers = 0;
-            for (uint32_t k = 0; k < s.pointCount; ++k) sharers += counts(k);
+            int points = 0;
             float base = unitFloat(pcg((uint32_t)i));
             for (uint32_t k = 0, next; k < s.pointCount; k = next) {
-                Vec3 at[4];
-                int count = 0;
+                r.count = 0;
                 for (next = k; next < s.pointCount && texelOf(next) == texelOf(k); ++next)
-                    if (counts(next)) at[count++] = grid.points[s.firstPoint + next].p;
-                if (!count) continue;
-                float shift = base + (float)places / (float)sharers;
-                light[texelOf(k)] =
-                    lamps.at(tree, around, at, count, n, (uint32_t)texelOf(k), shift, sharers);
-                all += light[texelOf(k)] * (float)count, places += count;
+                    if (counts(next)) r.p[r.count++] = grid.points[s.firstPoint + next].p;
+                if (!r.count) continue;
+                r.seed = (uint32_t)texelOf(k), r.shift = base + (float)points / (float)r.sharers;
+                light[texelOf(k)] = lamps.at(tree, surroundings, r);
+                all += light[texelOf(k)] * (float)r.count, points += r.count;
             }
-            // Texels none of whose places count get the mean of the site
+            // Texels without points that count get the mean of the site
             for (uint32_t k = 0, next; k < s.pointCount; k = next) {
                 int count = 0;
                 for (next = k; next < s.pointCount && texelOf(next) == texelOf(k); ++next)
                     count += counts(next);
-                if (!count) light[texelOf(k)] = all * (1 / (float)places);
+                if (!count) light[texelOf(k)] = all * (1 / (float)points);
             }
         }
     });

@@ -1,11 +1,11 @@
-// Direct light on a mesh by shadow rays: from triangles that emit, from balls and from suns. The sky's light
-// is found by the rays for indirect light (ray_system.h).
+// Direct light on a mesh by shadow rays: from triangles that emit, from balls and from suns. The rays for
+// indirect light find the sky's light (ray_system.h).
 //
-// If at most 256 triangles emit, the unshadowed light from each is its form factor: by Lambert's formula or,
-// from afar, a disc's. Shadow rays to points on it, at least one for each triangle, give the visible share.
+// If at most 256 triangles emit, the unshadowed light of each is given by its form factor: by Lambert's
+// formula or, from afar, as a disc. Shadow rays to points on it, at least one, give the visible share.
 //
-// If more emit, they are divided into parts. Each place samples some of the parts, chosen by power and spread
-// over space, at different points. The places of one texel, or of a small polygon, share the samples.
+// If more emit, they are divided into parts. Each sample point of a texel casts rays to some of the parts,
+// chosen by power and spread over space. The points of one texel, or of a small polygon, share the rays.
 #pragma once
 
 #include "tools/radiosity/rays/light_grid.h"
@@ -23,21 +23,26 @@ public:
     // Divides the largest emitting polygon into about `samples` parts.
     LampRays(const Mesh &mesh, const Regions &regions, int samples);
     bool none() const { return parts.empty(); }
-    double share() const { return emittingShare; } // of the model's area
+    double share() const { return emittingShare; } // the part of the model's area that emits
     void clear() { parts.clear(), until.clear(), wholes.clear(); }
 
-    // The mean light at the 1 to 4 places of one texel, as irradiance / pi. `seed` differs from texel to
-    // texel. `sharers` is the number of places that share the rays (one for each part), and `shift`, 0 .. 1,
-    // selects this texel's share of them.
-    Rgb at(const RayTree &tree, const Surroundings &around, const Vec3 *p, int places, const Vec3 &n,
-           uint32_t seed, float shift, int sharers) const;
+    // The sample points of a texel, from which rays are cast.
+    struct Receiver {
+        Vec3 p[4], n;
+        int count;     // points, 1 .. 4
+        uint32_t seed; // different for each texel
+        int sharers;   // points that share the rays (one for each part)
+        float shift;   // selects this texel's share of them, 0 .. 1
+    };
+    // The mean light at the points of a texel, as irradiance / pi.
+    Rgb at(const RayTree &tree, const Surroundings &surroundings, const Receiver &receiver) const;
 
 private:
     struct Emitter {
         Vec3 corner[3], n;
         float area;
         Rgb radiance;
-        float power; // brightness, as a share of the brightest part's
+        float power; // brightness, as a share of the brightest one's
         float least; // its least height
         Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
         // Maps the unit square evenly to the triangle.
@@ -45,8 +50,8 @@ private:
             if (a + b > 1) a = 1 - a, b = 1 - b;
             return corner[0] + (corner[1] - corner[0]) * a + (corner[2] - corner[0]) * b;
         }
-        // Whether nothing lies between p and such a point.
-        bool seen(const RayTree &tree, const Vec3 &p, float a, float b) const;
+        // Whether nothing lies between p and point(a, b).
+        bool visible(const RayTree &tree, const Vec3 &p, float a, float b) const;
     };
     double emittingShare = 0;
     float brightest = 0;
@@ -55,16 +60,15 @@ private:
     std::vector<Emitter> wholes; // triangles that emit, undivided; empty if there are too many
     void divide(const Mesh &mesh, const Triangle &t, int samples, double largest);
     void sortParts(const Mesh &mesh);
-    static float formFactor(const Emitter &part, const Vec3 &p, const Vec3 &n, float near);
-    Rgb fromWholes(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed,
-                   int rays) const;
+    static float formFactor(const Emitter &e, const Vec3 &p, const Vec3 &n, float near);
+    Rgb fromWholes(const RayTree &tree, const Receiver &receiver, int rays) const;
     Rgb fromParts(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32_t seed, float shift,
-                  int some) const;
+                  int rays) const;
 };
 
-// The direct light of all visible texels: the mean over their places. `excluded` has a set bit for each of a
-// site's places that does not count (ray_system.h).
-std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
+// The direct light of all visible texels: the mean over their sample points. `excluded` has a set bit for
+// each point of a site that does not count (ray_system.h).
+std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &surroundings, const LightGrid &grid,
                              const std::vector<uint16_t> &excluded, const RayTree &tree, Workers &workers);
 
 } // namespace odraz::radiosity

@@ -29,14 +29,14 @@ std::vector<RayTree::Corners> cornersOf(std::span<const Facet> facets, const Cha
 LightGrid::LightGrid(Regions &regions, const RayTree &tree, Workers &workers, int block)
     : charts(regions.charts) {
     divide(block);
-    makeSites(regions, see(regions, tree, workers));
+    makeSites(regions, findVisible(regions, tree, workers));
     orderHidden();
 }
 
 void LightGrid::divide(int block) {
     size_t cellCount = 0, texelCount = 0;
     int patchCount = 0;
-    // Charts hold whole patches: take the nearest number of these, and of cells that fills them
+    // A chart has whole patches: choose the nearest number of patches, and of cells that fill them
     auto whole = [&](int16_t &count, int16_t &patches) {
         int blocks = std::max((count + block / 2) / block, 1);
         patches = (int16_t)blocks;
@@ -93,36 +93,35 @@ float LightGrid::weigh(const Spot &spot, float (&weight)[4]) const {
 
 // --- Visible texels ---
 
-// A texel's place in the plane of its chart.
-static Vec3 placeAt(const Chart &c, const Texel &t, int number) {
+// Sample point `number` of a texel, in the plane of its chart.
+static Vec3 planePoint(const Chart &c, const Texel &t, int number) {
     float x = (float)t.x + (number & 1 ? 0.25f : -0.25f), y = (float)t.y + (number & 2 ? 0.25f : -0.25f);
     return c.at(x * c.width / (float)c.across, y * c.height / (float)c.down);
 }
 
-// The height above a chart's plane at which the rays that look for its triangles start.
-static float above(const Regions &regions, int chart) {
+// The height above a chart's plane from which rays search for its triangles.
+static float startHeight(const Regions &regions, int chart) {
     return regions.charts[(size_t)chart].off() * 4 + regions.off[(size_t)chart] * 2;
 }
 
-// The place just above the triangle that the ray hit after `drop`.
-static Vec3 landed(const Regions &regions, int chart, const Vec3 &p, float drop) {
+// The point just above the triangle that the ray hit after `drop`.
+static Vec3 surfacePoint(const Regions &regions, int chart, const Vec3 &p, float drop) {
     const Chart &c = regions.charts[(size_t)chart];
-    return p + c.n * above(regions, chart) - c.n * (drop - c.off());
+    return p + c.n * startHeight(regions, chart) - c.n * (drop - c.off());
 }
 
-// The drop to the chart's triangle at a place; kNowhere if there is none.
+// The distance of the ray down to the chart's triangle at a point of its plane; kNowhere if there is none.
 constexpr float kNowhere = -1;
-static float land(const Regions &regions, const RayTree &tree, int chart, const Vec3 &p) {
+static float dropTo(const Regions &regions, const RayTree &tree, int chart, const Vec3 &p) {
     const Chart &c = regions.charts[(size_t)chart];
-    float high = above(regions, chart);
-    RayHit below = tree.nearest(p + c.n * high, -c.n);
-    bool there =
-        below.triangle >= 0 && below.t <= 2 * high && regions.chartOf[(size_t)below.triangle] == chart;
-    return there ? below.t : kNowhere;
+    float height = startHeight(regions, chart);
+    RayHit below = tree.nearest(p + c.n * height, -c.n);
+    bool met =
+        below.triangle >= 0 && below.t <= 2 * height && regions.chartOf[(size_t)below.triangle] == chart;
+    return met ? below.t : kNowhere;
 }
 
-// Inside a closed body, rays to all sides see only backs. None goes straight up, because tubes are open
-// there.
+// Whether rays to all sides hit backs, as inside a closed body. None goes straight up, out of open tubes.
 static bool inside(const RayTree &tree, const Chart &c, const Vec3 &p) {
     for (int i = 0; i < 8; ++i) {
         float slant = i & 2 ? 0.5f : 2.f, a = (i & 1 ? -slant : slant) * 0.8f,
@@ -132,7 +131,7 @@ static bool inside(const RayTree &tree, const Chart &c, const Vec3 &p) {
     return true;
 }
 
-std::vector<float> LightGrid::see(const Regions &regions, const RayTree &tree, Workers &workers) {
+std::vector<float> LightGrid::findVisible(const Regions &regions, const RayTree &tree, Workers &workers) {
     std::vector<float> drops(texels.size() * 4, kNowhere);
     parallelRanges(workers, (int)texels.size(), 1024, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
@@ -140,9 +139,9 @@ std::vector<float> LightGrid::see(const Regions &regions, const RayTree &tree, W
             const Chart &c = charts[(size_t)t.chart];
             for (int k = 0; k < 4; ++k) {
                 if ((k & 1 ? t.x == c.across : t.x == 0) || (k & 2 ? t.y == c.down : t.y == 0)) continue;
-                Vec3 p = placeAt(c, t, k);
-                float drop = land(regions, tree, t.chart, p);
-                if (drop == kNowhere || inside(tree, c, landed(regions, t.chart, p, drop))) continue;
+                Vec3 p = planePoint(c, t, k);
+                float drop = dropTo(regions, tree, t.chart, p);
+                if (drop == kNowhere || inside(tree, c, surfacePoint(regions, t.chart, p, drop))) continue;
                 drops[(size_t)i * 4 + (size_t)k] = drop;
                 t.visible |= (uint8_t)(1 << k);
             }
@@ -174,9 +173,9 @@ void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drop
             if (!small) begin(c.width * c.height / (float)(c.across * c.down));
             for (int k = 0; k < 4; ++k)
                 if (const Texel &texel = texels[(size_t)t]; texel.visible >> k & 1)
-                    points.push_back(
-                        {landed(regions, (int)index, placeAt(c, texel, k), drops[(size_t)t * 4 + (size_t)k]),
-                         t});
+                    points.push_back({surfacePoint(regions, (int)index, planePoint(c, texel, k),
+                                                   drops[(size_t)t * 4 + (size_t)k]),
+                                      t});
             if (points.size() > first) siteOf[(size_t)t] = (uint32_t)(sites.size() - 1);
             if (!small) end();
         }
@@ -195,8 +194,8 @@ void LightGrid::useSitesAsPatches() {
 
 // --- Hidden texels ---
 
-// Visits all texels of the chart that are next to one.
-template <class Visit> static void around(const Chart &c, int texel, const Visit &visit) {
+// Visits the texels of the chart around one.
+template <class Visit> static void forNeighbours(const Chart &c, int texel, const Visit &visit) {
     int wide = c.across + 1, i = (texel - c.firstTexel) % wide, j = (texel - c.firstTexel) / wide;
     for (int y = std::max(j - 1, 0); y <= std::min(j + 1, (int)c.down); ++y)
         for (int x = std::max(i - 1, 0); x <= std::min(i + 1, (int)c.across); ++x)
@@ -205,24 +204,24 @@ template <class Visit> static void around(const Chart &c, int texel, const Visit
 
 void LightGrid::orderHidden() {
     ring.assign(texels.size(), 0);
-    // Go outwards from known texels, ring by ring
+    // Visit hidden texels outwards from visible ones, ring by ring
     std::vector<int> front;
-    constexpr uint16_t kFar = 0xffff;
+    constexpr uint16_t kUnvisited = 0xffff;
     for (size_t t = 0; t < texels.size(); ++t)
-        if (!texels[t].visible) ring[t] = kFar;
+        if (!texels[t].visible) ring[t] = kUnvisited;
     for (size_t t = 0; t < texels.size(); ++t) {
-        if (ring[t] != kFar) continue;
+        if (ring[t] != kUnvisited) continue;
         bool near = false;
-        around(charts[(size_t)texels[t].chart], (int)t, [&](size_t k) { near |= ring[k] == 0; });
+        forNeighbours(charts[(size_t)texels[t].chart], (int)t, [&](size_t k) { near |= ring[k] == 0; });
         if (near) front.push_back((int)t);
     }
-    for (uint16_t number = 1; !front.empty() && number < kFar; ++number) {
+    for (uint16_t number = 1; !front.empty() && number < kUnvisited; ++number) {
         std::vector<int> next;
-        for (int t : front) ring[(size_t)t] = number, tied.push_back(t), texels[(size_t)t].filled = true;
+        for (int t : front) ring[(size_t)t] = number, hidden.push_back(t), texels[(size_t)t].filled = true;
         for (int t : front)
-            around(charts[(size_t)texels[(size_t)t].chart], t, [&](size_t k) {
-                if (ring[k] != kFar) return;
-                ring[k] = kFar - 1; // already on the list
+            forNeighbours(charts[(size_t)texels[(size_t)t].chart], t, [&](size_t k) {
+                if (ring[k] != kUnvisited) return;
+                ring[k] = kUnvisited - 1; // already on the list
                 next.push_back((int)k);
             });
         front = std::move(next);
@@ -230,10 +229,10 @@ void LightGrid::orderHidden() {
 }
 
 void LightGrid::fill(std::vector<Rgb> &light) const {
-    for (int t : tied) {
+    for (int t : hidden) {
         Rgb sum = {};
         int count = 0;
-        around(charts[(size_t)texels[(size_t)t].chart], t, [&](size_t k) {
+        forNeighbours(charts[(size_t)texels[(size_t)t].chart], t, [&](size_t k) {
             if (ring[k] < ring[(size_t)t]) sum += light[k], ++count;
         });
         light[(size_t)t] = sum * (1 / (float)count);

@@ -1,4 +1,4 @@
-// Finds the sites near a place.
+// Finds the sites near a point.
 #pragma once
 
 #include "tools/radiosity/rays/light_grid.h"
@@ -9,7 +9,7 @@
 
 namespace odraz::radiosity {
 
-// A k-d tree over the sites; the node of a range is its middle item.
+// A k-d tree of the sites. The root of a range of `order` is its middle item.
 class NearSites {
 public:
     explicit NearSites(const LightGrid &grid)
@@ -26,11 +26,11 @@ public:
     Vec3 at(uint32_t site) const { return middles[site]; }
     // Calls visit(site, distance) for all sites within a radius.
     template <class Visit> void within(const Vec3 &p, float radius, const Visit &visit) const {
-        look(0, order.size(), p, radius, visit);
+        search(0, order.size(), p, radius, visit);
     }
 
 private:
-    std::vector<Vec3> middles; // the centre of each site's places
+    std::vector<Vec3> middles; // the centre of each site's sample points
     std::vector<uint32_t> order;
     std::vector<uint8_t> axes;
     static float component(const Vec3 &v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
@@ -54,17 +54,17 @@ private:
     }
 
     template <class Visit>
-    void look(size_t first, size_t end, const Vec3 &p, float radius, const Visit &visit) const {
+    void search(size_t first, size_t end, const Vec3 &p, float radius, const Visit &visit) const {
         while (first < end) {
             size_t middle = (first + end) / 2;
             uint32_t site = order[middle];
             Vec3 d = middles[site] - p;
             if (float square = dot(d, d); square < radius * radius) visit(site, sqrt(square));
-            float aside = component(d, axes[middle]); // of the middle from here
-            if (aside > -radius && aside < radius) {
-                look(first, middle, p, radius, visit);
+            float offset = component(d, axes[middle]); // from p to the dividing plane
+            if (offset > -radius && offset < radius) {
+                search(first, middle, p, radius, visit);
                 first = middle + 1;
-            } else if (aside >= 0)
+            } else if (offset >= 0)
                 end = middle;
             else
                 first = middle + 1;

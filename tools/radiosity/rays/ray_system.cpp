@@ -11,14 +11,14 @@ namespace odraz::radiosity {
 
 namespace {
 
-// `count` directions about z by the cosine law; consecutive ones are close.
+// `count` directions about z by the cosine law, sorted so that consecutive ones are close.
 std::vector<Vec3> spiralOf(int count) {
     std::vector<Vec3> all;
     for (int i = 0; i < count; ++i) {
         double u = (i + 0.5) / count, r = std::sqrt(u), angle = i * 2.399963229728653;
         all.push_back({(float)(r * std::cos(angle)), (float)(r * std::sin(angle)), (float)std::sqrt(1 - u)});
     }
-    // Sort them by strips of the disc, in alternating direction
+    // Sort by strips of the disc, in alternating direction
     auto strip = [&](const Vec3 &d) { return (int)((d.y + 1) * std::sqrt((float)count) / 4); };
     std::sort(all.begin(), all.end(), [&](const Vec3 &a, const Vec3 &b) {
         int s = strip(a), t = strip(b);
@@ -27,8 +27,8 @@ std::vector<Vec3> spiralOf(int count) {
     return all;
 }
 
-__m128 wide(const Rgb &c) { return _mm_setr_ps(c.x, c.y, c.z, 0); }
-Rgb narrow(__m128 v) {
+__m128 toLanes(const Rgb &c) { return _mm_setr_ps(c.x, c.y, c.z, 0); }
+Rgb toRgb(__m128 v) {
     alignas(16) float f[4];
     _mm_store_ps(f, v);
     return {f[0], f[1], f[2]};
@@ -37,8 +37,8 @@ Rgb narrow(__m128 v) {
 } // namespace
 
 RaySystem::RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
-                     const Surroundings &around)
-    : near(grid), regions(regions), grid(grid), tree(tree), around(around) {
+                     const Surroundings &surroundings)
+    : near(grid), regions(regions), grid(grid), tree(tree), surroundings(surroundings) {
     size_t sites = grid.sites.size();
     firstOf.resize(sites + 1), found.resize(sites);
     arrives.resize(sites), sky.resize(sites), skySquare.resize(sites), reach.resize(sites),
@@ -74,29 +74,29 @@ bool RaySystem::restore(std::string_view from, size_t &at) {
     for (size_t i = 0; i < count; ++i)
         if (firstOf[i] >= firstOf[i + 1] || excluded[i] + 1 >= 1 << grid.sites[i].pointCount) return false;
     // Without a sky, clear the light of the previous one
-    if (!around.sky.width)
+    if (!surroundings.sky.width)
         std::fill(sky.begin(), sky.end(), Rgb{}), std::fill(skySquare.begin(), skySquare.end(), 0.f);
     bool good = true;
     for (uint32_t k : rows) good &= (k < count) | (k == kDark);
     return good;
 }
 
-// Calls met(i, place, direction, hit) for every ray of a site.
-template <class Met>
-void RaySystem::cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const {
+// Calls onHit(i, point, direction, hit) for every ray of a site; `point` is the index of its origin.
+template <class OnHit>
+void RaySystem::cast(size_t site, int count, const std::vector<Vec3> &spiral, const OnHit &onHit) const {
     const LightGrid::Site &s = grid.sites[site];
     const Chart &c = grid.charts[(size_t)s.chart];
     float turn = unitFloat(pcg((uint32_t)site * 2u + 1)) * 6.2831853f, sine = std::sin(turn),
           cosine = std::cos(turn);
     Vec3 u = c.u * cosine + c.v * sine, v = c.v * cosine - c.u * sine;
-    uint32_t from[16], places = 0;
+    uint32_t points[16], pointCount = 0;
     for (uint32_t k = 0; k < s.pointCount; ++k)
-        if (!(excluded[site] >> k & 1)) from[places++] = s.firstPoint + k;
+        if (!(excluded[site] >> k & 1)) points[pointCount++] = s.firstPoint + k;
     for (int i = 0; i < count; ++i) {
         const Vec3 &d = spiral[(size_t)i];
-        uint32_t place = from[(uint32_t)i % places];
+        uint32_t point = points[(uint32_t)i % pointCount];
         Vec3 direction = u * d.x + v * d.y + c.n * d.z;
-        met(i, place, direction, tree.nearest(grid.points[place].p, direction));
+        onHit(i, point, direction, tree.nearest(grid.points[point].p, direction));
     }
 }
 
@@ -118,32 +118,32 @@ void RaySystem::findRow(size_t site, const std::vector<Vec3> &spiral) {
     Rgb open = {};
     float near = 0, squares = 0;
     int backs[16] = {}, all[16] = {};
-    cast(site, count, spiral, [&](int i, uint32_t place, const Vec3 &d, const RayHit &hit) {
+    cast(site, count, spiral, [&](int i, uint32_t point, const Vec3 &d, const RayHit &hit) {
         row[i] = kDark;
-        ++all[place - first];
+        ++all[point - first];
         if (hit.triangle < 0) {
-            Rgb light = around.sky.width ? around.sky.radiance(d) : Rgb{};
+            Rgb light = surroundings.sky.width ? surroundings.sky.radiance(d) : Rgb{};
             open += light, squares += luminance(light) * luminance(light);
             return;
         }
         near += 1 / std::max(hit.t, 1e-30f);
         if (hit.back)
-            ++backs[place - first];
+            ++backs[point - first];
         else
-            row[i] = siteAt(regions.chartOf[(size_t)hit.triangle], grid.points[place].p + d * hit.t,
+            row[i] = siteAt(regions.chartOf[(size_t)hit.triangle], grid.points[point].p + d * hit.t,
                             pcg((uint32_t)(site * 8191 + (size_t)i)));
     });
     sky[site] = open * (1 / (float)count), skySquare[site] = squares / (float)count;
     reach[site] = near > 0 ? (float)count / near : kInfinity;
-    // Repeat without the places that lie behind something
+    // Exclude points that lie behind something, and repeat
     if (excluded[site] || !findsExcluded) return;
-    bool clear = false;
+    bool anyClear = false;
     uint16_t hidden = 0;
     for (int k = 0; k < grid.sites[site].pointCount; ++k) {
-        clear |= backs[k] * 20 < all[k];
+        anyClear |= backs[k] * 20 < all[k];
         if (backs[k] * 4 > all[k]) hidden |= (uint16_t)(1 << k);
     }
-    if (!clear || !hidden) return;
+    if (!anyClear || !hidden) return;
     excluded[site] = hidden;
     findRow(site, spiral);
 }
@@ -179,65 +179,68 @@ void RaySystem::alongOpenRays(const std::function<void(size_t, const Vec3 &)> &v
     });
 }
 
+// The light of the sky and, if these rays find it, of surfaces that emit.
+std::vector<Rgb> RaySystem::sourceLight() const {
+    std::vector<Rgb> light = sky;
+    for (size_t i = 0; i < light.size() && !emits.empty(); ++i) {
+        Rgb sum = {};
+        for (uint64_t k = firstOf[i]; k < firstOf[i + 1]; ++k)
+            if (rows[k] != kDark) sum += emitted(rows[k]);
+        light[i] += sum * (1 / (float)rays(i));
+    }
+    return light;
+}
+
+// The light that arrives along a site's row. The last radiosity, for kDark, is 0.
+Rgb RaySystem::gather(size_t site, const std::vector<Lanes> &radiosity) const {
+    const uint32_t *row = &rows[firstOf[site]];
+    size_t count = rays(site), k = 0;
+    // Four sums, so that additions need not wait for each other
+    __m128 sums[4] = {};
+    auto add = [&](__m128 &sum, uint32_t from) {
+        sum = _mm_add_ps(sum, radiosity[std::min((size_t)from, radiosity.size() - 1)].v);
+    };
+    for (; k + 4 <= count; k += 4)
+        add(sums[0], row[k]), add(sums[1], row[k + 1]), add(sums[2], row[k + 2]), add(sums[3], row[k + 3]);
+    for (; k < count; ++k) add(sums[0], row[k]);
+    Rgb sum = toRgb(_mm_add_ps(_mm_add_ps(sums[0], sums[1]), _mm_add_ps(sums[2], sums[3])));
+    return sum * (1 / (float)count);
+}
+
 int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces,
                      float residual, int sweeps, Workers &workers,
                      const std::function<bool(float)> &afterSweep) {
     size_t count = grid.sites.size(), blocks = bounces ? 1 : std::clamp(count / 512, (size_t)1, (size_t)64);
-    struct alignas(16) Wide {
-        __m128 v;
-    };
-    std::vector<Wide> radiance(count + 1), next(count); // the last one is dark
-    radiance[count] = {_mm_setzero_ps()};
+    std::vector<Lanes> radiosity(count + 1), next(count); // the last one, for kDark, stays 0
     auto area = [&](size_t i) { return (double)grid.sites[i].size * (double)grid.sites[i].size; };
-    double sources = 0;
-    // Add the light of the sky and of surfaces that emit
-    std::vector<Rgb> source = sky;
-    for (size_t i = 0; i < count && !emits.empty(); ++i) {
-        Rgb sum = {};
-        for (uint64_t k = firstOf[i]; k < firstOf[i + 1]; ++k)
-            if (rows[k] != kDark) sum += emitted(rows[k]);
-        source[i] += sum * (1 / (float)rays(i));
-    }
+    const std::vector<Rgb> source = sourceLight();
+    double initial = 0;
     for (size_t i = 0; i < count; ++i) {
         arrives[i] = source[i];
         Rgb b = reflects[i] * (direct[i] + source[i]);
-        radiance[i] = {wide(b)};
-        sources += area(i) * (double)maxComponent(b);
+        radiosity[i] = {toLanes(b)};
+        initial += area(i) * (double)maxComponent(b);
     }
-    std::vector<double> changed(count);
+    std::vector<double> changes(count);
     int done = 0;
-    for (bool on = sources > 0; on && done < sweeps;) {
+    for (bool on = initial > 0; on && done < sweeps;) {
         for (size_t b = 0; b < blocks; ++b) {
             size_t first = count * b / blocks, end = count * (b + 1) / blocks;
             parallelRanges(workers, (int)(end - first), 64, [&](int from, int to, int) {
                 for (size_t i = first + (size_t)from; i < first + (size_t)to; ++i) {
-                    const uint32_t *row = &rows[firstOf[i]];
-                    size_t rays = this->rays(i);
-                    // Four sums, so that additions need not wait for each other
-                    __m128 sums[4] = {};
-                    auto add = [&](__m128 &sum, uint32_t from) {
-                        sum = _mm_add_ps(sum, radiance[std::min((size_t)from, count)].v);
-                    };
-                    size_t k = 0;
-                    for (; k + 4 <= rays; k += 4)
-                        add(sums[0], row[k]), add(sums[1], row[k + 1]), add(sums[2], row[k + 2]),
-                            add(sums[3], row[k + 3]);
-                    for (; k < rays; ++k) add(sums[0], row[k]);
-                    Rgb sum = narrow(_mm_add_ps(_mm_add_ps(sums[0], sums[1]), _mm_add_ps(sums[2], sums[3])));
-                    arrives[i] = source[i] + sum * (1 / (float)rays);
-                    Rgb b = reflects[i] * (direct[i] + arrives[i]);
-                    Rgb d = b - narrow(radiance[i].v);
-                    changed[i] = area(i) * (double)std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-                    next[i] = {wide(b)};
+                    arrives[i] = source[i] + gather(i, radiosity);
+                    Rgb b = reflects[i] * (direct[i] + arrives[i]), d = b - toRgb(radiosity[i].v);
+                    changes[i] = area(i) * (double)std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+                    next[i] = {toLanes(b)};
                 }
             });
             std::copy(next.begin() + (ptrdiff_t)first, next.begin() + (ptrdiff_t)end,
-                      radiance.begin() + (ptrdiff_t)first);
+                      radiosity.begin() + (ptrdiff_t)first);
         }
         ++done;
         double change = 0;
-        for (double c : changed) change += c;
-        auto left = (float)(change / sources);
+        for (double c : changes) change += c;
+        auto left = (float)(change / initial);
         on = afterSweep(left) && (bounces || left > residual);
     }
     return done;
@@ -249,12 +252,12 @@ void RaySystem::finalGather(int from, int to, int count, const std::vector<Rgb> 
     parallelRanges(workers, to - from, 32, [&](int first, int end, int) {
         for (int site = from + first; site < from + end; ++site) {
             Rgb sum = {};
-            cast((size_t)site, count, spiral, [&](int, uint32_t place, const Vec3 &d, const RayHit &hit) {
+            cast((size_t)site, count, spiral, [&](int, uint32_t point, const Vec3 &d, const RayHit &hit) {
                 if (hit.triangle < 0) {
-                    if (around.sky.width) sum += around.sky.radiance(d);
+                    if (surroundings.sky.width) sum += surroundings.sky.radiance(d);
                 } else if (!hit.back) {
                     LightGrid::Spot s =
-                        grid.spotAt(regions.chartOf[(size_t)hit.triangle], grid.points[place].p + d * hit.t);
+                        grid.spotAt(regions.chartOf[(size_t)hit.triangle], grid.points[point].p + d * hit.t);
                     const int *c = s.cell->corner;
                     auto l = [&](int k) { return texels[(size_t)c[k]]; };
                     sum += lerp(lerp(l(0), l(1), s.x), lerp(l(2), l(3), s.x), s.y) *

@@ -1,7 +1,7 @@
-// Light from the sky and from other surfaces, by rays from every site: form factors as rows of rays, and the
-// radiosity system solved with them.
+// Light from the sky and from other surfaces, by rays from every site: the rays give rows of form factors,
+// and the radiosity system is solved with them.
 //
-// A site sends out rays by the cosine law. The sites that they hit are its row, each hit with an equal share,
+// A site casts rays by the cosine law. The sites that they hit are its row, with an equal share for each hit,
 // like a hemicube whose pixels count the same; rays that hit nothing see the sky. The system is E = S + F rho
 // (D + E), where E is the light that arrives, D direct light and S the sky's. Directions form a spiral
 // (Vogel, 1979: the golden angle on a disc), rotated differently at each site. If a chart has several sites
@@ -23,30 +23,32 @@
 
 namespace odraz::radiosity {
 
-// The change of light up to which sites share it.
+// The predicted change of light up to which sites share it.
 inline constexpr float kShared = 0.2f;
 
 class RaySystem {
 public:
-    static constexpr uint32_t kDark = 0xffffffff; // the sky, a back, or a place without light
+    static constexpr uint32_t kDark =
+        0xffffffff; // a ray that hits the sky, a back, or a point without a site
     static constexpr uint16_t kLeastRays = 32, kMostRays = 512;
     static constexpr double kAllRays = 24e6;
 
-    RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around);
+    RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
+              const Surroundings &surroundings);
 
-    // Values of the sites: means over their places that count, of values of the texels; and the reflectance.
+    // For each site, the mean of texels' values over the sample points that count; and the reflectance.
     std::vector<Rgb> meansOfPoints(const std::vector<Rgb> &texels) const;
     std::vector<Rgb> reflectance(const Solution &solution) const;
 
-    // Sets the number of rays of each site. A site whose number stays keeps its row; others repeat their old
-    // row until the new one is found. Returns the number of rows to find.
+    // Sets each site's number of rays. A site keeps its row if its number does not change; others repeat
+    // their old row until the new one is found. Returns the number of rows to find.
     size_t setRays(const std::vector<uint16_t> &rays);
     size_t rays(size_t site) const { return firstOf[site + 1] - firstOf[site]; }
     // Finds the missing rows of sites first .. end.
     void findRows(size_t first, size_t end, Workers &workers);
 
     // The number of rays that each site needs for a relative error of `error` after sharing, estimated from
-    // the light along its present rays: powers of two, kLeastRays to kMostRays, kAllRays in total.
+    // the light along its present rays: powers of two, kLeastRays .. kMostRays, at most kAllRays in total.
     std::vector<uint16_t> raysFor(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects,
                                   float error, float share, Workers &workers) const;
 
@@ -60,35 +62,35 @@ public:
     void finalGather(int first, int end, int rays, const std::vector<Rgb> &texels,
                      const std::function<Rgb(int cell)> &reflects, Workers &workers);
 
-    // The light that arrives at all visible texels, without direct light: that of the sites, shared between
-    // neighbours where it changes by less than `share`.
+    // The light that arrives at all visible texels, without direct light: the light of the sites, which
+    // neighbours share where it changes by less than `share`.
     std::vector<Rgb> atTexels(float share, Workers &workers) const;
 
     // The same for `columns` values of every site, a multiple of 8: adds values[site][columns] to
     // texels[texel][columns], which must be zero.
     void atTexels(float share, const float *values, int columns, float *texels, Workers &workers) const;
 
-    // Calls visit(site, direction) for every ray that hits nothing, along which light from outside arrives.
-    // Several threads visit sites; a site is visited by one of them.
+    // Calls visit(site, direction) for every ray that hits nothing: light from outside arrives along it.
+    // Several threads call it; all calls for a site are made by one thread.
     void alongOpenRays(const std::function<void(size_t site, const Vec3 &direction)> &visit,
                        Workers &workers) const;
 
-    // Writes and reads the rows found so far, as arrays of a file; false if they do not fit the grid.
+    // Writes and reads the rows found so far, as arrays (arrays.h); false if they do not fit the grid.
     void save(std::string &to) const;
     bool restore(std::string_view from, size_t &at);
 
     std::vector<Rgb> arrives; // light at every site
-    // The emission of charts, if these rays find it; empty if lamps count as direct light
+    // The emission of charts, if these rays find it; empty if it counts as direct light
     std::vector<Rgb> emits;
-    std::vector<uint64_t> firstOf; // start of each site's row in `rows`, and the end of the last
+    std::vector<uint64_t> firstOf; // index of each site's row in `rows`, and the end of the last
     std::vector<uint32_t> rows;    // the sites that were hit
-    std::vector<uint8_t> found;    // whether the site's row is found
-    bool findsExcluded = true;     // findRows() also finds which places lie behind something
+    std::vector<uint8_t> found;    // for each site: whether its row is found
+    bool findsExcluded = true;     // findRows() also sets `excluded`
     std::vector<Rgb> sky;          // of every site
     std::vector<float> skySquare;  // mean of its squared brightness
     std::vector<float> reach;      // harmonic mean of the distances that its rays travel
-    // A bit is set for each of a site's places that does not count: it sees many backs while other places of
-    // the site see none. It lies behind or under something thin that cuts through the surface.
+    // A bit is set for each sample point of a site that does not count: its rays hit many backs while other
+    // points of the site have none. It lies behind or under something thin that cuts through the surface.
     std::vector<uint16_t> excluded;
 
 private:
@@ -96,16 +98,22 @@ private:
     const Regions &regions;
     const LightGrid &grid;
     const RayTree &tree;
-    const Surroundings &around;
+    const Surroundings &surroundings;
     Rgb emitted(size_t site) const { return emits.empty() ? Rgb{} : emits[(size_t)grid.sites[site].chart]; }
     // The directions for each number of rays that these sites have.
     std::map<size_t, std::vector<Vec3>> spiralsOf(size_t first, size_t end) const;
-    template <class Met>
-    void cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const;
+    template <class OnHit>
+    void cast(size_t site, int count, const std::vector<Vec3> &spiral, const OnHit &onHit) const;
     void findRow(size_t site, const std::vector<Vec3> &spiral);
-    // Calls visit(other, weight) for all sites that share their light with a place of a site
+    std::vector<Rgb> sourceLight() const;
+    struct alignas(16) Lanes { // red, green, blue, 0
+        __m128 v;
+    };
+    Rgb gather(size_t site, const std::vector<Lanes> &radiosity) const;
+    // Calls visit(other, weight) for all sites that share light with the point p of a site.
     template <class Visit>
-    void neighbours(uint32_t own, const Vec3 &p, float share, const Visit &visit) const;
+    void forNeighbours(uint32_t site, const Vec3 &p, float share, const Visit &visit) const;
+    // The site at a point of a chart, chosen at random among the nearest; kDark if there is none.
     uint32_t siteAt(int chart, const Vec3 &p, uint32_t random) const;
 };
 

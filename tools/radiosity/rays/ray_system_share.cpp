@@ -1,4 +1,4 @@
-// Values of sites, how they share light, and the number of rays that they need for it.
+// RaySystem: values of sites, sharing of light between sites, and the number of rays that this needs.
 #include "tools/engine/luminance.h"
 #include "tools/radiosity/rays/ray_system.h"
 
@@ -38,19 +38,20 @@ std::vector<Rgb> RaySystem::reflectance(const Solution &solution) const {
 }
 
 template <class Visit>
-void RaySystem::neighbours(uint32_t own, const Vec3 &p, float share, const Visit &visit) const {
-    const LightGrid::Site &s = grid.sites[own];
-    float radius = std::min(share * reach[own], 3.5f * s.size);
+void RaySystem::forNeighbours(uint32_t site, const Vec3 &p, float share, const Visit &visit) const {
+    const LightGrid::Site &s = grid.sites[site];
+    float radius = std::min(share * reach[site], 3.5f * s.size);
     if (radius < 0.7f * s.size) return;
     Vec3 n = grid.charts[(size_t)s.chart].n;
-    near.within(p, radius, [&](uint32_t i, float far) {
+    near.within(p, radius, [&](uint32_t i, float distance) {
         const LightGrid::Site &other = grid.sites[i];
         const Vec3 &m = grid.charts[(size_t)other.chart].n;
         float bend = std::sqrt(2 * std::max(0.f, 1 - dot(n, m)));
-        float off = (far / std::sqrt(std::min(reach[own], 1e15f) * std::min(reach[i], 1e15f)) + bend) / share;
-        // A site behind the middle plane sees surfaces that this one does not
-        if (off >= 1 || std::fabs(dot(near.at(i) - p, n + m)) > 0.2f * radius) return;
-        visit(i, (1 - off) * (1 - far / radius) * other.size * other.size);
+        float change =
+            (distance / std::sqrt(std::min(reach[site], 1e15f) * std::min(reach[i], 1e15f)) + bend) / share;
+        // A site off the mean plane sees surfaces that this one does not
+        if (change >= 1 || std::fabs(dot(near.at(i) - p, n + m)) > 0.2f * radius) return;
+        visit(i, (1 - change) * (1 - distance / radius) * other.size * other.size);
     });
 }
 
@@ -72,10 +73,10 @@ std::vector<uint16_t> RaySystem::raysFor(const std::vector<Rgb> &direct, const s
     });
     parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
         for (auto i = (size_t)first; i < (size_t)end; ++i) {
-            // Few rays may miss something small and bright, so the hits of nearby sites count too
+            // A few rays may miss something small and bright, so the hits of nearby sites count too
             float all = variance[i], light = luminance(direct[i] + arrives[i]), weights = 1, sum = 0,
                   square = 0;
-            neighbours((uint32_t)i, near.at((uint32_t)i), share, [&](uint32_t k, float w) {
+            forNeighbours((uint32_t)i, near.at((uint32_t)i), share, [&](uint32_t k, float w) {
                 w /= grid.sites[i].size * grid.sites[i].size;
                 all += w * variance[k], light += w * luminance(direct[k] + arrives[k]), weights += w;
                 sum += w, square += w * w;
@@ -103,13 +104,13 @@ std::vector<Rgb> RaySystem::atTexels(float share, Workers &workers) const {
     std::vector<Rgb> light(grid.texels.size());
     parallelRanges(workers, (int)grid.texels.size(), 256, [&](int first, int end, int) {
         for (int t = first; t < end; ++t) {
-            uint32_t own = grid.siteOf[(size_t)t];
-            if (own == LightGrid::kNone) continue;
+            uint32_t site = grid.siteOf[(size_t)t];
+            if (site == LightGrid::kNone) continue;
             Rgb sum = {};
             float weights = 0;
-            neighbours(own, grid.at(grid.texels[(size_t)t]), share,
-                       [&](uint32_t i, float w) { sum += arrives[i] * w, weights += w; });
-            light[(size_t)t] = weights > 0 ? sum * (1 / weights) : arrives[own];
+            forNeighbours(site, grid.at(grid.texels[(size_t)t]), share,
+                          [&](uint32_t i, float w) { sum += arrives[i] * w, weights += w; });
+            light[(size_t)t] = weights > 0 ? sum * (1 / weights) : arrives[site];
         }
     });
     return light;
@@ -121,19 +122,19 @@ void RaySystem::atTexels(float share, const float *values, int columns, float *t
     parallelRanges(workers, (int)grid.texels.size(), 256, [&](int first, int end, int) {
         std::vector<std::pair<uint32_t, float>> all;
         for (int t = first; t < end; ++t) {
-            uint32_t own = grid.siteOf[(size_t)t];
-            if (own == LightGrid::kNone) continue;
+            uint32_t site = grid.siteOf[(size_t)t];
+            if (site == LightGrid::kNone) continue;
             all.clear();
             float weights = 0;
-            neighbours(own, grid.at(grid.texels[(size_t)t]), share, [&](uint32_t i, float w) {
+            forNeighbours(site, grid.at(grid.texels[(size_t)t]), share, [&](uint32_t i, float w) {
                 all.push_back({i, w}), weights += w;
             });
-            if (!(weights > 0)) all.assign(1, {own, weights = 1});
+            if (!(weights > 0)) all.assign(1, {site, weights = 1});
             float *to = texels + (size_t)t * width;
-            for (auto [site, weight] : all)
+            for (auto [other, weight] : all)
                 for (size_t k = 0; k < width; k += 8)
                     store(to + k,
-                          fmadd(load(values + site * width + k), broadcast(weight / weights), load(to + k)));
+                          fmadd(load(values + other * width + k), broadcast(weight / weights), load(to + k)));
         }
     });
 }

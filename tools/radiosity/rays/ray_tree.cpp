@@ -9,7 +9,7 @@ namespace odraz::radiosity {
 
 struct RayTree::Ray {
     Vec3x8 o, inverse;
-    int kx, ky, kz; // axes, chosen so that the ray runs upwards along kz
+    int kx, ky, kz; // axes; the direction is longest along kz
     Float8 sx, sy, sz;
 
     Ray(const Vec3 &origin, const Vec3 &direction) : o(broadcast(origin)) {
@@ -23,8 +23,8 @@ struct RayTree::Ray {
         if (d[kz] < 0) std::swap(kx, ky); // keeps the handedness
         sx = broadcast(d[kx] / d[kz]), sy = broadcast(d[ky] / d[kz]), sz = broadcast(1 / d[kz]);
     }
-    // The distances at which the ray enters eight boxes; kInfinity if beyond the limit. Far sides are moved
-    // out by the possible rounding error of distances (Ize, "Robust BVH Ray Traversal", JCGT 2013).
+    // The distances at which the ray enters eight boxes; kInfinity if beyond the limit. Exit distances are
+    // increased by the possible rounding error (Ize, "Robust BVH Ray Traversal", JCGT 2013).
     Float8 enter(const Node &n, float limit) const {
         Float8 ax = (load(n.lo[0]) - o.x) * inverse.x, bx = (load(n.hi[0]) - o.x) * inverse.x;
         Float8 ay = (load(n.lo[1]) - o.y) * inverse.y, by = (load(n.hi[1]) - o.y) * inverse.y;
@@ -34,8 +34,8 @@ struct RayTree::Ray {
         return select((in <= out) & (in <= broadcast(limit)), in, kInfinity);
     }
     // The distances to a leaf's triangles; kInfinity for a miss. Sets `back` where a back is hit. Corners are
-    // sheared so that the ray becomes an axis. Neighbours then compute the same values for a shared edge, so
-    // rounding cannot let the ray pass between them.
+    // sheared so that the ray becomes an axis. Both triangles at an edge then compute the same values for it,
+    // so the ray cannot pass between them by rounding.
     Float8 intersect(const Leaf &l, Int8 &back) const {
         struct Sheared {
             Float8 x, y, z;
@@ -64,25 +64,25 @@ struct RayTree::Ray {
 
 namespace {
 
-// Nodes still to visit, the nearest last.
+// A node to visit; the nearest is on top of the stack.
 struct StackEntry {
     int node;
     float enter;
 };
 constexpr int kMaxStack = 512;
-// Factor for distances to backs, so that of a back and a front in one plane the front is hit
+// Factor for distances to backs, so that the front is hit if both are in one plane
 constexpr float kBehind = 1.0001f;
-constexpr float kParallel = 0.9999f; // the least cosine of normals
-constexpr float kSame = 1.000001f;   // two hits at less than this factor, or a rounding error, are one
+constexpr float kParallel = 0.9999f; // least cosine between parallel normals
+constexpr float kSame = 1.000001f;   // hits whose distances differ by less than this factor count as one
 
 } // namespace
 
-template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &direction, bool again) const {
+template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &direction, bool repeated) const {
     Ray ray(origin, direction);
     RayHit hit;
-    float limit = kInfinity, reach = kInfinity; // only nearer hits count, or are compared
-    float second = kInfinity;                   // another front
-    int at = 0, lane = 0;                       // where the hit is
+    float limit = kInfinity, reach = kInfinity; // the hit's distance; the same with a tolerance
+    float second = kInfinity;                   // distance of the next front
+    int leaf = 0, lane = 0;                     // the hit's
     StackEntry stack[kMaxStack];
     int waiting = 0;
     stack[waiting++] = {0, 0};
@@ -93,18 +93,18 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
             const Leaf &l = leaves[(size_t)~next.node];
             Int8 back;
             Float8 t = ray.intersect(l, back),
-                   far = select(back, kFronts ? broadcast(kInfinity) : t * kBehind, t);
-            for (int lanes = laneBits((far <= broadcast(reach)) & (far < kInfinity)); lanes;
+                   distance = select(back, kFronts ? broadcast(kInfinity) : t * kBehind, t);
+            for (int lanes = laneBits((distance <= broadcast(reach)) & (distance < kInfinity)); lanes;
                  lanes &= lanes - 1) {
                 int i = __builtin_ctz((unsigned)lanes);
                 // At equal distances take the first triangle, so that the result does not depend on the tree
                 if (l.number[i] < 0) continue;
-                bool nearer = far[i] < limit || (far[i] == limit && l.number[i] < hit.triangle);
+                bool nearer = distance[i] < limit || (distance[i] == limit && l.number[i] < hit.triangle);
                 if (nearer ? !hit.back && hit.triangle >= 0 : !back[i])
-                    second = std::min(second, nearer ? limit : far[i]);
+                    second = std::min(second, nearer ? limit : distance[i]);
                 if (!nearer) continue;
-                limit = far[i], reach = limit * kSame + wider;
-                hit = {t[i], l.number[i], back[i] != 0}, at = next.node, lane = i;
+                limit = distance[i], reach = limit * kSame + wider;
+                hit = {t[i], l.number[i], back[i] != 0}, leaf = next.node, lane = i;
             }
             continue;
         }
@@ -118,14 +118,13 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
             stack[at] = {n.child[i], e};
         }
     }
-    // Two fronts meet at an edge that they share, so rounding or a third one decides which is seen: try a ray
-    // a little inside this one
-    if (hit.triangle < 0 || hit.back || second > reach || again) return hit;
-    const Leaf &l = leaves[(size_t)~at];
+    // At an edge that two fronts share, rounding decides: repeat with a ray more to the inside of this one
+    if (hit.triangle < 0 || hit.back || second > reach || repeated) return hit;
+    const Leaf &l = leaves[(size_t)~leaf];
     Vec3 inward =
         (l.point(0, lane) + l.point(1, lane) + l.point(2, lane)) * (1 / 3.f) - (origin + direction * hit.t);
-    float aside = std::min(4 * wider / hit.t + 1e-6f, 0.01f) / std::max(length(inward), 1e-20f);
-    return find<kFronts>(origin, direction + inward * aside, true);
+    float offset = std::min(4 * wider / hit.t + 1e-6f, 0.01f) / std::max(length(inward), 1e-20f);
+    return find<kFronts>(origin, direction + inward * offset, true);
 }
 
 RayHit RayTree::nearest(const Vec3 &origin, const Vec3 &direction) const {
@@ -172,8 +171,7 @@ struct RayTree::Builder {
         int number;
     };
     std::vector<Item> items;
-    // Rounding turns the ray that meets triangles a little: near the edge of a triangle it may hit that, but
-    // miss its box. So boxes are larger by a share of the whole
+    // By rounding, rays may hit a triangle but miss its box. So boxes grow by this share of the tree's box
     static constexpr float kWider = 2e-7f;
     float wider;
 
@@ -182,7 +180,7 @@ struct RayTree::Builder {
         Bounds box;
     };
     static constexpr int kLeaf = 8;
-    static constexpr int kSplit = 40; // down to this depth groups are halved by surface, below it by number
+    static constexpr int kSplit = 40; // down to this depth split by surface area, below it by count
 
     Bounds boxOf(int first, int count) const {
         Bounds b = kNoBounds;
@@ -209,7 +207,7 @@ struct RayTree::Builder {
         return ~(int)(leaves.size() - 1);
     }
 
-    // Makes a node of a group: splits its largest part until there are eight parts.
+    // Makes a node of a group: splits the part with the largest surface until there are eight parts.
     int build(const Group &all, int deep) {
         auto index = (int)nodes.size();
         nodes.emplace_back();

@@ -2,8 +2,7 @@
 // ray is tested against eight boxes or triangles at once, so rays need not be coherent.
 //
 // Triangles are hit from both sides. No ray passes between neighbours that share corners (Woop, Benthin and
-// Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). The time of a ray grows with the logarithm of the
-// number of triangles.
+// Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). A ray among N triangles takes about log N.
 #pragma once
 
 #include "base/vec3.h"
@@ -15,9 +14,9 @@
 namespace odraz::radiosity {
 
 struct RayHit {
-    float t = kInfinity; // in lengths of the direction
+    float t = kInfinity; // distance, in lengths of the direction
     int triangle = -1;   // -1: no hit
-    bool back = false;   // it is clockwise as seen from the origin
+    bool back = false;   // the triangle is clockwise as seen from the origin
 };
 
 class RayTree {
@@ -25,13 +24,12 @@ public:
     using Corners = std::array<Vec3, 3>;
     explicit RayTree(const std::vector<Corners> &triangles);
 
-    // The first hit in front of the origin. If a front and a back lie in one plane, as in a two-sided sheet,
-    // it is the front.
+    // The first hit. If a front and a back lie in one plane, as in a two-sided sheet, it is the front.
     RayHit nearest(const Vec3 &origin, const Vec3 &direction) const;
     // The first front that is hit; backs are transparent.
     RayHit nearestFront(const Vec3 &origin, const Vec3 &direction) const;
-    // Whether a triangle, front or back, lies before `end`. One that is parallel to a surface with the normal
-    // n, on which the ray ends, must lie clearly before it.
+    // Whether a triangle, front or back, lies before `end`. `n`: the normal of a surface on which the ray
+    // ends; triangles parallel to it must lie clearly before `end`.
     bool blocked(const Vec3 &origin, const Vec3 &direction, float end, const Vec3 *n = nullptr) const;
 
     // The bytes that a tree of this number of triangles needs, including those for building it.
@@ -40,7 +38,7 @@ public:
 private:
     struct alignas(32) Node {
         float lo[3][8], hi[3][8];
-        int child[8]; // a node, or ~leaf
+        int child[8]; // index of a node, or ~index of a leaf
     };
     struct alignas(32) Leaf {
         float corner[3][3][8]; // [corner][axis][triangle]
@@ -51,8 +49,8 @@ private:
     struct Ray;
     std::vector<Node> nodes;
     std::vector<Leaf> leaves;
-    float wider = 0; // the largest error of a coordinate by rounding
-    template <bool kFronts> RayHit find(const Vec3 &origin, const Vec3 &direction, bool again) const;
+    float wider = 0; // largest rounding error of a coordinate; boxes are enlarged by it
+    template <bool kFronts> RayHit find(const Vec3 &origin, const Vec3 &direction, bool repeated) const;
 };
 
 } // namespace odraz::radiosity

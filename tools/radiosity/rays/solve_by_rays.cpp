@@ -11,13 +11,13 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr float kFirst = 0.25f; // the first rays' share of the time of all rays, about
-// The relative error allowed for a site's light from its own and its neighbours' rays
+constexpr float kFirst = 0.25f; // approximate share of the first rays in the time of all rays
+// Tolerated relative error of a site's light, from its rays and its neighbours'
 constexpr float kError = 0.014f;
-constexpr float kFinalShared = 0.1f; // as kShared, after the final gather
+constexpr float kFinalShared = 0.1f; // kShared after the final gather
 constexpr int kMostRaySweeps = 10000;
 
-// The bytes that a solution needs, computed before any are allocated.
+// Estimates the bytes that a solution needs, before any are allocated.
 size_t memoryFor(const SolveTask &task) {
     const SolveSettings &s = task.settings;
     size_t charts = task.regions.charts.size(), texels = 0, cells = 0, sites = 0;
@@ -68,8 +68,8 @@ private:
     LightGrid &grid;
     RaySystem system;
     double kept = common::wallSeconds(); // when rows were last saved
-    bool refined = false;                // the number of rays that each site needs is known
-    std::vector<Rgb> direct;             // light of each texel
+    bool refined = false;                // whether the number of rays of each site is final
+    std::vector<Rgb> direct;             // direct light of each texel
     std::vector<Rgb> directAtSites, reflects;
 
     void resume() {
@@ -93,7 +93,7 @@ private:
     }
     bool keepIsDue() const { return common::wallSeconds() - kept > s.keepEvery; }
 
-    // Finds the missing rows for these numbers of rays. Progress goes from `from` to `to` meanwhile.
+    // Finds the missing rows for these numbers of rays. Reports progress in the range `from` .. `to`.
     void findRows(const std::vector<uint16_t> &rays, bool refinedRows, float from, float to) {
         size_t missing = system.setRays(rays), count = rays.size(), done = 0;
         size_t piece = std::clamp(count / 100, (size_t)256, (size_t)8192);
@@ -139,7 +139,7 @@ private:
         task.solution.cells = grid.cells, task.solution.texels = grid.texels;
     }
 
-    // Finds out from a first solution which sites need more rays.
+    // Estimates from a first solution how many rays each site needs, and finds these rows.
     void refineRows() {
         std::vector<uint16_t> rays(grid.sites.size());
         for (size_t i = 0; i < rays.size(); ++i) rays[i] = (uint16_t)system.rays(i);
@@ -180,7 +180,7 @@ private:
     void finalGather() {
         task.show(SolveStep::kFinalRays, 0);
         auto reflectsAt = [&](int cell) { return task.solution.reflectsOf(cell); };
-        // In parts, so that progress can be shown and the gather stopped between them
+        // Gather in parts, to report progress and to stop between them
         constexpr int kParts = 64;
         auto sites = (int64_t)grid.sites.size();
         for (int k = 0; k < kParts && !task.stopped(); ++k) {
@@ -188,7 +188,7 @@ private:
                                task.solution.light, reflectsAt, task.workers);
             task.show(SolveStep::kFinalRays, (float)(k + 1) / kParts);
         }
-        if (task.stopped()) { // the light of all sweeps stays
+        if (task.stopped()) { // keep the light of the sweeps
             report.whole = false;
             keep(s.rays == 0);
             return;
@@ -196,7 +196,7 @@ private:
         task.solution.light = lightOfTexels(kFinalShared);
     }
 
-    // Direct and reflected light of all texels. Hidden ones are filled from those around them.
+    // Direct and reflected light of all texels. Hidden ones are filled from their neighbours.
     std::vector<Rgb> lightOfTexels(float share) {
         std::vector<Rgb> light = system.atTexels(share, task.workers);
         for (size_t t = 0; t < light.size(); ++t) light[t] += direct[t];

@@ -1,4 +1,4 @@
-// Rays against many triangles: both trees, the solver's in floats and the oracles' in double precision, are
+// Rays against many triangles: the solver's tree, in floats, and the oracles', in double precision, are
 // compared with a test of every triangle.
 #include "tests/support/dice.h"
 #include "tests/support/sanitized.h"
@@ -24,7 +24,8 @@ std::vector<Obstacles::Triangle> inDouble(const std::vector<Corners> &all) {
 
 struct Solvers {
     static constexpr double kOff = 1e-5;
-    static constexpr int kDiffer = 2; // of 2,000 hits, by rounding, at edges and where triangles cross
+    static constexpr int kDiffer =
+        2; // wrong hits among 2,000, by rounding at edges and where triangles cross
     RayTree tree;
     explicit Solvers(const std::vector<Corners> &all) : tree(all) {}
     Hit nearest(Vec3 o, Vec3 d) const {
@@ -47,8 +48,8 @@ template <class Tree> class Trees : public testing::Test {};
 using BothTrees = testing::Types<Solvers, Oracles>;
 TYPED_TEST_SUITE(Trees, BothTrees);
 
-// Where a ray hits a triangle, by the signs of three volumes.
-Hit meet(const Obstacles::Triangle &c, Vec3d o, Vec3d d) {
+// The hit of a ray and a triangle, by the signs of three volumes.
+Hit intersect(const Obstacles::Triangle &c, Vec3d o, Vec3d d) {
     Vec3d n = cross(c[1] - c[0], c[2] - c[0]);
     double t = dot(c[0] - o, n) / dot(d, n);
     for (size_t k = 0; k < 3; ++k) {
@@ -95,7 +96,7 @@ TYPED_TEST(Trees, MeetWhatIsNearest) {
                 if (i % 11 == 0) d.y = -0.f;
                 Hit best;
                 for (size_t k = 0; k < exact.size(); ++k)
-                    if (Hit h = meet(exact[k], toDouble(o), toDouble(d)); h.t < best.t)
+                    if (Hit h = intersect(exact[k], toDouble(o), toDouble(d)); h.t < best.t)
                         best = {h.t, (int)k, h.back};
                 Hit hit = tree.nearest(o, d);
                 met += best.met();
@@ -111,7 +112,7 @@ TYPED_TEST(Trees, MeetWhatIsNearest) {
         }
 }
 
-// From inside a closed body no ray passes between two triangles, not even towards their edges and corners.
+// No ray leaves a closed body between two triangles, not even at their edges and corners.
 TYPED_TEST(Trees, LeaveNoGaps) {
     for (float scale : {1e-6f, 1.f, 1e6f})
         for (Vec3 centre : {Vec3{0, 0, 0}, Vec3{3, -40, 7}}) {
@@ -160,7 +161,7 @@ TYPED_TEST(Trees, TakeRaysAlongAxesAndBoxes) {
     EXPECT_EQ(down.number, 49);
     EXPECT_NE(up.back, down.back);
     EXPECT_EQ(tree.nearest({-1, 20.5f, 0.25f}, {1, 0, 0}).number, -1);
-    EXPECT_EQ(tree.nearest({0.25f, 10, 0.25f}, {0, 1, 0}).number, 11); // it starts on the tenth
+    EXPECT_EQ(tree.nearest({0.25f, 10, 0.25f}, {0, 1, 0}).number, 11); // it starts on number 10
 }
 
 // A group that no plane can divide is halved.
@@ -172,7 +173,7 @@ TEST(RayTree, TakesManyInOnePlace) {
 
 TEST(RayTree, LooksThroughBacks) {
     std::vector<Corners> all;
-    for (int i = 1; i <= 20; ++i) { // every fifth faces the origin
+    for (int i = 1; i <= 20; ++i) { // every fifth triangle faces the origin
         auto z = (float)i;
         Corners c = {Vec3{-1, -1, z}, Vec3{0, 2, z}, Vec3{2, -1, z}};
         if (i % 5) std::swap(c[1], c[2]);
@@ -185,7 +186,7 @@ TEST(RayTree, LooksThroughBacks) {
     EXPECT_EQ(tree.nearestFront({0, 0, 5.5f}, {0, 0, 1}).triangle, 9);
     EXPECT_EQ(tree.nearestFront({0, 0, 20.5f}, {0, 0, -1}).triangle, 18);
     EXPECT_EQ(tree.nearestFront({0, 0, 0.5f}, {0, 0, -1}).triangle, -1);
-    // A sheet, the same corners both ways round: from either side the one that faces there
+    // A sheet of two triangles that face opposite sides: a ray hits the one that faces its origin
     Corners c = {Vec3{-1, -1, 1}, Vec3{0, 2, 1}, Vec3{2, -1, 1}};
     RayTree sheet({c, {c[0], c[2], c[1]}}), turned({{c[0], c[2], c[1]}, c});
     EXPECT_EQ(sheet.nearestFront({}, {0, 0, 1}).triangle, 0);
