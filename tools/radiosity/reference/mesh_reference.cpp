@@ -16,12 +16,12 @@ namespace odraz::radiosity {
 
 namespace {
 
-// A place with less than this share of the mean light counts as dark: its relative error has no meaning
+// A point with less than this share of the mean light counts as dark: its relative error has no meaning
 constexpr double kDark = 1e-3;
 
 Vec3d colour(const std::array<float, 3> &c) { return {(double)c[0], (double)c[1], (double)c[2]}; }
 double brightness(Vec3d c) { return (double)luminance(toFloat(c)); }
-double largest(Vec3d c) { return std::max({c.x, c.y, c.z}); }
+double maxOf(Vec3d c) { return std::max({c.x, c.y, c.z}); }
 
 std::vector<Obstacles::Triangle> trianglesOf(const Mesh &mesh) {
     std::vector<Obstacles::Triangle> all;
@@ -32,7 +32,7 @@ std::vector<Obstacles::Triangle> trianglesOf(const Mesh &mesh) {
     return all;
 }
 
-// The index of the first of ascending sums above a value
+// The index of the first of these ascending sums that exceeds a value.
 size_t indexAbove(const std::vector<double> &until, double value) {
     return std::min((size_t)(std::upper_bound(until.begin(), until.end(), value) - until.begin()),
                     until.size() - 1);
@@ -51,19 +51,19 @@ public:
         double sum = 0;
         for (size_t i = 0; i < triangles.size(); ++i) {
             Vec3d e = emitted(i);
-            if (!(largest(e) > 0)) continue;
+            if (!(maxOf(e) > 0)) continue;
             lamps.push_back(i);
             until.push_back(sum += brightness(e) * length(normalOf(mesh, mesh.triangles[i])) / 2);
         }
     }
 
-    // The light that one path brings to a place. The path starts in cell k of a side x side grid over the
-    // hemisphere; `backs` counts first rays that hit a back. `size` is that of the surface around the place.
+    // The light that one path brings to the point p. It starts in cell k of a side x side grid over the
+    // hemisphere. `backs` counts first rays that hit a back. `size`: the surface's around the point.
     Vec3d trace(Vec3d p, Vec3d n, double size, int k, int side, Sampler &sampler, int &backs) const {
         Vec3d sum = {}, weight = {1, 1, 1};
         for (int depth = 0;; ++depth) {
             Vec3d from = p + n * std::min(most, size * 1e-2);
-            // The first hit of each path samples a different part of the lamps
+            // At its first point, each path samples a different part of the lamps
             double pick = sampler.random();
             if (depth == 0) pick = ((double)((int64_t)k * 7919 % (side * side)) + pick) / (side * side);
             sum = sum + weight * direct(from, n, pick, sampler);
@@ -77,7 +77,7 @@ public:
             }
             p = from + d * hit.t;
             weight = weight * reflected((size_t)hit.number, p);
-            double go = std::min(1., largest(weight) * 2); // Russian roulette
+            double go = std::min(1., maxOf(weight) * 2); // Russian roulette
             if (!(sampler.random() < go)) return sum;
             weight = weight / go;
             n = normalOf(mesh, mesh.triangles[(size_t)hit.number]), size = std::sqrt(length(n));
@@ -90,12 +90,12 @@ private:
     const Surroundings &around;
     std::vector<Obstacles::Triangle> triangles;
     Obstacles obstacles;
-    double most; // distance of rays' origins from their surface, unless that is small
+    double most; // largest distance of rays' origins from their surface
     std::vector<size_t> lamps;
-    std::vector<double> until;                          // running sums of the lamps' light
-    std::map<std::string, ReflectancePicture> pictures; // by their paths
+    std::vector<double> until;                          // running sums of the lamps' power
+    std::map<std::string, ReflectancePicture> pictures; // by path
 
-    // The reflectance of triangle i at a place
+    // The reflectance of triangle i at a point.
     Vec3d reflected(size_t i, Vec3d p) const {
         const MeshMaterial &m = mesh.materials[(size_t)mesh.triangles[i].material];
         auto picture = pictures.find(m.picture.path);
@@ -112,24 +112,24 @@ private:
         return colour(m.picture.tint) * toDouble(picture->second.mean({{at[0], at[1]}}, m.picture.clamp));
     }
     Vec3d emitted(size_t i) const { return colour(mesh.materials[(size_t)mesh.triangles[i].material].emits); }
-    // The light of a ball, by a direction in the cone that it fills. Only shadow rays see it
+    // The light of a ball, by a ray in a random direction of its cone. Only these rays see balls.
     Vec3d directFromBall(const BallLamp &ball, Vec3d p, Vec3d n, Sampler &sampler) const {
         Vec3d to = toDouble(ball.centre) - p;
-        double far = length(to), sine = (double)ball.radius / far;
+        double distance = length(to), sine = (double)ball.radius / distance;
         if (!(sine < 1)) return {};
         double least = std::sqrt(1 - sine * sine),
                cosine = 1 - sampler.random() * (sine * sine / (1 + least)),
                across = std::sqrt(std::max(0., 1 - cosine * cosine)),
                turn = 2 * std::numbers::pi * sampler.random();
-        Vec3d z = to / far, x = normalize(cross(z, std::fabs(z.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0})),
+        Vec3d z = to / distance,
+              x = normalize(cross(z, std::fabs(z.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0})),
               y = cross(z, x), d = z * cosine + x * (across * std::cos(turn)) + y * (across * std::sin(turn));
         double here = dot(d, n);
-        if (!(here > 0) || obstacles.blocked(p, d, far * 0.9999)) return {};
+        if (!(here > 0) || obstacles.blocked(p, d, distance * 0.9999)) return {};
         // The cone's solid angle is 2 pi (1 - least)
         return toDouble(ball.radiance) * (2 * sine * sine / (1 + least) * here);
     }
-    // The light of all suns, and of a lamp that represents all of them: `pick`, 0 .. 1, selects it in
-    // proportion to its light
+    // The light of suns, balls, and one triangle that represents all: `pick`, 0 .. 1, selects it by power.
     Vec3d direct(Vec3d p, Vec3d n, double pick, Sampler &sampler) const {
         Vec3d sum = {};
         for (const Sun &sun : around.suns) {
@@ -141,38 +141,40 @@ private:
         if (lamps.empty()) return sum;
         size_t i = lamps[indexAbove(until, pick * until.back())];
         Vec3d to = onTriangle(triangles[i], inCell(sampler, 0, 1)) - p;
-        double far = length(to), here = dot(to, n) / far,
-               there = -dot(to, normalize(normalOf(mesh, mesh.triangles[i]))) / far;
-        if (!(here > 0 && there > 0) || obstacles.blocked(p, to / far, far * (1 - 1e-9))) return sum;
+        double distance = length(to), here = dot(to, n) / distance,
+               there = -dot(to, normalize(normalOf(mesh, mesh.triangles[i]))) / distance;
+        if (!(here > 0 && there > 0) || obstacles.blocked(p, to / distance, distance * (1 - 1e-9)))
+            return sum;
         Vec3d e = emitted(i);
-        return sum + e * (until.back() / brightness(e) * here * there / (std::numbers::pi * far * far));
+        return sum +
+               e * (until.back() / brightness(e) * here * there / (std::numbers::pi * distance * distance));
     }
 };
 
-// A triangle of a solution's element
+// A triangle of a solution's element.
 struct ElementTriangle {
     SolutionPoint corner[3];
     float area;
     int chart, cell;
 };
 
-// The triangles of all charts that reflect. `until`: running sums of the area
+// The triangles of all charts that reflect. Sets `until` to running sums of their area.
 std::vector<ElementTriangle> elementTrianglesOf(const Solution &solution, std::vector<double> &until) {
-    std::vector<ElementTriangle> parts;
+    std::vector<ElementTriangle> all;
     double area = 0;
     solution.forPieces([&](int chart, int cell, const std::vector<SolutionPoint> &piece) {
         if (maxComponent(solution.reflects[(size_t)chart]) <= 0) return;
         for (size_t i = 2; i < piece.size(); ++i) {
             Vec3 u = piece[i - 1].p - piece[0].p, v = piece[i].p - piece[0].p;
-            ElementTriangle part = {{piece[0], piece[i - 1], piece[i]}, length(cross(u, v)) / 2, chart, cell};
-            parts.push_back(part), until.push_back(area += (double)part.area);
+            ElementTriangle t = {{piece[0], piece[i - 1], piece[i]}, length(cross(u, v)) / 2, chart, cell};
+            all.push_back(t), until.push_back(area += (double)t.area);
         }
     });
-    return parts;
+    return all;
 }
 
-SolutionPoint randomPlace(const ElementTriangle &part, Sampler &sampler) {
-    const SolutionPoint *c = part.corner;
+SolutionPoint randomPoint(const ElementTriangle &t, Sampler &sampler) {
+    const SolutionPoint *c = t.corner;
     auto a = (float)sampler.random(), b = (float)sampler.random();
     if (a + b > 1) a = 1 - a, b = 1 - b;
     return {c[0].p + (c[1].p - c[0].p) * a + (c[2].p - c[0].p) * b,
@@ -183,16 +185,16 @@ SolutionPoint randomPlace(const ElementTriangle &part, Sampler &sampler) {
 
 std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count) {
     std::vector<double> until;
-    std::vector<ElementTriangle> parts = elementTrianglesOf(solution, until);
+    std::vector<ElementTriangle> triangles = elementTrianglesOf(solution, until);
     std::vector<MeshProbe> probes;
     Sampler sampler(1);
-    for (int i = 0; i < count && !parts.empty(); ++i) {
+    for (int i = 0; i < count && !triangles.empty(); ++i) {
         size_t k = indexAbove(until, (i + sampler.random()) / count * until.back());
-        SolutionPoint found = randomPlace(parts[k], sampler);
-        auto chart = (size_t)parts[k].chart;
+        SolutionPoint found = randomPoint(triangles[k], sampler);
+        auto chart = (size_t)triangles[k].chart;
         // The light that arrives is radiosity minus emission, divided by reflectance
-        Rgb leaves = found.radiosity - solution.emits[chart], r = solution.reflectsOf(parts[k].cell);
-        // A colour that is not reflected does not count
+        Rgb leaves = found.radiosity - solution.emits[chart], r = solution.reflectsOf(triangles[k].cell);
+        // For a colour that is not reflected, take the interpolated light
         Rgb light = solution.lightAt((int)chart, found.p);
         auto share = [](float x, float y, float other) { return y > 0 ? x / y : other; };
         Rgb arrives = {share(leaves.x, r.x, light.x), share(leaves.y, r.y, light.y),
@@ -216,18 +218,17 @@ void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshPr
         if (stop && __atomic_load_n(stop, __ATOMIC_RELAXED)) return;
         MeshProbe &probe = probes[(size_t)i];
         Sampler sampler((uint64_t)i);
-        Vec3d place = toDouble(probe.p), normal = toDouble(probe.n);
+        Vec3d p = toDouble(probe.p), normal = toDouble(probe.n);
         int backs = 0;
-        // Two independent sets of paths: their difference is the noise
+        // Trace two independent sets of paths: their difference is the noise
         Vec3d means[2] = {};
         for (Vec3d &mean : means) {
             for (int k = 0; k < paths; ++k)
-                mean =
-                    mean + tracer.trace(place, normal, (double)probe.size, k, side, sampler, backs) / paths;
+                mean = mean + tracer.trace(p, normal, (double)probe.size, k, side, sampler, backs) / paths;
         }
         probe.traced = toFloat((means[0] + means[1]) * 0.5);
-        double apart = brightness(means[0]) - brightness(means[1]);
-        probe.noise2 = apart * apart / 4;
+        double difference = brightness(means[0]) - brightness(means[1]);
+        probe.noise2 = difference * difference / 4;
         inside[(size_t)i] = backs > paths / 2;
     });
     size_t kept = 0;

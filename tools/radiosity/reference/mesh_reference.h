@@ -1,4 +1,4 @@
-// References for a solved mesh: light at some places by path tracing, which uses no elements, charts or rows.
+// References for a solved mesh: light at random points by path tracing, without elements, charts or rows.
 #pragma once
 
 #include "tools/radiosity/read/mesh.h"
@@ -10,33 +10,32 @@ namespace odraz::radiosity {
 struct MeshProbe {
     int chart;
     Vec3 p, n;
-    Rgb solved;    // light by the solution: irradiance / pi
-    Rgb traced;    // light by the paths
+    Rgb solved;    // light of the solution: irradiance / pi
+    Rgb traced;    // light of the paths
     double noise2; // an unbiased estimate of the variance of `traced`'s brightness
-    float size;    // the chart's: the sum of its sides
+    float size;    // width plus height of the chart
 };
 
-// Places spread at random by area over the lit surfaces of a solution.
+// Random points, spread by area over the surfaces of a solution that reflect.
 std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count);
 
 // Sets `solved` from another solution of the model.
 void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes);
 
 // Traces two sets of side x side paths from every probe. Directions are cosine-distributed, the first ones
-// stratified; shadow rays sample the lamps; Russian roulette ends the paths. Drops the probes that lie inside
-// closed bodies. Balls emit and block nothing, as in solutions. If `stop` becomes other than 0, the remaining
-// probes stay black.
+// stratified; shadow rays sample the lamps; Russian roulette ends the paths. Drops the probes inside closed
+// bodies. Balls emit and block nothing, as in solutions. If `stop` becomes nonzero, other probes stay black.
 void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
                 Workers &workers, const int *stop = nullptr);
 
 // Errors of luminance, in percent. rms and noise are shares of the root mean square of the reference's light;
-// the noise of the paths is subtracted in quadrature. Median and worst20 are relative, over places with at
-// least a thousandth of the mean light. NaN if there are none; without any light the first three are 0.
+// the paths' noise is subtracted from rms in quadrature. median and worst20 (the 95 % quantile) are relative
+// errors where there is 1/1000 of the mean light. NaN: no such points; without light, the first three are 0.
 struct MeshErrors {
     double median, worst20, rms, bias, noise;
 };
 MeshErrors errorsOf(const std::vector<MeshProbe> &probes);
-// The same of luminances, one for each place; `noise2`: the sum of the variances of the reference's.
+// The errors of luminances, one for each point. `noise2`: the sum of the reference's variances.
 MeshErrors errorsOf(const std::vector<float> &values, const std::vector<float> &reference, double noise2 = 0);
 
 } // namespace odraz::radiosity

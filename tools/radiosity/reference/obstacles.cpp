@@ -7,7 +7,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// Distances that differ by less count as equal, as of the two sides of a sheet
+// Distances with a smaller relative difference count as equal, as for the two sides of a sheet
 constexpr double kSame = 1e-10;
 
 struct Box {
@@ -34,7 +34,7 @@ struct Obstacles::Builder {
     };
     struct Range {
         size_t begin, end;
-        double cost; // of testing all of its triangles; 0: it is a leaf
+        double cost; // expected, to test all of its triangles; 0: it is a leaf
     };
     const std::vector<Triangle> &triangles;
     Obstacles &tree;
@@ -58,7 +58,7 @@ struct Obstacles::Builder {
         size_t count = end - begin;
         return {begin, end, count > 4 ? boxOf(begin, end).area() * (double)count : 0};
     }
-    // Makes a node of a range of triangles: divides the costliest part until there are four
+    // Makes a node of a range of triangles: divides the part with the highest cost until there are four.
     void fill(size_t node, size_t begin, size_t end) {
         std::vector<Range> parts = {range(begin, end)};
         while (parts.size() < 4) {
@@ -100,8 +100,8 @@ struct Obstacles::Builder {
         tree.leaves.push_back(leaf);
         return ~(int)(tree.leaves.size() - 1);
     }
-    // Divides a range between two bins along its longest axis, where the sum of each part's area times its
-    // count is least, and sorts its items accordingly
+    // Divides a range between two bins along its longest axis, such that area times count, summed over both
+    // parts, is least. Reorders the items, and returns the index of the second part.
     size_t divide(size_t begin, size_t end) {
         constexpr int kBins = 16;
         Box middles;
@@ -119,20 +119,20 @@ struct Obstacles::Builder {
             bins[bin].add(items[i].box);
             ++counts[bin];
         }
-        // The first and the last bin are never empty, so neither part is
-        double behind[kBins], least = INFINITY;
+        // The first and the last bin are never empty, so neither part is empty
+        double upper[kBins], least = INFINITY;
         Box box;
         int count = 0, best = 1;
         for (int k = kBins - 1; k > 0; --k) {
             box.add(bins[k]);
             count += counts[k];
-            behind[k] = box.area() * count;
+            upper[k] = box.area() * count;
         }
         box = {}, count = 0;
         for (int k = 1; k < kBins; ++k) {
             box.add(bins[k - 1]);
             count += counts[k - 1];
-            double cost = box.area() * count + behind[k];
+            double cost = box.area() * count + upper[k];
             if (cost < least) least = cost, best = k;
         }
         auto from = items.begin();
@@ -146,8 +146,7 @@ Obstacles::Obstacles(const std::vector<Triangle> &triangles) {
     if (!triangles.empty()) Builder{triangles, *this}.build();
 }
 
-// Visits the leaves that a ray reaches before `end`, nearer ones first, until `visit` returns true. It may
-// lower `end`.
+// Visits leaves before `end`, nearest first, until visit(leaf), which may lower it, returns true.
 template <class Visit> void Obstacles::walk(Vec3d o, Vec3d d, const double &end, Visit visit) const {
     if (nodes.empty()) return;
     double inverse[3];
@@ -188,14 +187,14 @@ template <class Visit> void Obstacles::walk(Vec3d o, Vec3d d, const double &end,
     }
 }
 
-// Where a ray hits four triangles.
+// A ray's hits of the four triangles of a leaf.
 struct Obstacles::LeafHits {
-    Double4 t; // infinity: no hit
+    Double4 t; // distances; infinity: no hit
     Mask4 back;
 };
 
 Obstacles::LeafHits Obstacles::intersect(const Leaf &leaf, Vec3d o, Vec3d d) {
-    constexpr double kEdge = 1e-12; // lets no ray pass between neighbours
+    constexpr double kEdge = 1e-12; // tolerance: no ray passes between neighbours
     struct Vectors {
         Double4 x, y, z;
         Double4 times(const Vectors &b) const { return x * b.x + y * b.y + z * b.z; }

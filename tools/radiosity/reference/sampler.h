@@ -8,7 +8,7 @@
 
 namespace odraz::radiosity {
 
-// Random numbers, each 0 <= x < 1. Every place has a different stream.
+// Random numbers, each 0 <= x < 1. Every stream has different ones.
 class Sampler {
 public:
     explicit Sampler(uint64_t stream);
@@ -28,7 +28,7 @@ SquarePoint inCell(Sampler &sampler, int k, int side);
 
 // Maps the unit square evenly to a triangle.
 Vec3d onTriangle(const std::array<Vec3d, 3> &corners, SquarePoint at);
-// Maps the unit square to directions about a normal, by the cosine law.
+// Maps the unit square to directions about a normal, distributed by the cosine law.
 Vec3d byCosine(Vec3d normal, SquarePoint at);
 
 } // namespace odraz::radiosity
