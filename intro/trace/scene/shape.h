@@ -6,8 +6,8 @@
 //   Cylinder  x^2 + z^2 <= half.x^2, |y| <= half.y, capped at both ends
 //   Rect      in the local plane y = 0, |x| <= half.x, |z| <= half.z
 //
-// Sizes from 1e-4 to 1e6 and distances up to kFar are meant to work; nothing beyond kFar is ever hit. A new
-// kind needs an enumerator, a row of kShapeTraits, and its cases in surface.cpp.
+// Sizes from 1e-4 to 1e6 and distances up to kFar work; nothing beyond kFar is hit. A new kind must be convex
+// (see isConvex()). It needs an enumerator, a row of kShapeTraits, and its cases in surface.cpp.
 #pragma once
 
 #include "base/rows.h"
@@ -22,12 +22,11 @@ enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Rect, Count };
 // The properties of a kind that other code depends on.
 struct ShapeTraits {
     ShapeKind kind;
-    bool bounded : 1 = false; // has a box, and is in the tree; every ray tries the shapes without
-    bool solid : 1 = false; // has an inside, which glass fills; rays also hit it from there. Others are flat
-    bool oneSided : 1 = false; // hit only from y > 0, so that one can look into a room through its walls
-    bool extents : 1 = false;  // `half` is how far it extends along the axes of its frame
-    // its solid texture is in world coordinates, so that it continues on neighbouring shapes
-    bool joins : 1 = false;
+    bool bounded : 1 = false; // has a box and is in the tree; unbounded shapes are tried by every ray
+    bool solid : 1 = false;   // has an inside, of glass perhaps, from which rays also hit it; else it is flat
+    bool oneSided : 1 = false; // hit only from y > 0, so that the eye can see into a room through its walls
+    bool extents : 1 = false;  // `half` is its extent along the axes of its frame
+    bool joins : 1 = false; // textured in world coordinates, so that textures continue on neighbouring shapes
 };
 
 inline constexpr ShapeTraits kShapeTraits[] = {
@@ -39,6 +38,19 @@ inline constexpr ShapeTraits kShapeTraits[] = {
 };
 static_assert(inOrder(kShapeTraits, &ShapeTraits::kind), "a row for every kind, in the enum's order");
 
+// Whether a kind is convex: a line meets it in one interval. All kinds must be. Where a shape's side faces a
+// light, its shadow rays ignore the shape itself (shade/light.cpp). Between corners that show one shape, only
+// nearer shapes are expected (picture/hidden.h). In-betweens reuse the colour of any part of the same shape
+// (picture/between.cpp). So a torus would not shade itself, and its hole would be partly filled.
+constexpr bool isConvex(ShapeKind k) {
+    using enum ShapeKind;
+    return k == Sphere || k == Plane || k == Box || k == Cylinder || k == Rect;
+}
+constexpr bool allConvex(int first = 0) {
+    return first == (int)ShapeKind::Count || (isConvex((ShapeKind)first) && allConvex(first + 1));
+}
+static_assert(allConvex(), "a kind that is not convex, or that isConvex() does not list");
+
 struct Shape {
     ShapeKind kind = ShapeKind::Sphere;
     uint8_t material = 0; // index into Scene::materials
@@ -46,7 +58,7 @@ struct Shape {
     Vec3 half = {};       // see above; positive
     Mat3 frame = kIdentity;
     bool aligned = true;    // the frame is the world's; set by Scene::finish()
-    Vec3 textureShift = {}; // added to local coordinates before texturing, so that no two balls look alike
+    Vec3 textureShift = {}; // added to texture coordinates, so that no two balls look alike
     int chart = -1;         // index into the lightmap's charts, -1: lit by ambient light
 
     const ShapeTraits &traits() const { return kShapeTraits[(int)kind]; }
