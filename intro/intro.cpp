@@ -42,7 +42,7 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
         t.scene = arena.take<Scene>(1);
         makeFrame(t.frame, arena, s.width, s.height);
         t.frame.shapes = arena.take<uint16_t>((size_t)t.frame.stride * (size_t)s.height);
-        t.frame.owners = arena.take<int32_t>((size_t)t.frame.stride * (size_t)s.height + 8);
+        t.frame.quads = arena.take<int32_t>((size_t)t.frame.stride * (size_t)s.height + 8);
     }
     if (s.pairs) makeBetween(intro->between, arena, workers.count);
     for (int k = 1; s.pairs && k < kBetweenBuffers; ++k)
@@ -119,7 +119,7 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, 
     s.seconds = seconds;
     s.quality = quality;
     traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, now.frame);
-    if (now.frame.owners) markOwners(now.frame, *intro.workers);
+    if (now.frame.quads) markQuads(now.frame, *intro.workers);
     return finish(intro, posed, now.view, seconds, now.scene->exposure, now.frame, now.frame.rgba);
 }
 

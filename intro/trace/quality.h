@@ -1,7 +1,6 @@
 // The parameters that trade speed for accuracy, and their named settings.
 //
-// A new quality needs an enumerator and a row of kQualities; --quality then knows it, and `tradeoff`
-// measures it.
+// A new quality needs an enumerator and a row of kQualities; then --quality and `tradeoff` accept it.
 #pragma once
 
 #include "base/float8.h"
@@ -12,17 +11,17 @@ namespace odraz {
 enum class QualityName { Draft, Play, Film, Reference, Count };
 
 struct Quality {
-    QualityName id = QualityName::Count; // the row's own; Count: a blend of two rows
+    QualityName id = QualityName::Count; // the row's name; Count: a blend of two rows
     char name[12] = ""; // not a pointer: the options are read before other constants are decoded
 
-    int grid = 0;   // 1 .. 16: grid x grid samples in every pixel, nothing adaptive; 0: adaptive
+    int grid = 0;   // 1 .. 16: grid x grid samples in every pixel; 0: adaptive sampling
     int coarse = 0; // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
-    int fine = 0;   // ... of the smallest: 8 or 4; 2: a pixel may take three more samples, 1: twelve
-    // Thresholds, as differences of shown intensity (0 .. 1)
-    float threshold = 0;     // splits a square
-    float markThreshold = 0; // ... of two pixels whose corners have different marks; also see meanServes()
-    float edge = 0;          // splits a pixel; to split it again, twice that is needed
-    float textureEdge = 0;   // relative, between pixels: then a texture or lines take four samples in each
+    int fine = 0;   // side of the smallest: 8 or 4; 2: a pixel may take three samples inside, 1: twelve
+    // Thresholds: differences of perceived intensity (0 .. 1) above which
+    float threshold = 0;     // a square splits
+    float markThreshold = 0; // a 2x2 square splits if its corners' marks differ; see also meanSuffices()
+    float edge = 0;          // a pixel takes three samples inside; above twice this, all twelve
+    float textureEdge = 0;   // (relative, between pixels) textures and lines take four samples in each
     float markWeight = 0;    // least share of the intensity at which a ray's hit may split squares
     int depth = 0;           // most bounces of a path, <= kMaxDepth
     float cutoff = 0;        // least share of the intensity at which a ray is followed
@@ -70,8 +69,8 @@ inline constexpr Quality kQualities[] = {
 };
 static_assert(inOrder(kQualities, &Quality::id), "a row for every name, in the enum's order");
 
-// A quality between a (share 0) and b (share 1). Bounces change in steps. Faint textures cost 5 to 9 %, so
-// only what is all but `film` has them.
+// A quality between a (share 0) and b (share 1). The depth changes in steps. Faint textures cost 5 to 9 %, so
+// only blends close to `film` have them.
 inline Quality blend(const Quality &a, const Quality &b, float share) {
     auto mix = [&](float x, float y) { return x + (y - x) * share; };
     return {.coarse = share < 0.5f ? a.coarse : b.coarse,

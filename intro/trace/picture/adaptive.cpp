@@ -7,20 +7,21 @@ namespace odraz {
 
 namespace {
 
-// Pixels are means of their corners, which blurs them. So textures seen in mirrors are filtered for only half
-// a pixel. With a whole pixel, PSNR is 0.9 dB worse; with less than half, they shimmer. Lines between patches
-// are often narrower than a pixel: with half a one they are dashed where surfaces meet.
+// Width of the texture filter of samples, in pixels. Pixels are means of their corners, which blurs them, so
+// textures in mirrors are filtered over only half a pixel. With a whole pixel, PSNR is 0.9 dB worse; with
+// less than half, they shimmer. Lines between patches are often narrower than a pixel: with half a pixel they
+// would be dashed where surfaces meet.
 float filterOf(const Scene &scene) { return scene.lines != 0 ? 1 : 0.5f; }
 
-ODRAZ_INLINE void request(TileScratch &s, uint32_t place) {
-    s.requested[s.requestedCount] = place;
-    s.requestedCount += s.traced[place] != s.stamp;
-    s.traced[place] = s.stamp;
+ODRAZ_INLINE void request(TileScratch &s, uint32_t point) {
+    s.requested[s.requestedCount] = point;
+    s.requestedCount += s.traced[point] != s.stamp;
+    s.traced[point] = s.stamp;
 }
 void requestCorners(TileScratch &s, Square q, int size) {
-    for (int k = 0; k < 4; ++k) request(s, placeAt(q.x + (k & 1) * size, q.y + (k >> 1) * size));
+    for (int k = 0; k < 4; ++k) request(s, pointAt(q.x + (k & 1) * size, q.y + (k >> 1) * size));
 }
-// Makes the corner in the middle of two their mean, with the marks of the first.
+// Sets the corner midway between a and b to their mean, with the marks of a.
 void average(TileScratch &s, uint32_t a, uint32_t b) {
     uint32_t middle = (a + b) / 2;
     const float *first = &s.corners[a].albedo.x, *second = &s.corners[b].albedo.x;
@@ -30,39 +31,38 @@ void average(TileScratch &s, uint32_t a, uint32_t b) {
                sum = _mm_blend_ps(one, none, 8) + _mm_blend_ps(_mm_load_ps(second + k), none, 8);
         _mm_store_ps(to + k, _mm_blend_ps(sum * 0.5f, one, 8));
     }
-    s.shown[middle] = (s.shown[a] + s.shown[b]) * 0.5f;
+    s.perceived[middle] = (s.perceived[a] + s.perceived[b]) * 0.5f;
     s.marks[middle] = s.marks[a];
 }
 
-// Takes the corner in the middle of corners a and b: makes it their mean if that is allowed and good
-// enough, else has it traced. A mean does not count as traced, so a square beside it may still have it
-// traced.
-void takeMiddle(Tile &t, uint32_t a, uint32_t b, uint32_t place, int half, bool mayBeMean) {
+// Makes the corner midway between corners a and b: their mean if that is allowed and good enough, else it is
+// requested. A mean does not count as traced, so a neighbouring square may still have it traced.
+void makeMiddle(Tile &t, uint32_t a, uint32_t b, uint32_t point, int half, bool mayBeMean) {
     TileScratch &s = t.s;
-    if (mayBeMean && s.traced[place] != s.stamp && meanServes(t, a, b, half))
+    if (mayBeMean && s.traced[point] != s.stamp && meanSuffices(t, a, b, half))
         average(s, a, b);
     else
-        request(s, place);
+        request(s, point);
 }
 
-// Takes the corners of a square's quarters, `half` wide, that are not corners of the square. A mean may
-// hide what lies between its ends. Such a thing mostly shows elsewhere in the square, so a mean is taken
-// only where the square's own contrast is low: lines and outlines stay whole.
-void takeMiddles(Tile &t, Square q, int half, Split why) {
+// Makes the corners of a square's quarters, `half` wide, that are not corners of the square. A mean may hide
+// something between its ends. As this mostly shows elsewhere in the square, means are allowed only where the
+// square's contrast is low. So lines and outlines have no gaps.
+void makeMiddles(Tile &t, Square q, int half, Split why) {
     TileScratch &s = t.s;
-    uint32_t c[4], across = (uint32_t)half, down = across << kPlaceShift,
-                   middle = placeAt(q.x, q.y) + across + down;
+    uint32_t c[4], across = (uint32_t)half, down = across << kPointShift,
+                   middle = pointAt(q.x, q.y) + across + down;
     cornersOf(q, half * 2, c);
     bool calm = why == Split::Differs && !exceeds(rangeOf(s, c), 2.5f * t.quality.threshold);
-    takeMiddle(t, c[0], c[1], middle - down, half, calm);
-    takeMiddle(t, c[0], c[2], middle - across, half, calm);
+    makeMiddle(t, c[0], c[1], middle - down, half, calm);
+    makeMiddle(t, c[0], c[2], middle - across, half, calm);
     request(s, middle);
-    takeMiddle(t, c[1], c[3], middle + across, half, calm);
-    takeMiddle(t, c[2], c[3], middle + down, half, calm);
+    makeMiddle(t, c[1], c[3], middle + across, half, calm);
+    makeMiddle(t, c[2], c[3], middle + down, half, calm);
 }
 
-// Appends those quarters of a square that lie in the tile, and takes their corners. Returns their number; may
-// write one more behind them.
+// Makes those quarters of a square that are in the tile, and their corners. Returns their number; may write
+// one more.
 [[gnu::noinline]] int quarter(Tile &t, Square a, int half, Split why, Square *to) {
     bool right = a.x + half < t.width, below = a.y + half < t.height;
     uint8_t x = (uint8_t)(a.x + half), y = (uint8_t)(a.y + half);
@@ -71,27 +71,27 @@ void takeMiddles(Tile &t, Square q, int half, Split why) {
     to[count] = {x, a.y}, count += right;
     to[count] = {a.x, y}, count += below;
     to[count] = {x, y}, count += right & below;
-    takeMiddles(t, a, half, why);
+    makeMiddles(t, a, half, why);
     return count;
 }
 
-// Traces the places in s.requested.
+// Traces the points in s.requested.
 void traceRequested(Tile &t) {
     TileScratch &s = t.s;
     for (int first = 0; first < s.requestedCount; first += kChunk) {
         int count = min(s.requestedCount - first, kChunk);
         for (int i = 0; i < count; i += 8) {
-            Int8 place = loadInts((const int32_t *)s.requested + first + i);
-            Int8 x = place & ((1 << kPlaceShift) - 1), y = place >> kPlaceShift;
+            Int8 point = loadInts((const int32_t *)s.requested + first + i);
+            Int8 x = point & ((1 << kPointShift) - 1), y = point >> kPointShift;
             store(s.x + i, toFloat(x + t.x0));
             store(s.y + i, toFloat(y + t.y0));
             store((int32_t *)s.index + i, y * kCorners + x);
         }
         traceSamples(t.scene, t.view, t.quality, s.trace,
-                     {s.among, filterOf(t.scene), count, s.x, s.y, s.index}, s.corners);
+                     {s.candidates, filterOf(t.scene), count, s.x, s.y, s.index}, s.corners);
         for (int i = 0; i < count; ++i) {
             uint32_t at = s.index[i];
-            s.shown[at] = intensityOf(t.scene, s.corners[at]);
+            s.perceived[at] = intensityOf(t.scene, s.corners[at]);
             s.marks[at] = marksOf(s.corners[at]);
         }
     }
@@ -99,8 +99,8 @@ void traceRequested(Tile &t) {
     s.requestedCount = 0;
 }
 
-// Splits the first `count` squares, `size` wide, level by level, at most down to a pixel, and fills the rest.
-// Returns the number of pixels left in squares[2], which need samples inside.
+// Splits squares[0], `count` squares of width `size`, level by level down to single pixels, and fills those
+// that do not split. Returns the number of pixels in squares[2], which need samples inside.
 int splitSquares(Tile &t, int count, int size) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
@@ -125,8 +125,8 @@ int splitSquares(Tile &t, int count, int size) {
             else
                 squares[left++] = a;
         }
-        // Samples that were traced for neighbours may split more squares. All are tested before one splits,
-        // because a split adds corners
+        // Split more squares because of samples that were traced for neighbours. Test all squares before one
+        // splits, because a split adds corners
         for (int before = 0; size > 1 && splits > before;) {
             before = splits;
             traceRequested(t);
@@ -150,11 +150,12 @@ int splitSquares(Tile &t, int count, int size) {
     return rough;
 }
 
-// How many samples a pixel takes first, of kMostInside, and the weight of a corner beside them.
+// The number of samples, among kMostInside, that a pixel takes first. The weight of a corner of a pixel with
+// these samples, and with all samples.
 constexpr int kFirst = 3;
-constexpr float kOfCorner = 0.078f, kOfCornerAtLast = 0.038f;
+constexpr float kCornerWeight = 0.078f, kCornerWeightAll = 0.038f;
 
-// Takes samples in pixels: kFirst in each, and the others where the quality takes them and the first
+// Takes samples inside pixels: kFirst in each, and the others where the quality allows them and the first
 // differ. A pixel shows a weighted mean of these and its corners.
 void sampleInside(Tile &t, int count) {
     TileScratch &s = t.s;
@@ -164,10 +165,11 @@ void sampleInside(Tile &t, int count) {
     for (int from = 0, to = kFirst; count; from = to, to = kMostInside) {
         int each = to - from, most = kChunk / each, kept = 0;
         bool again = !from && q.fine < 2;
-        float ofCorner = from ? kOfCornerAtLast : kOfCorner, ofInside = (1 - 4 * ofCorner) / (float)to;
+        float cornerWeight = from ? kCornerWeightAll : kCornerWeight,
+              insideWeight = (1 - 4 * cornerWeight) / (float)to;
         for (int first = 0; first < count; first += most) {
-            int few = min(count - first, most), samples = 0;
-            for (int i = first; i < first + few; ++i)
+            int batch = min(count - first, most), samples = 0;
+            for (int i = first; i < first + batch; ++i)
                 for (int k = from; k < to; ++k) {
                     s.x[samples] = (float)(t.x0 + pixels[i].x) + 0.5f + kInsideX[k];
                     s.y[samples] = (float)(t.y0 + pixels[i].y) + 0.5f + kInsideY[k];
@@ -175,11 +177,11 @@ void sampleInside(Tile &t, int count) {
                     ++samples;
                 }
             traceSamples(t.scene, t.view, q, s.trace,
-                         {s.among, filterOf(t.scene) / sqrt((float)to), samples, s.x, s.y, s.index},
+                         {s.candidates, filterOf(t.scene) / sqrt((float)to), samples, s.x, s.y, s.index},
                          s.inside);
             s.sampleCount += samples;
             const __m128 *v = s.inside;
-            for (int i = first; i < first + few; ++i) {
+            for (int i = first; i < first + batch; ++i) {
                 Square a = pixels[i];
                 int p = a.y * kTile + a.x;
                 uint32_t c[4];
@@ -189,16 +191,16 @@ void sampleInside(Tile &t, int count) {
                     sum += _mm_min_ps(radiance, white);
                     darkest = _mm_min_ps(darkest, radiance);
                     if (!again) return;
-                    __m128 seen = shown(t.scene, radiance);
+                    __m128 seen = perceived(t.scene, radiance);
                     lo = _mm_min_ps(lo, seen), hi = _mm_max_ps(hi, seen);
                 };
                 for (uint32_t k : c) add(corners, radianceOf(s.corners[k]));
                 if (from) inside = __m128{s.light[0][p], s.light[1][p], s.light[2][p], 0};
                 for (int k = from; k < to; ++k, ++v) add(inside, *v);
                 if (again && exceeds(hi - lo, q.edge * 2)) pixels[kept++] = a;
-                __m128 sum = _mm_max_ps(corners * ofCorner + inside * ofInside, darkest);
+                __m128 sum = _mm_max_ps(corners * cornerWeight + inside * insideWeight, darkest);
                 for (int k = 0; k < 3; ++k) s.light[k][p] = inside[k], s.rest[k][p] = sum[k];
-                s.owner[p] = kMixed;
+                s.shape[p] = kMixed;
             }
         }
         count = kept;

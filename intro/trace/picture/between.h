@@ -1,9 +1,9 @@
 // In-betweens: a picture between two traced ones in time, made from both.
 //
-// Rays find what pixels show at that moment. The point that is hit is moved with its shape to the moments
-// of both pictures, and the colours seen there are fetched. A colour counts if the picture shows the same
-// shape there. If both count, they must agree; if one does, it counts alone, unless the shape is a fast
-// mirror or moving glass. All other pixels are traced. After Herzog, Eisemann, Myszkowski and Seidel,
+// Rays find the points that pixels show at that moment. Each point is moved with its shape to the moments of
+// both pictures, and the colours there are fetched. A colour counts if the picture shows the same shape
+// there. If both count, they must agree; if one does, it counts alone, unless the shape is a mirror that
+// moves fast or moving glass. All other pixels are traced. After Herzog, Eisemann, Myszkowski and Seidel,
 // "Spatio-Temporal Upsampling on the GPU", I3D 2010, and Yang et al., "Image-Based Bidirectional Scene
 // Reprojection", SIGGRAPH Asia 2011.
 #pragma once
@@ -12,15 +12,15 @@
 
 namespace odraz {
 
-// A picture as it was traced, before text is drawn, with frame.shapes; and the scene that it shows.
+// A picture as traced, before text is drawn, with frame.shapes; and the scene that it shows.
 struct Traced {
     Frame frame;
     Scene *scene;
     View view;
 };
 
-// Fills frame.owners, which traceBetween() needs of both pictures.
-void markOwners(Frame &frame, Workers &workers);
+// Fills frame.quads, which both pictures need for traceBetween().
+void markQuads(Frame &frame, Workers &workers);
 
 struct BetweenScratch;
 struct Carry;
@@ -29,29 +29,29 @@ struct Trust;
 // What in-betweens need besides a Tracer; allocated once.
 struct Between {
     BetweenScratch *scratch; // one for every worker
-    Carry *carry[2];         // to either picture: for every shape, and behind the last one for the sky
-    Trust *trust;            // of every shape, and of the sky
+    Carry *carry[2];         // [before or after][shapeCount + 1]; the last entry is the sky
+    Trust *trust;            // [shapeCount + 1]; the last entry is the sky
     int workers;
 };
 
-extern const size_t kBetweenBytes; // that makeBetween() takes at most, of the arena
+extern const size_t kBetweenBytes; // the most that makeBetween() takes from the arena
 // False if the arena is full.
 bool makeBetween(Between &between, Arena &arena, int workers);
 
 // The traced pictures on either side of a moment; they may be the same.
 struct Neighbours {
     const Traced &before, &after;
-    float share; // of the way from before to after, 0 .. 1
-    float gap;   // between them, in sixtieths of a second
+    float share; // position between before (0) and after (1)
+    float gap;   // time between them, in sixtieths of a second
 };
 
 // Fills the frame of `now`, whose scene and view are those of its moment. Pixels that must be traced have
-// `quality`, but with twice its thresholds, squares of up to 8 pixels and at most three samples within a
-// pixel. The result does not depend on the number of workers.
+// `quality`, but twice its thresholds, squares of up to 8 pixels and at most three samples inside a pixel.
+// The result does not depend on the number of workers.
 void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neighbours &n, Traced &now,
                   const Quality &quality);
 
 // The number of pixels that had to be traced since the last call.
-int64_t tracedAnew(Between &between);
+int64_t retracedPixels(Between &between);
 
 } // namespace odraz

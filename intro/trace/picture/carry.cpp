@@ -18,8 +18,8 @@ namespace odraz {
         bool sky = i == now.scene->shapeCount;
         c.shape = sky ? kSkyShown : kNone;
         for (int j = next; !sky && j < min(next + kMostNew, to.scene->shapeCount); ++j) {
-            Vec3 way = a.centre - to.scene->shapes[j].centre;
-            if (a.kind != to.scene->shapes[j].kind || dot(way, way) > a.half.x * a.half.x * 0.25f) continue;
+            Vec3 move = a.centre - to.scene->shapes[j].centre;
+            if (a.kind != to.scene->shapes[j].kind || dot(move, move) > a.half.x * a.half.x * 0.25f) continue;
             c.shape = (uint16_t)j;
             next = j + 1;
             break;
@@ -29,8 +29,7 @@ namespace odraz {
         for (int k = 0; k < 3; ++k) {
             Vec3 r = rows[k], turned = r;
             if (!sky) {
-                // What a ball mirrors does not roll with it, nor do lights and shadows on it. So a ball turns
-                // only if it has a texture
+                // Reflections and shading do not rotate with a ball, so only textured balls are rotated
                 if (a.traits().extents && !(a.isBall() && now.scene->materials[a.material].plain()))
                     turned = transposeTimes(a.frame, b.frame * r);
                 if (a.half.x > 0) turned *= Vec3{1, 1, 1} * (b.half.x / a.half.x);
@@ -41,7 +40,7 @@ namespace odraz {
     }
 }
 
-void markOwners(Frame &f, Workers &workers) {
+void markQuads(Frame &f, Workers &workers) {
     typedef uint16_t Short8 __attribute__((vector_size(16)));
     auto at = [](const uint16_t *p) { return (Short8)_mm_loadu_si128((const __m128i *)p); };
     auto min = [](Short8 a, Short8 b) { return a < b ? a : b; };
@@ -50,36 +49,36 @@ void markOwners(Frame &f, Workers &workers) {
         for (int y = first; y < end; ++y) {
             const uint16_t *p = f.shapes + (ptrdiff_t)y * f.stride;
             const ptrdiff_t below = y + 1 < f.height ? f.stride : 0;
-            int32_t *to = f.owners + (ptrdiff_t)y * f.stride;
+            int32_t *to = f.quads + (ptrdiff_t)y * f.stride;
             for (int x = 0; x < f.width; x += 8, p += 8) {
                 Short8 a = at(p), b = at(p + 1), c = at(p + below), d = at(p + below + 1),
                        least = min(min(a, b), min(c, d));
-                // One more makes kManyShapes the least of all
+                // Add 1, which makes kManyShapes 0
                 a += 1, b += 1, c += 1, d += 1;
-                Short8 most = max(max(a, b), max(c, d)), fewest = min(min(a, b), min(c, d));
-                Short8 worth = (Short8)(most == least + 1) & ((Short8)(fewest == 0) + 2);
+                Short8 most = max(max(a, b), max(c, d)), many = (Short8)(min(min(a, b), min(c, d)) == 0);
+                Short8 coverage = (Short8)(most == least + 1) & (many + 2);
                 _mm_storeu_si128((__m128i *)(to + x),
-                                 (__m128i)__builtin_shufflevector(least, worth, 0, 8, 1, 9, 2, 10, 3, 11));
-                _mm_storeu_si128((__m128i *)(to + x + 4),
-                                 (__m128i)__builtin_shufflevector(least, worth, 4, 12, 5, 13, 6, 14, 7, 15));
+                                 (__m128i)__builtin_shufflevector(least, coverage, 0, 8, 1, 9, 2, 10, 3, 11));
+                _mm_storeu_si128((__m128i *)(to + x + 4), (__m128i)__builtin_shufflevector(
+                                                              least, coverage, 4, 12, 5, 13, 6, 14, 7, 15));
             }
         }
     });
 }
 
 Fetched fetch(const Frame &f, int shape, Float8 x, Float8 y) {
-    Float8 left = floor(x), top = floor(y), u = x - left, w = y - top;
-    // Neighbouring pixels are mostly neighbours there, too. So loads replace gathers, one round for each
-    // distinct offset. (What lanes read beyond the end of a plane belongs to the next one.)
+    Float8 column = floor(x), row = floor(y), u = x - column, w = y - row;
+    // Neighbouring pixels mostly map to neighbouring pixels. So instead of gathering, load once for each
+    // distinct offset. (Lanes that read beyond the end of a plane read the next one.)
     const ptrdiff_t stride = f.stride;
-    Int8 step = toInt(fmadd(top, (float)f.stride, left)) - kLanes;
+    Int8 offset = toInt(fmadd(row, (float)f.stride, column)) - kLanes;
     Fetched found = {Rgb8{}, Int8{}};
-    for (int rest = 255; rest;) {
-        const ptrdiff_t first = step[__builtin_ctz((unsigned)rest)];
-        Int8 here = step == (int32_t)first;
-        rest &= ~laneBits(here);
-        // Which shapes the four pixels around show, and their radiance, interpolated
-        Int8 owner = loadInts(f.owners + first), id = owner & 0xffff;
+    for (int left = 255; left;) {
+        const ptrdiff_t first = offset[__builtin_ctz((unsigned)left)];
+        Int8 here = offset == (int32_t)first;
+        left &= ~laneBits(here);
+        // Read the shapes of the four pixels around the point, and interpolate their radiance
+        Int8 quad = loadInts(f.quads + first), id = quad & 0xffff;
         auto mix = [&](const float *p) {
             p += first;
             Float8 a = load(p), b = load(p + stride);
@@ -89,23 +88,23 @@ Fetched fetch(const Frame &f, int shape, Float8 x, Float8 y) {
         };
         found.radiance =
             select(here, Rgb8{mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])}, found.radiance);
-        found.worth |= here & ((id == shape) | (id == kManyShapes)) & (owner >> 16);
+        found.coverage |= here & ((id == shape) | (id == kManyShapes)) & (quad >> 16);
     }
     return found;
 }
 
-Fetched fetchFar(const Frame &f, const Carry &c, Float8 px, float py, Float8 far) {
+Fetched fetchCarried(const Frame &f, const Carry &c, Float8 px, float py, Float8 along) {
     auto row = [&](const float(&h)[4]) {
-        return fmadd(far, fmadd(px, h[1], broadcast(fmadd(py, h[2], h[0]))), h[3]);
+        return fmadd(along, fmadd(px, h[1], broadcast(fmadd(py, h[2], h[0]))), h[3]);
     };
     Float8 ahead = row(c.h[2]);
-    Int8 mine = ahead > kAhead;
-    Float8 inverse = 1.f / select(mine, ahead, 1.f);
+    Int8 valid = ahead > kAhead;
+    Float8 inverse = 1.f / select(valid, ahead, 1.f);
     Float8 x = fmadd(row(c.h[0]), inverse, -0.5f), y = fmadd(row(c.h[1]), inverse, -0.5f);
     Float8 inX = clamp(x, 0.f, (float)(f.width - 1) - 0.001f),
            inY = clamp(y, 0.f, (float)(f.height - 1) - 0.001f);
     Fetched found = fetch(f, c.shape, inX, inY);
-    found.worth &= mine & (max(abs(x - inX), abs(y - inY)) < 0.5f);
+    found.coverage &= valid & (max(abs(x - inX), abs(y - inY)) < 0.5f);
     return found;
 }
 

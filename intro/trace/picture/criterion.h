@@ -1,13 +1,12 @@
-// Decides which squares and pixels of the quadtree split. All of that decision is here.
+// Decides which squares and pixels of the quadtree split. All such decisions are here.
 //
-// After the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of
-// every light there, (c) what secondary rays hit, level by level, and the texture cell there, (d) the
-// intensities. (a) to (c) are marks, which every Sample keeps. Of the four, only (d) decides whether a
-// pixel gets samples inside. Squares and pixels also split where there may be a shape that no corner shows
-// (hidden.h). Squares also split where a sample on one of their sides, traced for a neighbour, shows
-// something new. The Quality holds the thresholds. A new criterion belongs in splitsSquare() and
-// splitsPixel(), a new mark in marksOf(). Where a square splits, meanServes() decides which of the new
-// corners need not be traced.
+// As in the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of every
+// light, (c) the hits of secondary rays and the texture cells there, (d) the intensities. (a) to (c) are
+// marks, which every Sample has. Only (d) decides whether a pixel gets samples inside. Squares and pixels
+// also split where there may be a shape that no corner shows (hidden.h), and squares where a sample on one of
+// their sides, traced for a neighbour, differs. The Quality has the thresholds. A new criterion belongs in
+// splitsSquare() and splitsPixel(), a new mark in marksOf(). Where a square splits, meanSuffices() decides
+// which of the new corners need not be traced.
 #pragma once
 
 #include "trace/picture/hidden.h"
@@ -15,12 +14,12 @@
 namespace odraz {
 
 // Radiance on a scale on which equal steps look about equally large.
-ODRAZ_INLINE __m128 shown(const Scene &scene, __m128 radiance) {
+ODRAZ_INLINE __m128 perceived(const Scene &scene, __m128 radiance) {
     __m128 v = radiance * scene.exposure;
     return _mm_sqrt_ps(v / (v + 0.7f));
 }
 
-// How much four colours differ, channel by channel.
+// The difference between the greatest and the least of four (or two) colours, channel by channel.
 ODRAZ_INLINE __m128 range(__m128 a, __m128 b, __m128 c, __m128 d) {
     return _mm_max_ps(_mm_max_ps(a, b), _mm_max_ps(c, d)) - _mm_min_ps(_mm_min_ps(a, b), _mm_min_ps(c, d));
 }
@@ -29,27 +28,24 @@ ODRAZ_INLINE bool exceeds(__m128 difference, float threshold) {
     return _mm_movemask_ps(_mm_cmpgt_ps(difference, _mm_set1_ps(threshold)));
 }
 ODRAZ_INLINE __m128 rangeOf(const TileScratch &s, const uint32_t *c) {
-    return range(s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]);
+    return range(s.perceived[c[0]], s.perceived[c[1]], s.perceived[c[2]], s.perceived[c[3]]);
 }
-// Whether the radiances at four corners, textures included, differ by more than a threshold. (Out of line: it
-// is large.)
-[[gnu::noinline]] inline bool seenExceeds(const Tile &t, const uint32_t *c, float threshold) {
+// Whether the radiances at four corners, with textures, differ by more than a threshold.
+[[gnu::noinline]] inline bool radianceExceeds(const Tile &t, const uint32_t *c, float threshold) {
     __m128 v[4];
-    for (int k = 0; k < 4; ++k) v[k] = shown(t.scene, radianceOf(t.s.corners[c[k]]));
+    for (int k = 0; k < 4; ++k) v[k] = perceived(t.scene, radianceOf(t.s.corners[c[k]]));
     return exceeds(range(v[0], v[1], v[2], v[3]), threshold);
 }
 
-// The intensities by which a corner is compared. Its texture is left out: if only the texture differs, the
-// texture's own filter is enough.
+// The intensities by which a corner is compared, without its texture, which has a filter of its own.
 ODRAZ_INLINE __m128 intensityOf(const Scene &scene, const Sample &c) {
     Rgb mean = c.id ? scene.mean[scene.shapes[c.shape()].material] : Rgb{};
     __m128 lit = fourOf(c.light) * __m128{mean.x, mean.y, mean.z, 0};
-    return shown(scene, lit + fourOf(c.rest));
+    return perceived(scene, lit + fourOf(c.rest));
 }
 
-// The marks of a corner: the shape it shows, its lights, and what its secondary rays hit. They are the
-// first three of the thesis's four tests. The fourth number is not compared: it is set where a texture is
-// mirrored.
+// The marks of a corner: its shape, its lights, and the hits of its secondary rays. These are the thesis's
+// tests (a) to (c). The fourth number, which is not compared, is set where a texture is mirrored.
 ODRAZ_INLINE __m128i marksOf(const Sample &c) {
     return _mm_setr_epi32((int)c.id, (int)(c.lights & ~kTextured), (int)c.secondary,
                           (int)(c.lights & kTextured));
@@ -61,20 +57,19 @@ ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
     return (same & kSameId) && c.id ? (int)c.shape() : -1;
 }
 
-// Whether rays find how much of a pixel each shape covers that its corners show (fill.cpp): in `draft`, and
-// near it.
-[[gnu::cold]] inline bool covers(const Tile &t, const uint32_t *c) {
+// Whether rays count how much of a pixel each shape covers (fill.cpp): in `draft`, and in blends close to it.
+[[gnu::cold]] inline bool countsCoverage(const Tile &t, const uint32_t *c) {
     const Sample *s = t.s.corners;
     int one = shapeOrSky(s[c[0]]);
     return t.quality.edge > 0.3f && exceeds(rangeOf(t.s, c), t.quality.markThreshold) &&
            (shapeOrSky(s[c[1]]) != one || shapeOrSky(s[c[2]]) != one || shapeOrSky(s[c[3]]) != one);
 }
 
-// Why a square splits. Hidden: its corners are alike, but there may be a shape between them.
+// Why a square splits. Hidden: its corners are alike, but a shape may be hidden between them.
 enum class Split { No, Differs, Hidden };
 
-// Whether a square of more than a pixel splits, judged by its corners c. Where a mirror or glass shows a
-// texture, the corners of a larger square do not show what lies between them.
+// Whether a square of more than a pixel splits, judged by its corners c. Squares of more than 2x2 pixels also
+// split where a mirror or glass shows a texture, because corners do not show what lies between them.
 ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_t *c) {
     const TileScratch &s = t.s;
     int same = alike(s, c);
@@ -87,44 +82,43 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
         if (marks || textured || lamps) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
-    if (size == 2 && !(same & kSameId) && t.scene.lines == 0 && covers(t, c) &&
+    if (size == 2 && !(same & kSameId) && t.scene.lines == 0 && countsCoverage(t, c) &&
         !exceeds(difference, t.quality.edge))
         return Split::No;
-    // Where surfaces meet, they may differ in their textures alone. Lines between patches stand on all
-    // edges
+    // Surfaces that meet may differ only in their textures. Patches have lines along all edges
     if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)) ||
-        (!(same & kSameId) && (t.scene.lines != 0 || seenExceeds(t, c, t.quality.markThreshold))))
+        (!(same & kSameId) && (t.scene.lines != 0 || radianceExceeds(t, c, t.quality.markThreshold))))
         return Split::Differs;
     return mayHide(t, a, size, shapeOf(s, c[0], same)) ? Split::Hidden : Split::No;
 }
 
-// Whether the mean of corners a and b stands for the one in their middle, `half` from both. They must be
-// alike, and the closer in brightness the farther they are apart: what a straight line misses grows with
-// the square of its length. Near a mirrored lamp all are traced, and in `film` everywhere.
-ODRAZ_INLINE bool meanServes(const Tile &t, uint32_t a, uint32_t b, int half) {
+// Whether the mean of corners a and b is good enough for the corner midway between them, `half` from both.
+// Their marks must be equal. The larger `half` is, the less their brightness may differ: linear
+// interpolation's error grows with the square of the distance. In `film`, and near mirrored lamps, none is.
+ODRAZ_INLINE bool meanSuffices(const Tile &t, uint32_t a, uint32_t b, int half) {
     const TileScratch &s = t.s;
     return t.quality.fine > 1 && alike(s, a, b) == kSameMarks && !(s.corners[a].secondary & kLamps) &&
-           !exceeds(range(s.shown[a], s.shown[b]) * (float)(half * half), 3 * t.quality.markThreshold);
+           !exceeds(range(s.perceived[a], s.perceived[b]) * (float)(half * half),
+                    3 * t.quality.markThreshold);
 }
 
-// Whether a square splits although its own corners, all alike, did not split it. It does where a sample in
-// the middle of one of its sides, traced because a neighbour split, differs from them.
+// Whether a neighbour's sample splits a square whose corners, all alike, did not split it: a sample in the
+// middle of one of its sides that differs from them, traced because a neighbour split.
 ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float markThreshold) {
-    const uint32_t half = (uint32_t)size / 2, place = placeAt(a.x, a.y), corner = cornerAt(a.x, a.y);
-    auto differs = [&](uint32_t x, uint32_t y) { // in halves of the square
-        if (s.traced[place + (y * half << kPlaceShift) + x * half] != s.stamp) return false;
+    const uint32_t half = (uint32_t)size / 2, point = pointAt(a.x, a.y), corner = cornerAt(a.x, a.y);
+    auto differs = [&](uint32_t x, uint32_t y) { // x, y in halves of the square
+        if (s.traced[point + (y * half << kPointShift) + x * half] != s.stamp) return false;
         uint32_t middle = corner + y * half * kCorners + x * half;
         if (alike(s, middle, corner) == kSameMarks) return false;
-        return size > 2 || exceeds(range(s.shown[corner], s.shown[middle]), markThreshold);
+        return size > 2 || exceeds(range(s.perceived[corner], s.perceived[middle]), markThreshold);
     };
     return differs(1, 0) || differs(0, 1) || differs(2, 1) || differs(1, 2);
 }
 
-// From this difference on, edges of shadows have stairs in `draft`.
+// Edges of shadows with a greater difference have stairs in `draft`.
 inline constexpr float kHardShadow = 0.35f;
 
-// Whether a pixel splits. Only what is seen decides. If only the texture differs, the texture's own filter is
-// enough.
+// Whether a pixel splits: by intensities and hidden shapes alone. A texture has a filter of its own.
 ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;
     int same = alike(s, c);
@@ -133,7 +127,7 @@ ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
                (s.thin.images < s.thin.count && mayHideThin(t, a, 1, s.thin.images));
     int shape = shapeOf(s, c[0], same);
     bool calm = shape >= 0 && !exceeds(rangeOf(s, c), t.quality.edge);
-    return (!calm && seenExceeds(t, c, t.quality.edge)) || mayHide(t, a, 1, shape);
+    return (!calm && radianceExceeds(t, c, t.quality.edge)) || mayHide(t, a, 1, shape);
 }
 
 } // namespace odraz

@@ -16,33 +16,33 @@ Float8 encodeSrgb(Float8 x) {
 
 void makeToneCurve(ToneCurve &curve) {
     int32_t next = 0;
-    for (int i = (int)(sizeof(curve.place) / sizeof(*curve.place)); i-- > 0;) {
+    for (int i = (int)(sizeof(curve.entry) / sizeof(*curve.entry)); i-- > 0;) {
         Float8 x = broadcast(fromBits(bits(ToneCurve::kFoot) + (i << ToneCurve::kShift)) - ToneCurve::kFoot);
         int32_t value = toInt(fmadd(encodeSrgb(filmic(x))[0], 255 * 128, 0.5f));
-        curve.place[i] = value << 16 | ((next - value) & 0xffff);
+        curve.entry[i] = value << 16 | ((next - value) & 0xffff);
         next = value;
     }
 }
 
 namespace {
 
-// Keeps x in a register or on the stack. Otherwise a constant is made again in every round of a loop, in up
-// to three steps.
+// Keeps x in a register or on the stack. Otherwise the compiler makes a constant again in every round of a
+// loop, in up to three instructions.
 template <class T> ODRAZ_INLINE T kept(T x) {
-#ifndef __wasm__ // which has no registers
+#ifndef __wasm__ // WebAssembly has no registers
     asm("" : "+x"(x));
 #endif
     return x;
 }
 
-// The eight entries of a curve for the bits of values, one by one. On processors with the mitigation against
-// Downfall, one gather instruction takes half as long again as all other work on a pixel.
-ODRAZ_INLINE Int8 lookUp(const int32_t *place, Int8 values) {
+// Looks up eight entries of a curve, by the bits of values, one by one. On processors with the mitigation
+// against Downfall, a gather instruction takes 1.5 times as long as all other work on a pixel.
+ODRAZ_INLINE Int8 lookUp(const int32_t *entries, Int8 values) {
     const size_t kFirst = bits(ToneCurve::kFoot) >> ToneCurve::kShift;
     alignas(32) int32_t at[8];
     store(at, values >> ToneCurve::kShift);
-    asm("" : "+m"(at)); // without memory each index takes two steps more
-    auto entry = [&](int k) { return place[(uint32_t)at[k] - kFirst]; };
+    asm("" : "+m"(at)); // indices in registers would take two more instructions each
+    auto entry = [&](int k) { return entries[(uint32_t)at[k] - kFirst]; };
     auto four = [&](int k) {
         __m128i v = _mm_cvtsi32_si128(entry(k));
         v = _mm_insert_epi32(v, entry(k + 1), 1);
@@ -55,10 +55,10 @@ ODRAZ_INLINE Int8 lookUp(const int32_t *place, Int8 values) {
 // Interpolates eight pixels of a row from a level that is a quarter as wide and high.
 struct GlareRow {
     const float *near[3], *far[3]; // the two nearest rows
-    Float8 share;                  // of the far one
+    Float8 share;                  // weight of the far row
 
     GlareRow(const Glare::Level &l, int y) {
-        // The middles of pixels lie at odd eighths of the level's pixels
+        // The centres of pixels are at odd eighths of the level's pixels
         int eighth = 2 * y - 3, row = eighth >> 3;
         share = broadcast((float)(eighth & 7) * 0.125f);
         ptrdiff_t a = (ptrdiff_t)max(row, 0) * l.stride, b = (ptrdiff_t)min(row + 1, l.height - 1) * l.stride;
@@ -83,9 +83,9 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
     const float midX = (float)frame.width * 0.5f, midY = (float)frame.height * 0.5f,
                 darker = look.vignette / fmadd(midX, midX, midY * midY);
     auto rows = [&](int first, int end, int) __attribute__((flatten)) {
-        // Copies: what a reference leads to is loaded again after each write to the picture
+        // Copy these: through references, they would be loaded again after each write to the picture
         const Frame f = frame;
-        const int32_t *place = curve.place;
+        const int32_t *entries = curve.entry;
         const bool spread = glare;
         const Float8 fall = broadcast(-darker * exposure), spreadShare = broadcast(look.glare),
                      foot = kept(broadcast(ToneCurve::kFoot)), head = kept(broadcast(ToneCurve::kHead));
@@ -97,8 +97,7 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
             uint8_t *out = f.rgba + (size_t)y * (size_t)f.width * 4;
             float down = (float)y + 0.5f - midY;
             const Float8 rest = broadcast(fmadd(down * down, -darker, 1.f) * exposure);
-            // At the picture's edges, neighbours are used twice; in pictures of one row or of eight
-            // columns, pixels themselves
+            // At the edges, use the opposite neighbour twice; in one row or eight columns, the pixel itself
             ptrdiff_t below = y + 1 < f.height ? f.stride : -(ptrdiff_t)(y > 0) * f.stride,
                       above = y > 0 ? -f.stride : below, left = f.width > 8, row = (ptrdiff_t)y * f.stride;
             GlareRow of(spread ? glare->level[1] : Glare::Level{}, y);
@@ -106,7 +105,7 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
             Float8 aside = toFloat(kLanes) + (0.5f - midX);
             for (ptrdiff_t x = 0; x < f.width; x += 8) {
                 Uint8 noise = pcg(pixel ^ salts);
-                // The sum of two 16-bit numbers, each as often negative as not
+                // Grain: the sum of two random 16-bit numbers, each as often negative as not
                 Int8 grain = (Int8)_mm256_madd_epi16((__m256i)((Int8)pcg(noise) ^ signs), (__m256i)amplitude);
                 grain += half;
                 Float8 gain = fmadd(aside * aside, fall, rest);
@@ -114,24 +113,24 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
                 Int8 shown[3];
                 for (int c = 0; c < 3; ++c) {
                     const float *at = f.plane[c] + (row + x);
-                    // A pixel brighter than all of its neighbours is mostly a sample that hit something
-                    // thin by chance; the next picture will not have it
+                    // Clamp to the brightest neighbour. A pixel brighter than all of them is mostly a
+                    // sample that hit something thin by chance, which the next picture will not show
                     auto most = [&](const float *p) { return max(load(p + left), load(p + right)); };
                     const float *up = at + above, *under = at + below;
-                    Float8 beside = max(max(most(up), most(under)), max(load(up), load(under)));
-                    Float8 v = min(max(most(at), beside), load(at));
+                    Float8 others = max(max(most(up), most(under)), max(load(up), load(under)));
+                    Float8 v = min(max(most(at), others), load(at));
                     if (spread) v = fmadd(of.at(c, x) - v, spreadShare, v);
-                    // NaN becomes the first entry
+                    // Clamp to the table's range; NaN becomes 0
                     v = min(max(fmadd(v, gain, foot), foot), head);
-                    // The value times 2^14, plus the difference to the next one times the 14 bits that
-                    // follow the index
+                    // Interpolate: the entry's value times 2^14, plus the difference to the next one times
+                    // the 14 bits that follow the index
                     Int8 share = (bits(v) >> (ToneCurve::kShift - 14) & low14) | one;
-                    Int8 value = (Int8)_mm256_madd_epi16((__m256i)lookUp(place, bits(v)), (__m256i)share);
-                    // Each colour has its own noise: 10 bits that no other one uses
+                    Int8 value = (Int8)_mm256_madd_epi16((__m256i)lookUp(entries, bits(v)), (__m256i)share);
+                    // Add noise: 10 bits for each colour that no other colour uses
                     shown[c] = (value + (Int8)(noise >> 11) + grain) >> 21;
                     noise <<= 10;
                 }
-                // Packing clamps to 0 .. 255
+                // Pack to bytes, which clamps to 0 .. 255
                 const Int8 kOrder = {0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703,
                                      0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703};
                 __m256i pixels = _mm256_packus_epi16(_mm256_packs_epi32((__m256i)shown[0], (__m256i)shown[1]),

@@ -14,17 +14,16 @@ Float8 filmic(Float8 x);
 Float8 encodeSrgb(Float8 x);
 
 // Both functions in one table with linear interpolation; the error is below 1/40 of one of the 255 steps.
-// Entries are evenly spaced in the bits of x + kFoot, 32 to a doubling, so that 0 has one too. From kHead on
-// all is white.
+// Entries are evenly spaced in the bits of x + kFoot, 32 for each doubling, from x = 0. Above kHead is white.
 struct ToneCurve {
     static constexpr float kFoot = 1.f / 32, kHead = 32768;
     static constexpr int kShift = 18; // turns the bits of x + kFoot into the index of an entry
     // Upper half: the value, in 1/128 of a step. Lower half: the difference to the next entry's value
-    int32_t place[20 << (23 - kShift) | 1];
+    int32_t entry[20 << (23 - kShift) | 1];
 };
 void makeToneCurve(ToneCurve &curve);
 
-// What lens and film add to a picture.
+// Effects of the lens and the film.
 struct CameraLook {
     float glare;    // share of the light that is spread (glare.h), 0 .. 1
     float vignette; // share of the light that the corners lose, 0 .. 1

@@ -10,16 +10,16 @@ namespace {
 
 constexpr int kBand = 32; // rows of the larger picture that are made at a time
 
-// What eight values of a longer line are made of: for each the first of four neighbours in a line of pixels,
-// and their weights in 64ths, a byte each.
+// The taps of eight values of an enlarged line: for each value the index of the first of four neighbouring
+// pixels, and their weights in 64ths, a byte each.
 struct Taps {
     Int8 first, weights;
 };
-// Those of values i; values are `step` pixels apart.
+// Computes the taps of values i; values are `step` pixels apart.
 [[gnu::noinline]] Taps tapsOf(Int8 i, float step, int length) {
     Float8 at = clamp(fmadd(toFloat(i) + 0.5f, step, -0.5f), 1.f, (float)(length - 3)), whole = floor(at),
            t = at - whole;
-    // Sums of the first weights, which are cubics: rounded, their differences still sum to 64
+    // Round the sums of the first one, two and three weights, so that the weights still sum to 64
     auto sum = [&](float a, float b, float c, float d) {
         Float8 v = fmadd(t, fmadd(t, fmadd(t, a, broadcast(b)), c), d);
         return (Int8)_mm256_cvtps_epi32(v);
@@ -29,18 +29,17 @@ struct Taps {
             (one & 255) | ((two - one) & 255) << 8 | ((three - two) & 255) << 16 | (64 - three) << 24};
 }
 
-// Mixes eight pixels. The four that each is made of are `apart` bytes apart; the first of them is which[k]
-// pixels behind `from`, 0 .. 7.
-[[gnu::noinline]] void mix(const uint8_t *from, ptrdiff_t apart, Int8 which, Int8 weights, uint8_t *out) {
+// Mixes eight pixels, each from four that are `step` bytes apart. The first is from[which[k]], 0 .. 7.
+[[gnu::noinline]] void mix(const uint8_t *from, ptrdiff_t step, Int8 which, Int8 weights, uint8_t *out) {
     const __m256i forBytes =
         _mm256_broadcastsi128_si256(_mm_set_epi64x(0x0504050405040504, 0x0100010001000100));
     auto tap = [&] {
         __m256i v = _mm256_permutevar8x32_epi32(_mm256_loadu_si256((const __m256i *)from), (__m256i)which);
-        from += apart;
+        from += step;
         return v;
     };
     __m256i a = tap(), b = tap(), c = tap(), d = tap();
-    // Sums of products, for the first two pixels of each four, then for the others
+    // Sum products, for the first two pixels of each four, then for the others
     auto half = [&](__m256i ab, __m256i cd, Int8 w) {
         auto products = [&](__m256i v, Int8 w) {
             return _mm256_maddubs_epi16(v, _mm256_shuffle_epi8((__m256i)w, forBytes));
@@ -62,12 +61,12 @@ void enlarge(const uint8_t *from, int width, int height, uint8_t *to, int toWidt
              Workers &workers) {
     float across = (float)width / (float)toWidth, down = (float)height / (float)toHeight;
     parallelRanges(workers, toHeight, kBand, [=](int begin, int end, int) {
-        // The rows that these are made of, as wide as they will be
+        // First enlarge the rows that these are made from to their full width
         uint8_t wide[kBand + 4][(kMostAcross + 8) * 4];
         int top = tapsOf(broadcast(begin), down, height).first[0],
             bottom = tapsOf(broadcast(end - 1), down, height).first[0] + 3;
         for (int x = 0; x < toWidth; x += 8) {
-            // As there are no more pixels in `from`, eight contain the firsts of eight
+            // Since `from` has no more pixels than `to`, eight of them contain the first taps of eight values
             Taps taps = tapsOf(kLanes + x, across, width);
             int first = taps.first[0];
             for (int y = top; y <= bottom; ++y)
@@ -77,7 +76,7 @@ void enlarge(const uint8_t *from, int width, int height, uint8_t *to, int toWidt
         for (int y = begin; y < end; ++y) {
             Taps taps = tapsOf(broadcast(y), down, height);
             for (int x = 0; x < toWidth; x += 8) {
-                // The last eight may overlap those before them
+                // The last eight pixels may overlap those before them
                 int at = min(x, toWidth - 8) * 4;
                 mix(wide[taps.first[0] - top] + at, sizeof *wide, kLanes, taps.weights,
                     to + (ptrdiff_t)y * toWidth * 4 + at);

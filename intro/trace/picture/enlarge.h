@@ -1,8 +1,8 @@
 // Scales a developed picture up to the size that is shown, when it was traced in fewer pixels.
 //
 // The filter is the interpolating cubic of Catmull and Rom ("A class of local interpolating splines", 1974),
-// along rows and then along columns. Alone it would ring: beside an edge it overshoots by up to 7 % of it.
-// So each value is kept between the two that it lies between.
+// along rows and then along columns. Alone it would ring: near an edge it overshoots by up to 7 % of the
+// step. So each value is clamped to the range of the two pixels that it lies between.
 #pragma once
 
 #include "base/parallel.h"
@@ -14,9 +14,8 @@ namespace odraz {
 inline constexpr int kMostAcross = 2560; // pixels of a row that enlarge() can make
 
 // Both pictures are sRGB, four bytes a pixel, rows without gaps. `from` is at least 4x4; `to` is no smaller
-// in any direction, and 8 to kMostAcross pixels wide. Along its border, half of the outermost pixels of
-// `from` are cut off. Some bytes behind `from` are read, 32 at most, but do not count. The result does not
-// depend on the number of workers.
+// in either direction, and 8 to kMostAcross pixels wide. Half of the outermost pixels of `from` are cut off.
+// Up to 32 bytes after `from` are read and ignored. The result does not depend on the number of workers.
 void enlarge(const uint8_t *from, int width, int height, uint8_t *to, int toWidth, int toHeight,
              Workers &workers);
 

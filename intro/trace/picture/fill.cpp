@@ -5,26 +5,26 @@
 
 namespace odraz {
 
-// Writes eight pixels of a row into the frame.
-static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i owner) {
+// Writes eight pixels of a row to the frame, with their shapes.
+static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i shapes) {
     size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
     store(t.frame.plane[0] + out, v.x);
     store(t.frame.plane[1] + out, v.y);
     store(t.frame.plane[2] + out, v.z);
-    if (t.frame.shapes) _mm_storeu_si128((__m128i *)(t.frame.shapes + out), owner);
+    if (t.frame.shapes) _mm_storeu_si128((__m128i *)(t.frame.shapes + out), shapes);
 }
 
-// The albedo that eight pixels show, of which `mine` show the shape. Where it changes from one to the next,
-// one sample is not accurate: noise fades a little too early or too late, and lines have stairs. There it is
-// the mean of two by two samples of half the width. One alone is nearest to that if its filter is narrower.
-static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y, Int8 mine) {
-    const Shape &shape = t.scene.shapes[owner];
+// The albedo of a shape at eight pixels; `active` are those that show it. Where it changes from one pixel to
+// the next, one sample is inexact: noise fades a little too early or too late, and lines have stairs. There
+// the mean of two by two samples of half the width is taken. One sample is nearest to it if 0.7 wide.
+static Rgb8 albedoOf(const Tile &t, uint16_t id, int x, int y, Int8 active) {
+    const Shape &shape = t.scene.shapes[id];
     const Material &m = t.scene.materials[shape.material];
     if (onePlainColour(t.scene, m)) return broadcast(m.texture.palette[0] * m.diffuse);
     Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f), py = broadcast((float)(t.y0 + y) + 0.5f);
     Rgb8 one = albedoSeen(t.scene, t.view, shape, px, py, 0.7f);
     Float8 next = _mm256_permutevar8x32_ps(one.y, (__m256i)Int8{1, 2, 3, 4, 5, 6, 7, 7});
-    if (!any(mine & (abs(next - one.y) >= next * t.quality.textureEdge))) return one;
+    if (!any(active & (abs(next - one.y) >= next * t.quality.textureEdge))) return one;
     Rgb8 sum = {};
     for (int i = 0; i < 4; ++i)
         sum += albedoSeen(t.scene, t.view, shape, px + ((float)(i & 1) * 0.5f - 0.25f),
@@ -32,13 +32,13 @@ static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y, Int8 mine) {
     return sum * broadcast(0.25f);
 }
 
-// Interpolates between values at the corners of a square: linear along its rows and sides.
+// Interpolates between values at the corners of a square, linearly along its rows and sides.
 struct Bilinear {
     __m128 left, right, down, downRight;
 
     explicit Bilinear(const __m128 (&k)[4])
         : left(k[0]), right(k[1]), down(k[2] - k[0]), downRight(k[3] - k[1]) {}
-    // Values in the row at v, at places u along it, 0 .. 1.
+    // Values in the row at v, at positions u along it, 0 .. 1.
     ODRAZ_INLINE Rgb8 row(__m128 v, Float8 u) const {
         __m128 first = left + down * v, step = right + downRight * v - first;
         return {fmadd(u, step[0], broadcast(first[0])), fmadd(u, step[1], broadcast(first[1])),
@@ -46,27 +46,26 @@ struct Bilinear {
     }
 };
 
-// What a pixel shows where the corners of its square show several shapes: eight rays find how much of it each
-// of these covers. Nothing is shaded: the corners give a shape's colour. Rays that miss all of these shapes
-// count as the mean.
-[[gnu::noinline, gnu::cold]] static __m128 covered(const Tile &t, int x, int y, const uint32_t *c,
-                                                   const __m128 *colour, __m128 mean) {
+// The colour of a pixel in a square whose corners show several shapes. Eight rays count how much of the pixel
+// each shape covers. They are not shaded: a shape has the colour of its corners. Others have the mean.
+[[gnu::noinline, gnu::cold]] static __m128 colourByCoverage(const Tile &t, int x, int y, const uint32_t *c,
+                                                            const __m128 *colour, __m128 mean) {
     Ray8 ray = {broadcast(t.view.eye),
                 normalize(t.view.direction(load(kInsideX) + ((float)(t.x0 + x) + 0.5f),
                                            load(kInsideY) + ((float)(t.y0 + y) + 0.5f)))};
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
     int shape[6] = {-1, -1}; // -1: the sky
     for (int k = 0; k < 4; ++k) {
-        int mine = shape[k + 2] = shapeOrSky(t.s.corners[c[k]]);
-        // Most shapes are shown by corners beside each other
-        if (mine >= 0 && mine != shape[k] && mine != shape[k + 1])
-            takeNearer(hit, distance(t.scene.shapes[mine], ray), mine);
+        int id = shape[k + 2] = shapeOrSky(t.s.corners[c[k]]);
+        // Intersect a shape once if two corners in a row show it, as most do
+        if (id >= 0 && id != shape[k] && id != shape[k + 1])
+            updateNearest(hit, distance(t.scene.shapes[id], ray), id);
     }
     __m128 sum = mean;
     for (int k = 0; k < 4; ++k) {
-        int mine = shape[k + 2], corners = 0;
-        for (int i = 2; i < 6; ++i) corners += shape[i] == mine;
-        float share = (float)__builtin_popcount((unsigned)laneBits(hit.shape == mine)) / (float)(8 * corners);
+        int id = shape[k + 2], corners = 0;
+        for (int i = 2; i < 6; ++i) corners += shape[i] == id;
+        float share = (float)__builtin_popcount((unsigned)laneBits(hit.shape == id)) / (float)(8 * corners);
         sum += (colour[k] - mean) * share;
     }
     return sum;
@@ -79,25 +78,25 @@ void fill(Tile &t, Square q, int size) {
     cornersOf(q, size, c);
     const Sample &first = s.corners[c[0]];
     bool same = alike(s, c) & kSameId;
-    uint16_t owner = !same ? kMixed : first.id ? (uint16_t)first.shape() : kSky;
-    bool lit = owner < kDone;
+    uint16_t shape = !same ? kMixed : first.id ? (uint16_t)first.shape() : kSky;
+    bool lit = shape < kDone;
     __m128 light[4], rest[4];
     for (int i = 0; i < 4; ++i) {
         const Sample &k = s.corners[c[i]];
         light[i] = fourOf(k.light);
         rest[i] = lit ? fourOf(k.rest) : radianceOf(k);
     }
-    bool covering = size <= 2 && !same && covers(t, c);
-    if (size == 1 || covering) {
+    bool counting = size <= 2 && !same && countsCoverage(t, c);
+    if (size == 1 || counting) {
         __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
         __m128 white = _mm_set1_ps(whiteOf(t.scene)), r = {}, darkest = rest[0];
         for (__m128 &v : rest) darkest = _mm_min_ps(darkest, v), v = _mm_min_ps(v, white), r += v * 0.25f;
         for (int i = 0; i < size * size; ++i) {
             int x = i % size, y = i / size, p = at + y * kTile + x;
-            __m128 v = covering ? covered(t, x0 + x, y0 + y, c, rest, r) : r;
+            __m128 v = counting ? colourByCoverage(t, x0 + x, y0 + y, c, rest, r) : r;
             v = _mm_max_ps(v, darkest);
             for (int k = 0; k < 3; ++k) s.light[k][p] = l[k], s.rest[k][p] = v[k];
-            s.owner[p] = owner;
+            s.shape[p] = shape;
         }
         return;
     }
@@ -106,9 +105,9 @@ void fill(Tile &t, Square q, int size) {
     Int8 inside = kLanes < size;
     Float8 u = (toFloat(kLanes) + 0.5f) * step;
     Bilinear lights(light), rests(rest);
-    __m128i owners = _mm_set1_epi16((short)owner);
-    // Three of eight rows are evaluated; others only where the albedo changes from a row above to one
-    // below
+    __m128i shapes = _mm_set1_epi16((short)shape);
+    // Evaluate the albedo of three among eight rows, and of others only where it changes between the rows
+    // above and below; else interpolate
     constexpr struct {
         uint8_t row, above, below;
     } kOrder[] = {{0, 0, 0}, {4, 0, 0}, {7, 0, 0}, {2, 0, 4}, {6, 4, 7}, {1, 0, 2}, {3, 2, 4}, {5, 4, 6}};
@@ -117,7 +116,7 @@ void fill(Tile &t, Square q, int size) {
         if (size < 8 || !lit) break;
         const Rgb8 &a = albedo[above], &b = albedo[below];
         albedo[y] = below == 0 || any(abs(b.y - a.y) >= a.y * (t.quality.textureEdge * 0.025f))
-                        ? albedoOf(t, owner, x0, y0 + y, kLanes >= 0)
+                        ? albedoOf(t, shape, x0, y0 + y, kLanes >= 0)
                         : a + (b - a) * broadcast((float)(y - above) / (float)(below - above));
     }
     for (int y = 0; y < size && y0 + y < t.height; ++y) {
@@ -125,10 +124,10 @@ void fill(Tile &t, Square q, int size) {
         Rgb8 r = rests.row(v, u);
         int p = at + y * kTile;
         if (size == 8) {
-            // Whole packets need not wait for their neighbours
+            // Write eight pixels at once; fewer wait for their neighbours
             if (lit) r += lights.row(v, u) * albedo[y];
-            put(t, x0, y0 + y, r, owners);
-            _mm_storeu_si128((__m128i *)(s.owner + p), _mm_set1_epi16((short)kDone));
+            put(t, x0, y0 + y, r, shapes);
+            _mm_storeu_si128((__m128i *)(s.shape + p), _mm_set1_epi16((short)kDone));
             continue;
         }
         auto keep = [&](float(&to)[3][kTile * kTile + 8], const Rgb8 &v) {
@@ -139,9 +138,9 @@ void fill(Tile &t, Square q, int size) {
         keep(s.rest, r);
         if (lit) keep(s.light, lights.row(v, u));
         if (size == 4)
-            _mm_storel_epi64((__m128i *)(s.owner + p), owners);
+            _mm_storel_epi64((__m128i *)(s.shape + p), shapes);
         else
-            _mm_storeu_si32(s.owner + p, owners);
+            _mm_storeu_si32(s.shape + p, shapes);
     }
 }
 
@@ -151,22 +150,22 @@ void finishTile(Tile &t) {
         for (int x = 0; x < t.width; x += 8) {
             const int p = y * kTile + x;
             Rgb8 sum = {load(s.rest[0] + p), load(s.rest[1] + p), load(s.rest[2] + p)};
-            if (s.owner[p] == kDone) continue;
-            __m128i owners = _mm_loadu_si128((const __m128i *)(s.owner + p));
-            Int8 owner = (Int8)_mm256_cvtepu16_epi32(owners);
-            const Int8 inside = kLanes < t.width - x; // beside it owners are of an earlier tile
-            int left = laneBits((owner < kDone) & inside);
+            if (s.shape[p] == kDone) continue;
+            __m128i shapes = _mm_loadu_si128((const __m128i *)(s.shape + p));
+            Int8 shape = (Int8)_mm256_cvtepu16_epi32(shapes);
+            const Int8 inside = kLanes < t.width - x; // outside, shapes are those of an earlier tile
+            int left = laneBits((shape < kDone) & inside);
             if (left) {
                 Rgb8 light = {load(s.light[0] + p), load(s.light[1] + p), load(s.light[2] + p)};
                 while (left) {
-                    int shape = owner[__builtin_ctz((unsigned)left)];
-                    Int8 mine = (owner == shape) & inside;
-                    Rgb8 a = albedoOf(t, (uint16_t)shape, x, y, mine);
-                    sum = select(mine, sum + a * light, sum);
-                    left &= ~laneBits(mine);
+                    int id = shape[__builtin_ctz((unsigned)left)];
+                    Int8 same = (shape == id) & inside;
+                    Rgb8 a = albedoOf(t, (uint16_t)id, x, y, same);
+                    sum = select(same, sum + a * light, sum);
+                    left &= ~laneBits(same);
                 }
             }
-            put(t, x, y, sum, owners);
+            put(t, x, y, sum, shapes);
         }
 }
 

@@ -1,4 +1,4 @@
-// Makes pixels from corners.
+// Computes pixels from the corners of squares.
 #pragma once
 
 #include "trace/picture/tile.h"
@@ -8,7 +8,7 @@ namespace odraz {
 // Interpolates a square of whole pixels over the pixels that it covers.
 void fill(Tile &t, Square q, int size);
 
-// Multiplies every pixel's light by the albedo that it shows, and writes the tile into the frame.
+// Multiplies every pixel's light by its albedo, and writes the tile to the frame.
 void finishTile(Tile &t);
 
 } // namespace odraz

@@ -11,23 +11,24 @@ inline constexpr int kMaxWidth = 7680, kMaxHeight = 4320;
 struct Frame {
     int width, height, stride;
     float *plane[3];
-    // null, or the shape that each pixel shows, kManyShapes or kSkyShown; for in-betweens, tools and tests
+    // Null, or the shape that each pixel shows, kManyShapes or kSkyShown; for in-betweens, tools and tests
     uint16_t *shapes;
     uint8_t *rgba; // width * height * 4 bytes, sRGB, top row first; made by develop()
-    // null, or what the four pixels from each on show, for in-betweens: a shape, kSkyShown or kManyShapes;
-    // and above 16 bits 2 if all show it, 1 if some show kManyShapes, 0 if they show several
-    int32_t *owners = nullptr;
+    // Null, or for in-betweens what each pixel and its right, lower and lower right neighbours show: in the
+    // low 16 bits a shape, kSkyShown or kManyShapes; above them 2 if all four pixels show it, 1 if some of
+    // them show kManyShapes, 0 if they show several shapes
+    int32_t *quads = nullptr;
 };
 
 inline constexpr uint16_t kManyShapes = 0xffff, kSkyShown = 0xfffe;
 
-// Bytes before rgba, for a file's header, and behind it, which enlarge() may read.
+// Bytes before rgba, for a file's header, and after it, which enlarge() may read.
 inline constexpr int kPictureMargin = 64;
 
-// Takes the memory for frames of up to this size; false when the arena is full.
+// Takes the memory for frames of up to this size; false if the arena is full.
 bool makeFrame(Frame &frame, Arena &arena, int width, int height);
 
-// Makes it a frame of another size, in the same memory.
+// Gives the frame another size, in the same memory.
 void resize(Frame &frame, int width, int height);
 
 } // namespace odraz

@@ -10,17 +10,16 @@ constexpr int kMargin = 8; // floats before the first row
 
 int strideFor(int width) { return ((width + 7) & ~7) + 8; }
 
-// Repeats the first and the last value of a row beside it.
+// Repeats the first value of a row before it, and the last one after it.
 void repeatEnds(const Glare::Level &l, float *row) {
     for (int x = l.width; x < l.stride - 1; ++x) row[x] = row[l.width - 1];
     row[-1] = row[0];
 }
 
-// Fills row y of a level with means of two by two values of the level above, whose rows are `apart` floats
-// apart.
-void halve(Glare::Level &to, int y, const float *const (&plane)[3], int width, int height, int apart) {
+// Fills row y of a level with means of two by two values of the next finer level, which has the given stride.
+void halve(Glare::Level &to, int y, const float *const (&plane)[3], int width, int height, int stride) {
     for (int c = 0; c < 3; ++c) {
-        const float *a = plane[c] + (ptrdiff_t)(2 * y) * apart, *b = 2 * y + 1 < height ? a + apart : a;
+        const float *a = plane[c] + (ptrdiff_t)(2 * y) * stride, *b = 2 * y + 1 < height ? a + stride : a;
         float *out = to.plane[c] + (ptrdiff_t)y * to.stride;
         for (int x = 0; x < width / 2; x += 8) {
             Float8 low = load(a + 2 * x) + load(b + 2 * x), high = load(a + 2 * x + 8) + load(b + 2 * x + 8);
@@ -32,7 +31,7 @@ void halve(Glare::Level &to, int y, const float *const (&plane)[3], int width, i
     }
 }
 
-// Row y of a level becomes `share` of itself and the rest of the next level, interpolated.
+// Mixes row y of a level (weight `share`) with the next coarser level, interpolated (weight 1 - share).
 void addWider(Glare::Level &to, int y, const Glare::Level &from, float share) {
     int near = y >> 1, far = clamp(y & 1 ? near + 1 : near - 1, 0, from.height - 1);
     for (int c = 0; c < 3; ++c) {
@@ -57,7 +56,7 @@ void addWider(Glare::Level &to, int y, const Glare::Level &from, float share) {
     }
 }
 
-// Divides the memory into levels for frames of a size.
+// Divides the memory among the levels for frames of a given size.
 void layOut(Glare &glare, int width, int height) {
     float *next = glare.memory + kMargin;
     for (Glare::Level &l : glare.level) {
@@ -94,7 +93,7 @@ void spreadGlare(Glare &glare, const Frame &frame, Workers &workers) {
         for (int c = 0; c < 3; ++c) plane[c] = l.plane[c];
         width = l.width, height = l.height, stride = l.stride;
     }
-    // From level 1 on, every circle gets the same amount of light
+    // Sum the levels from the coarsest to level 1, so that every circle gets the same amount of light
     for (int i = Glare::kLevels - 2; i > 0; --i)
         parallelRanges(workers, glare.level[i].height, 32, [&](int first, int end, int) {
             for (int y = first; y < end; ++y)

@@ -2,10 +2,9 @@
 
 namespace odraz {
 
-// A ball projects to an ellipse. For a ball of radius r whose middle is (x, y, z) in the camera's frame, at
+// A ball projects to an ellipse. For a ball of radius r with centre (x, y, z) in the camera's frame, at
 // distance d, the ellipse's centre is z (x, y) / (z^2 - r^2). Its half axes are r sqrt(d^2 - r^2) / (z^2 -
-// r^2) and r / sqrt(z^2 - r^2). Balls that cross the plane of the eye do not project to ellipses; corners
-// find those.
+// r^2) and r / sqrt(z^2 - r^2). Balls that cross the plane of the eye have no such ellipse; corners hit them.
 static void addDisc(Tile &t, int index) {
     const Shape &s = t.scene.shapes[index];
     const View &v = t.view;
@@ -34,47 +33,48 @@ static void addDisc(Tile &t, int index) {
     ++d.count;
 }
 
-// Where the eye sees p: there, or in a flat shape or a ball that mirrors it. There the ball's normal halves
-// the angle between the ways to both; that of the first estimate points to the eye.
-[[gnu::noinline]] static Vec3 seenAt(const Shape *ball, const Vec3 &eye, const Vec3 &p) {
-    if (!ball) return p;
-    if (!ball->isBall()) return p - ball->frame.v * (dot(p - ball->centre, ball->frame.v) * 2);
-    Vec3 n = normalize(eye - ball->centre), at = {};
+// Returns a point in whose direction the eye sees p: p itself or, in a mirror, its image. In a flat shape
+// this is the reflected p; on a ball, the point where the normal bisects the directions to eye and p. The
+// first estimate of that normal points to the eye.
+[[gnu::noinline]] static Vec3 imageOf(const Shape *mirror, const Vec3 &eye, const Vec3 &p) {
+    if (!mirror) return p;
+    if (!mirror->isBall()) return p - mirror->frame.v * (dot(p - mirror->centre, mirror->frame.v) * 2);
+    Vec3 n = normalize(eye - mirror->centre), at = {};
     for (int i = 0; i < 8; ++i) {
-        at = fmadd(n, ball->half.x, ball->centre);
+        at = fmadd(n, mirror->half.x, mirror->centre);
         n = normalize(n + n + normalize(eye - at) + normalize(p - at));
     }
     return at;
 }
 
-// Adds a line along a shape's longest side, as thick as its second longest is seen, if that is thin. With a
+// Adds a line along a shape's longest side if its width, the projected second longest side, is small. With a
 // mirror: a line along the shape's image in that flat shape or ball.
 static void addThinShape(Tile &t, int index, const Shape *mirror = nullptr) {
     ThinShapes &to = t.s.thin;
     const View &v = t.view;
     const Shape &shape = t.scene.shapes[index];
     if (to.count == kThinShapes) return;
-    float widest = (float)t.quality.coarse * 0.125f, pixel = 1 / v.spread;
-    // Where in the tile the eye sees a point; returns how far ahead
-    auto place = [&](Vec3 p, float &x, float &y) {
-        p = seenAt(mirror, v.eye, p);
+    float maxRadius = (float)t.quality.coarse * 0.125f, pixel = 1 / v.spread;
+    // Projects a point, or its image, to the tile's pixels; returns its distance ahead of the eye
+    auto project = [&](Vec3 p, float &x, float &y) {
+        p = imageOf(mirror, v.eye, p);
         v.project(p, x, y);
         x -= (float)t.x0, y -= (float)t.y0;
         return v.ahead(p);
     };
     const Bounds &b = t.scene.box[index];
     Vec3 middle = (b.lo + b.hi) * 0.5f;
-    // A ball shows things smaller: it mirrors like a lens of half its radius
+    // Images in a ball are smaller: its focal length is half its radius
     if (mirror && mirror->isBall())
         pixel *= mirror->half.x / fmadd(length(middle - mirror->centre), 2.f, -mirror->half.x);
-    float x0, y0, r = length(b.hi - b.lo) * 0.5f, far = place(middle, x0, y0), x = x0, y = y0;
-    if (far <= r * 1.1f) return;
-    float radius = r / far * pixel * 1.1f;
-    auto apart = [&] {
+    float x0, y0, r = length(b.hi - b.lo) * 0.5f, ahead = project(middle, x0, y0), x = x0, y = y0;
+    if (ahead <= r * 1.1f) return;
+    float radius = r / ahead * pixel * 1.1f;
+    auto outside = [&] {
         return max(x0, x) + radius < 0 || max(y0, y) + radius < 0 || min(x0, x) - radius > kTile ||
                min(y0, y) - radius > kTile;
     };
-    if (mirror && apart()) return; // most of them
+    if (mirror && outside()) return; // as most images are
     if (shape.traits().extents && radius > 1) {
         const float half[3] = {shape.half.x, shape.half.y, shape.half.z};
         int longest = half[0] >= half[1] && half[0] >= half[2] ? 0 : half[1] >= half[2] ? 1 : 2;
@@ -84,16 +84,16 @@ static void addThinShape(Tile &t, int index, const Shape *mirror = nullptr) {
                                     : shape.frame.w) *
                     half[longest];
         if (shape.isRectangle()) {
-            // It is seen from the side. How much narrower this makes it is the same all along it
-            Vec3 aside = cross(axis, middle - v.eye);
-            thick *= abs(dot(longest ? shape.frame.u : shape.frame.w, aside)) / max(length(aside), 1e-6f);
+            // Narrow it by the angle at which the eye sees it, which is the same along all of its axis
+            Vec3 across = cross(axis, middle - v.eye);
+            thick *= abs(dot(longest ? shape.frame.u : shape.frame.w, across)) / max(length(across), 1e-6f);
         }
-        float a = place(middle - axis, x0, y0), c = place(middle + axis, x, y), nearest = min(a, c);
-        if (nearest <= r * 0.1f || thick / max(a, c) * pixel > widest) return; // at its thinner end
-        radius = min(thick / nearest * pixel * 1.1f, widest * 0.99f);
-    } else if (radius > widest)
+        float a = project(middle - axis, x0, y0), c = project(middle + axis, x, y), nearest = min(a, c);
+        if (nearest <= r * 0.1f || thick / max(a, c) * pixel > maxRadius) return; // at its thinner end
+        radius = min(thick / nearest * pixel * 1.1f, maxRadius * 0.99f);
+    } else if (radius > maxRadius)
         return;
-    if (apart()) return;
+    if (outside()) return;
     int i = to.count++;
     to.x[i] = x0, to.y[i] = y0, to.alongX[i] = x - x0, to.alongY[i] = y - y0, to.radius[i] = radius;
 }
@@ -108,11 +108,11 @@ void findBallsAndThinShapes(Tile &t) {
         else if (s.traits().bounded)
             addThinShape(t, shape);
     };
-    if (s.among.count >= 0)
-        for (int i = 0; i < s.among.count; ++i) add(s.among.shape[i]);
+    if (s.candidates.count >= 0)
+        for (int i = 0; i < s.candidates.count; ++i) add(s.candidates.shape[i]);
     else
         for (int i = 0; i < t.scene.shapeCount; ++i) add(i);
-    // What glows is seen in mirrors, however thin it is there
+    // Add the images of glowing shapes in flat mirrors and balls
     s.thin.images = s.thin.count;
     for (int k = -t.scene.shapeCount; k < s.discs.count; ++k) {
         const Shape &mirror = t.scene.shapes[k < 0 ? ~k : s.discs.shape[k]];
@@ -137,19 +137,19 @@ static bool mayHideBall(const Tile &t, float x, float y, float half, int shape) 
         Int8 crosses = (square <= outer * outer) & (square >= inner * inner);
         crosses &= (loadInts(d.shape + i) != shape) & (kLanes < d.count - i);
         if (!any(crosses)) continue;
-        // The greatest distance of what the corners show; for a ball, that of its horizon
-        float far = kInfinity;
+        // The greatest distance at which the corners' shape is seen: on a ball, its horizon
+        float farthest = kInfinity;
         if (shape >= 0 && t.scene.shapes[shape].isBall()) {
             const Shape &s = t.scene.shapes[shape];
             Vec3 to = s.centre - t.view.eye;
-            far = sqrt(max(dot(to, to) - s.half.x * s.half.x, 0.f)) + s.half.x * 1e-3f;
+            farthest = sqrt(max(dot(to, to) - s.half.x * s.half.x, 0.f)) + s.half.x * 1e-3f;
         }
-        if (any(crosses & (load(d.near + i) <= far))) return true;
+        if (any(crosses & (load(d.near + i) <= farthest))) return true;
     }
     return false;
 }
 
-bool mayHideSome(const Tile &t, Square q, int size, int shape) {
+bool mayHideShape(const Tile &t, Square q, int size, int shape) {
     float half = (float)size * 0.5f;
     return mayHideBall(t, (float)q.x + half, (float)q.y + half, half, shape) || mayHideThin(t, q, size, 0);
 }
@@ -158,7 +158,7 @@ bool mayHideThin(const Tile &t, Square q, int size, int first) {
     const ThinShapes &s = t.s.thin;
     float half = (float)size * 0.5f, x = (float)q.x + half, y = (float)q.y + half;
     for (int i = first & -8; i < s.count; i += 8) {
-        // Find the line's point nearest to the square's middle, then the square's point nearest to that
+        // Find the line's point nearest to the square's centre, then the square's point nearest to that
         Float8 dx = x - load(s.x + i), dy = y - load(s.y + i), alongX = load(s.alongX + i),
                alongY = load(s.alongY + i), radius = load(s.radius + i);
         Float8 along = fmadd(dx, alongX, dy * alongY), square = fmadd(alongX, alongX, alongY * alongY);

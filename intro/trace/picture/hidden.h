@@ -1,21 +1,22 @@
-// Finds shapes that the corners may miss: balls and thin shapes that lie between them.
+// Finds shapes that the corners may miss: balls and thin shapes between them.
 #pragma once
 
 #include "trace/picture/tile.h"
 
 namespace odraz {
 
-// Finds the balls and the thin shapes that the tile may show, up to kDiscs and kThinShapes (tile.h). Where
-// there are more, they are so close together that corners hit them.
+// Finds the balls and the thin shapes that the tile may show, up to kDiscs and kThinShapes (tile.h). More
+// than that are so close together that corners hit them.
 void findBallsAndThinShapes(Tile &t);
 
-// Whether a square may show a shape that none of its corners shows. `shape` is what all corners show (-1: the
-// sky, or several shapes).
-bool mayHideSome(const Tile &t, Square q, int size, int shape);
-// Whether it may show one of the thin shapes from the given one on.
+// Whether a square may show a shape that none of its corners shows. `shape` is the shape that all corners
+// show
+// (-1: the sky, or several shapes).
+bool mayHideShape(const Tile &t, Square q, int size, int shape);
+// Whether a square may show one of the thin shapes from index `first` on.
 bool mayHideThin(const Tile &t, Square q, int size, int first);
 ODRAZ_INLINE bool mayHide(const Tile &t, Square q, int size, int shape) {
-    return (t.s.discs.count | t.s.thin.count) && mayHideSome(t, q, size, shape);
+    return (t.s.discs.count | t.s.thin.count) && mayHideShape(t, q, size, shape);
 }
 
 } // namespace odraz

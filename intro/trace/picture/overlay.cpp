@@ -4,7 +4,7 @@ namespace odraz {
 
 void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, const Rgb &radiance,
                  float opacity) {
-    // Bound the figure
+    // Find the figure's bounds
     float lo[2] = {kInfinity, kInfinity}, hi[2] = {-kInfinity, -kInfinity};
     for (int i = 0; i < count; ++i) {
         const Stroke &s = strokes[i];
@@ -18,7 +18,7 @@ void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth
 
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; x += 8) {
-            // The distance to the nearest stroke decides the coverage
+            // Compute the coverage from the distance to the nearest stroke
             Float8 px = toFloat(kLanes) + ((float)x + 0.5f), py = broadcast((float)y + 0.5f);
             Float8 nearest = broadcast(kInfinity);
             for (int i = 0; i < count; ++i) {

@@ -5,20 +5,20 @@
 
 namespace odraz {
 
-// Whether rays should pass through a rectangle: the eye sees its back, or sees it so nearly from the side
-// that it is thinner than the distance between samples. A few samples would hit it and show a dashed line.
+// Whether to ignore a rectangle: the eye is behind it, or sees it so nearly from the side that it is thinner
+// than the distance between samples. A few samples would hit it and show a dashed line.
 static bool edgeOn(const Tile &t, const Shape &s) {
     if (!s.isRectangle()) return false;
     Vec3 e = s.frame * (t.view.eye - s.centre);
     if (e.y <= 0) return true;
     float x = abs(e.x), z = abs(e.z), dx = max(x - s.half.x, 0.f), dz = max(z - s.half.z, 0.f),
-          square = fmadd(dx, dx, fmadd(dz, dz, e.y * e.y)), away = sqrt(fmadd(x, x, z * z));
-    // Its length towards the eye
-    float chord = min(s.half.x * away / max(x, 1e-9f), s.half.z * away / max(z, 1e-9f)) * 2;
+          square = fmadd(dx, dx, fmadd(dz, dz, e.y * e.y)), across = sqrt(fmadd(x, x, z * z));
+    // The rectangle's length in the direction of the eye
+    float chord = min(s.half.x * across / max(x, 1e-9f), s.half.z * across / max(z, 1e-9f)) * 2;
     return e.y * e.y < square * 0.01f && chord * e.y < square * t.view.spread * 0.2f * (float)t.quality.fine;
 }
 
-void aim(const Tile &t, int x, int y, int size, Candidates &found) {
+void findCandidates(const Tile &t, int x, int y, int size, Candidates &found) {
     float x0 = (float)(t.x0 + x), y0 = (float)(t.y0 + y), x1 = x0 + (float)size, y1 = y0 + (float)size;
     const View &v = t.view;
     findCandidates(t.scene,
@@ -37,8 +37,7 @@ void aim(const Tile &t, int x, int y, int size, Candidates &found) {
 
 namespace {
 
-// Takes the same number of samples in every pixel: traces as many rows as a chunk holds, once for each place
-// in a pixel.
+// Takes a grid of samples in every pixel: traces the rows of a chunk once for each position in the grid.
 void traceGrid(Tile &t) {
     TileScratch &s = t.s;
     int side = t.quality.grid, perPixel = side * side, wide = (t.width + 7) & ~7, rows = kChunk / wide;
@@ -54,7 +53,7 @@ void traceGrid(Tile &t) {
                 store(s.y + i, broadcast((float)(y + i / wide) + dy));
             }
             traceSamples(t.scene, t.view, t.quality, s.trace,
-                         {s.among, 1 / (float)side, count, s.x, s.y, s.index}, s.inside);
+                         {s.candidates, 1 / (float)side, count, s.x, s.y, s.index}, s.inside);
             for (int i = 0; i < count; i += 8) {
                 Rgb8 seen = eightColours(s.inside + i);
                 size_t at = (size_t)(y + i / wide) * (size_t)t.frame.stride + (size_t)(t.x0 + i % wide);
@@ -87,14 +86,14 @@ void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &
     for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i]->sampleCount = 0;
     int across = (frame.width + kTile - 1) / kTile, down = (frame.height + kTile - 1) / kTile;
     parallelFor(workers, across * down, [&](int piece, int worker) {
-        // From the bottom up, because tiles at the bottom mostly take longer: the last tiles, during which
-        // other workers wait, should be quick
+        // Work from the bottom up, because tiles at the bottom mostly take longer: the last tiles, during
+        // which other workers wait, should be quick
         int last = across * down - 1 - piece, x = last % across * kTile, y = last / across * kTile;
         Tile tile = {
             *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),
             min(kTile, frame.height - y)};
         // The border of one pixel allows for rounding errors
-        aim(tile, -1, -1, kTile + 2, tile.s.among);
+        findCandidates(tile, -1, -1, kTile + 2, tile.s.candidates);
         make(with, tile, worker);
     });
 }

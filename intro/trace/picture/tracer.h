@@ -11,13 +11,13 @@ namespace odraz {
 
 struct TileScratch;
 
-// What tracing needs beyond the scene: scratch for every worker, allocated once.
+// What tracing needs besides the scene: scratch for every worker, allocated once.
 struct Tracer {
     TileScratch *scratch[kMaxWorkers];
     int workers;
 };
 
-extern const size_t kTileScratchBytes; // for each worker
+extern const size_t kTileScratchBytes; // arena bytes for each worker
 // False if the arena is full, or there are more workers than kMaxWorkers.
 bool makeTracer(Tracer &tracer, Arena &arena, int workers);
 

@@ -28,7 +28,7 @@ void BeamBuilder::add(const Vec3x8 &p) {
 bool BeamBuilder::narrow() const { return all(ahead > 0.f); }
 
 Beam BeamBuilder::beam() const {
-    // Widen it by the rounding errors of the ratios and of the rays' directions
+    // Widen the beam by the rounding errors of the ratios and of the rays' directions
     constexpr float kSlack = 1e-5f;
     Beam b = {origin, {}, {0, 0, 0, 0, least(-far) * (1 + kSlack)}};
     for (int i = 0; i < 2; ++i) {
@@ -97,29 +97,29 @@ void findCandidates(const Scene &scene, const Beam &beam, Candidates &found) {
     }
 }
 
-Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d,
+Hit8 intersect(const Scene &scene, const Candidates &candidates, const Vec3 &origin, const Vec3x8 &d,
                Int8 active) {
-    if (among.count < 0) return intersect(scene, {broadcast(origin), d}, active);
+    if (candidates.count < 0) return intersect(scene, {broadcast(origin), d}, active);
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
-    for (int i = 0; i < among.count && any(hit.t >= among.near[i]); ++i) {
-        const Shape &s = scene.shapes[among.shape[i]];
-        if (s.isBall() && among.ball[i].misses(d)) continue;
-        takeNearer(hit, distance(s, {broadcast(origin), d}), among.shape[i]);
+    for (int i = 0; i < candidates.count && any(hit.t >= candidates.near[i]); ++i) {
+        const Shape &s = scene.shapes[candidates.shape[i]];
+        if (s.isBall() && candidates.ball[i].misses(d)) continue;
+        updateNearest(hit, distance(s, {broadcast(origin), d}), candidates.shape[i]);
     }
     return hit;
 }
 
-Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray, Float8 far, Int8 active,
-                   Int8 own, bool noBalls) {
-    if (among.count < 0) return transmittance(scene, ray, far, active, own, noBalls);
+Rgb8 transmittance(const Scene &scene, const Candidates &candidates, const Ray8 &ray, Float8 tMax,
+                   Int8 active, Int8 ignored, bool noBalls) {
+    if (candidates.count < 0) return transmittance(scene, ray, tMax, active, ignored, noBalls);
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
-    for (int i = 0; i < among.count && any(active); ++i) {
-        Int8 open = active & (own != among.shape[i]);
-        if (!any(open)) continue;
-        const Shape &s = scene.shapes[among.shape[i]];
+    for (int i = 0; i < candidates.count && any(active); ++i) {
+        Int8 tested = active & (ignored != candidates.shape[i]);
+        if (!any(tested)) continue;
+        const Shape &s = scene.shapes[candidates.shape[i]];
         if (noBalls && s.isBall()) continue;
-        Float8 t = s.isBall() ? among.ball[i].hit(-ray.d) : distance(s, ray, Flat::BothSides);
-        Int8 hit = open & (t < far);
+        Float8 t = s.isBall() ? candidates.ball[i].hit(-ray.d) : distance(s, ray, Flat::BothSides);
+        Int8 hit = tested & (t < tMax);
         if (any(hit)) dim(scene, s, hit, share, active);
     }
     return share;

@@ -1,9 +1,9 @@
-// Beams: bundles of rays that share an origin, such as those from the eye through a part of the picture, or
-// those from a light to the places that it may shine on.
+// Beams: bundles of rays that share an origin, for example from the eye through a part of the picture, or
+// from a light to the points that it may light.
 //
 // Whatever depends on the origin alone is computed once for all rays. Boxes are culled for the whole beam,
-// eight boxes at a time, against the sides of a pyramid. A beam also collects candidates: the shapes that it
-// may touch, so that many packets of rays try only these.
+// eight boxes at a time, against the sides of a pyramid. The shapes that a beam may touch are its candidates;
+// packets of its rays try only these.
 #pragma once
 
 #include "trace/rays/intersect.h"
@@ -17,12 +17,11 @@ struct Beam {
     float limit[5];
 };
 
-// The beam whose edges are four directions of any length, in order around it, clockwise as seen from the
-// origin.
+// The beam whose edges are four directions of any length, in clockwise order as seen from the origin.
 Beam beamThrough(const Vec3 &origin, const Vec3 (&corner)[4]);
 
-// The beam from an origin to points that are added eight at a time, as vectors from the origin. narrow(): all
-// of them lie within some 80 degrees of `towards`; only then is beam() valid.
+// Builds the beam from an origin to points that are added eight at a time, as vectors from the origin.
+// narrow(): whether all of them are within some 80 degrees of `towards`; only then is beam() valid.
 class BeamBuilder {
 public:
     BeamBuilder(const Vec3 &origin, const Vec3 &towards);
@@ -36,8 +35,8 @@ private:
     Float8 low[2], high[2], far, ahead;
 };
 
-// A ball as rays from a common origin see it. One dot product rejects most misses. Its bound is loose, so
-// hitBall() decides.
+// A ball, prepared for rays from a common origin. One dot product rejects most misses. Its bound is loose, so
+// hitBall() decides about the others.
 struct SharedBall {
     Vec3 f; // from its centre to the origin
     float radius, cosine;
@@ -60,10 +59,10 @@ void findCandidates(const Scene &scene, const Beam &beam, Candidates &found);
 
 // Like intersect() and transmittance() of intersect.h, for rays from or to one origin. They try only the
 // candidates of the rays' beam, or traverse the tree if there were too many of these. Shadow rays start at
-// the lit place, not at the light: with rays from a distant light, rounding errors would confuse a wall with
-// the floor at its foot.
-Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d, Int8 active);
-Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray, Float8 far, Int8 active,
-                   Int8 own, bool noBalls = false);
+// the lit point, not at the light: from a distant light, rounding errors would confuse a wall with the floor.
+Hit8 intersect(const Scene &scene, const Candidates &candidates, const Vec3 &origin, const Vec3x8 &d,
+               Int8 active);
+Rgb8 transmittance(const Scene &scene, const Candidates &candidates, const Ray8 &ray, Float8 tMax,
+                   Int8 active, Int8 ignored, bool noBalls = false);
 
 } // namespace odraz

@@ -8,15 +8,15 @@ namespace odraz {
 
 namespace {
 
-// Rays prepared for slab tests. A ray meets a box plane at plane / d - o / d. Boxes are widened by the
+// Rays prepared for slab tests. A ray meets a box plane at t = plane / d - o / d. Boxes are widened by the
 // rounding errors of these quotients and of the three operations that follow (Ize, "Robust BVH Ray
 // Traversal", JCGT 2013), so that no ray misses the box of a shape that it hits.
 struct Slabs {
     Vec3x8 inverse, shift;
     Float8 slack;
 
-    // Those of ray k, in every lane.
-    Slabs of(int k) const {
+    // The slabs of ray k, in every lane.
+    Slabs ofLane(int k) const {
         return {{broadcast(inverse.x[k]), broadcast(inverse.y[k]), broadcast(inverse.z[k])},
                 {broadcast(shift.x[k]), broadcast(shift.y[k]), broadcast(shift.z[k])},
                 broadcast(slack[k])};
@@ -28,7 +28,7 @@ struct Slabs {
         shift = ray.o * inverse;
         return {inverse, shift, max(abs(shift.x), max(abs(shift.y), abs(shift.z))) * 2.4e-7f};
     }
-    // Which rays meet boxes before the limit, and where they enter them.
+    // Returns which rays meet boxes before the limit; `enter` gets where they enter them.
     Int8 meet(Vec3x8 lo, Vec3x8 hi, Float8 limit, Float8 &enter) const {
         auto meet = [](Float8 plane, Float8 inverse, Float8 shift) {
             return (Float8)_mm256_fmsub_ps(plane, inverse, shift);
@@ -42,14 +42,14 @@ struct Slabs {
     }
 };
 
-// What the active rays of a packet have in common. Along an axis on which all of them point to the same side,
-// their origins and inverse directions lie in intervals, and these bound where the rays enter and leave
-// boxes. Other axes bound nothing. So one test culls eight boxes for eight rays.
+// Bounds of the active rays of a packet, by which one test culls eight boxes for eight rays. Along an axis on
+// which all rays point to the same side, the intervals of their origins and inverse directions bound where
+// they enter and leave boxes. Other axes bound nothing.
 class Packet {
 public:
     [[gnu::noinline]] Packet(const Ray8 &ray, const Slabs &slabs, Int8 active) {
         int lanes = laneBits(active);
-        // Rays that are not active count as copies of the first that is
+        // Replace inactive rays by the first active one
         Int8 order = select(active, kLanes, broadcast(__builtin_ctz((unsigned)lanes)));
         constexpr int kToHigh = (int)(offsetof(Node, hi) / sizeof(float));
         const Float8 *from = &ray.o.x, *slope = &slabs.inverse.x; // x, y, z
@@ -71,7 +71,7 @@ public:
         }
         slack = Range(permute(slabs.slack, order)).most * 2.f;
     }
-    // The boxes or balls of a node that some ray may enter before the limit, a bit for each.
+    // Returns a bit for each box or ball of a node that some ray may enter before the limit.
     [[gnu::noinline]] int mayEnter(const Node &n, Float8 limit) const {
         const float *numbers = n.lo[0];
         Float8 enter = {}, leave = limit;
@@ -88,12 +88,12 @@ public:
             for (const Axis *a = axes; a < axes + count; ++a)
                 meet(*a, load(numbers + a->near), load(numbers + a->far));
         }
-        // Allows for the rounding errors of these operations and of those that decide about each ray
+        // Allow for rounding errors, here and in the tests of single rays
         return laneBits((enter <= fmadd(leave, 1.000002f, slack)) & (kLanes < n.count));
     }
 
 private:
-    // The least and the most of eight numbers, in every lane.
+    // The least and the greatest of eight numbers, in every lane.
     struct Range {
         Float8 least, most;
 
@@ -106,13 +106,13 @@ private:
             most = -(Float8)_mm256_permute2f128_ps(m, m, 0x11);
         }
     };
-    // Mirrored, so that the rays point to the positive side.
+    // Negates v where the rays point to the negative side.
     static Float8 flip(Float8 v, Int8 sign) { return (Float8)((Int8)v ^ sign); }
     struct Axis {
-        // Where a node has the middles of balls, and the planes at which boxes are entered and left
+        // Offsets in a node: centres of balls; the planes at which rays enter and leave boxes
         int centre, near, far;
         Int8 sign; // the side to which the rays point
-        // Of a ray that enters as early as any may, and of one that leaves as late
+        // Origin and slope that give the earliest possible entry, and those that give the latest exit
         Float8 nearOrigin, nearSlope, farOrigin, farSlope;
     } axes[3];
     int count = 0;
@@ -121,24 +121,23 @@ private:
 
 // Nodes of the tree that are still to be visited, the nearest last.
 struct Stack {
-    struct Waiting {
+    struct Entry {
         int node;
         float enter;
-    } waiting[7 * kTreeDepth + 8];
+    } entries[7 * kTreeDepth + 8];
     int count = 0;
 
-    // Pushes a node above the first `base` ones, in sorted order.
+    // Pushes a node and keeps the entries from index `base` on sorted.
     void push(int base, int node, float enter) {
         int i = count++;
-        for (; i > base && waiting[i - 1].enter < enter; --i) waiting[i] = waiting[i - 1];
-        waiting[i] = {node, enter};
+        for (; i > base && entries[i - 1].enter < enter; --i) entries[i] = entries[i - 1];
+        entries[i] = {node, enter};
     }
 };
 
 // Calls meet(with, shape, t) for every unbounded shape, and for every bounded one that an active ray hits
 // before its limit, near nodes first if `sorted`. `t` holds the distances to the shape. meet may lower
-// `limit` and clear lanes of `active`. (A function pointer, because the loop is large and would be compiled
-// twice.)
+// `limit` and clear lanes of `active`. (A function pointer, so that this large loop is compiled once.)
 [[gnu::noinline, gnu::noclone]] void traverse(const Scene &scene, const Ray8 &ray, Flat flat, bool sorted,
                                               Float8 &limit, Int8 &active,
                                               void (*meet)(const void *with, int shape, Float8 t),
@@ -152,7 +151,7 @@ struct Stack {
     Stack stack;
     stack.push(0, 0, 0);
     while (stack.count) {
-        Stack::Waiting next = stack.waiting[--stack.count];
+        Stack::Entry next = stack.entries[--stack.count];
         if (next.enter > farthest[0]) continue;
         const Node &n = scene.nodes[next.node];
         int base = stack.count;
@@ -181,7 +180,7 @@ struct Stack {
     }
 }
 
-// The nearest hit of a single ray, which stands in every lane. Tests eight boxes or balls at once.
+// Finds the nearest hit of a single ray, which is in every lane. Tests eight boxes or balls at once.
 void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float &t, int &shape) {
     auto take = [&](int index, float hit) {
         if (hit > t || (hit == t && index > shape)) return;
@@ -191,7 +190,7 @@ void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float
     Stack stack;
     stack.push(0, 0, 0);
     while (stack.count) {
-        Stack::Waiting next = stack.waiting[--stack.count];
+        Stack::Entry next = stack.entries[--stack.count];
         if (next.enter > t) continue;
         const Node &n = scene.nodes[next.node];
         Vec3x8 lo = load(n.lo, 0);
@@ -218,7 +217,7 @@ void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float
     }
 }
 
-// Whether the tree is so large, and the rays so far apart, that it is faster to trace each ray alone.
+// Whether the tree is so large, and the rays diverge so much, that it is faster to trace each ray alone.
 bool diverge(const Scene &scene, const Ray8 &ray, Int8 active) {
     if (scene.nodeCount < 128) return false;
     int first = __builtin_ctz((unsigned)laneBits(active) | 256);
@@ -233,7 +232,7 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
     if (diverge(scene, ray, active)) {
         for (int i = 0; i < scene.unboundedCount; ++i)
-            takeNearer(hit, distance(scene.shapes[scene.unbounded[i]], ray), scene.unbounded[i]);
+            updateNearest(hit, distance(scene.shapes[scene.unbounded[i]], ray), scene.unbounded[i]);
         float t[8];
         int shape[8];
         store(t, hit.t), store(shape, hit.shape);
@@ -241,20 +240,20 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
         for (int lanes = laneBits(active); lanes; lanes &= lanes - 1) {
             int k = __builtin_ctz((unsigned)lanes);
             Vec3 o = {ray.o.x[k], ray.o.y[k], ray.o.z[k]}, d = {ray.d.x[k], ray.d.y[k], ray.d.z[k]};
-            intersectOne(scene, {broadcast(o), broadcast(d)}, slabs.of(k), t[k], shape[k]);
+            intersectOne(scene, {broadcast(o), broadcast(d)}, slabs.ofLane(k), t[k], shape[k]);
         }
         return {load(t), loadInts(shape)};
     }
     if (scene.shapeCount <= 12) {
         for (int i = 0; i < scene.shapeCount; ++i) {
             Float8 t = distance(scene.shapes[i], ray);
-            if (any(t < hit.t)) takeNearer(hit, t, i); // the first of equals
+            if (any(t < hit.t)) updateNearest(hit, t, i); // at equal distances the first shape stays
         }
         return hit;
     }
     traverse(
         scene, ray, Flat::Seen, true, hit.t, active,
-        [](const void *hit, int shape, Float8 t) { takeNearer(*(Hit8 *)hit, t, shape); }, &hit);
+        [](const void *hit, int shape, Float8 t) { updateNearest(*(Hit8 *)hit, t, shape); }, &hit);
     return hit;
 }
 
@@ -266,11 +265,12 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
     if (m.ior == 0) active &= ~hit;
 }
 
-Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own, bool noBalls) {
+Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 ignored,
+                   bool noBalls) {
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
     auto meet = [&](int index, Float8 t) {
         if (noBalls && scene.shapes[index].isBall()) return;
-        Int8 hit = active & (t < tMax) & (own != index);
+        Int8 hit = active & (t < tMax) & (ignored != index);
         if (any(hit)) dim(scene, scene.shapes[index], hit, share, active);
     };
     traverse(

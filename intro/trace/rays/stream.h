@@ -1,5 +1,5 @@
-// Streams of rays, as structures of arrays. Rays are read from a stream eight at a time, from any places;
-// those that go on are packed and appended to the next one.
+// Streams of rays, as structures of arrays. Rays are read from a stream eight at a time, by any indices. The
+// rays that they cause are packed and appended to the next stream.
 #pragma once
 
 #include "trace/scene/surface.h"
@@ -7,42 +7,43 @@
 namespace odraz {
 
 inline constexpr int kChunk = 256;             // rays shaded together
-inline constexpr int kStream = 2 * kChunk + 8; // each ray may leave two; stores write whole registers
+inline constexpr int kStream = 2 * kChunk + 8; // each ray may cause two; stores write whole registers
 
-inline constexpr int kTwice = 4; // paths from here on bounced more than once, or at glass
+inline constexpr int kTwoBounces = 4; // paths below it have at most one bounce, not a reflection by glass
 
 struct RayStream {
     int count;
     float o[3][kStream], d[3][kStream];    // origin, unit direction
-    float weight[3][kStream];              // how much of the ray's light the sample gets, per channel
-    float width[kStream], spread[kStream]; // of the sample at the origin; growth per unit of distance
-    int32_t sample[kStream];               // index of the Sample it adds to
-    // A 1, then a bit for every bounce: 0 reflected, 1 refracted; 10 reflected by glass. 32 bits are kept
+    float weight[3][kStream];              // share of the ray's light that the sample gets, per channel
+    float width[kStream], spread[kStream]; // the sample's width at the origin; its growth per unit
+    int32_t sample[kStream];               // index of the Sample to which the ray adds
+    // A 1, then for every bounce 0 (reflected), 1 (refracted) or 10 (reflected by glass); the last 32 bits
     int32_t path[kStream];
     float t[kStream];       // distance of the hit
-    int32_t shape[kStream]; // the shape that it hit; -1: none
+    int32_t shape[kStream]; // index of the shape hit; -1: none
 };
 
-// Eight places of a stream. Mostly they are consecutive; then they are loaded instead of gathered.
-struct Eight {
-    Int8 place;
+// Reads eight rays of a stream by their indices. Mostly these are consecutive, and it need not gather.
+struct EightRays {
+    Int8 index;
     int first;
-    bool straight;
+    bool consecutive;
 
-    explicit Eight(const int32_t *places) {
-        place = loadInts(places);
-        first = places[0];
-        straight = all(place == kLanes + first);
+    explicit EightRays(const int32_t *indices) {
+        index = loadInts(indices);
+        first = indices[0];
+        consecutive = all(index == kLanes + first);
     }
     ODRAZ_INLINE Float8 operator()(const float *values) const {
-        return straight ? load(values + first) : gather(values, place);
+        return consecutive ? load(values + first) : gather(values, index);
     }
     ODRAZ_INLINE Int8 operator()(const int32_t *values) const {
-        return straight ? loadInts(values + first) : (Int8)_mm256_i32gather_epi32(values, (__m256i)place, 4);
+        return consecutive ? loadInts(values + first)
+                           : (Int8)_mm256_i32gather_epi32(values, (__m256i)index, 4);
     }
     ODRAZ_INLINE Vec3x8 operator()(const float (&values)[3][kStream]) const {
-        if (straight) return load(values, first);
-        return {gather(values[0], place), gather(values[1], place), gather(values[2], place)};
+        if (consecutive) return load(values, first);
+        return {gather(values[0], index), gather(values[1], index), gather(values[2], index)};
     }
 };
 

@@ -9,7 +9,7 @@ View lookAt(const Vec3 &eye, const Vec3 &target, float roll, float fov, int widt
     view.eye = eye;
     view.width = (float)width;
     view.height = (float)height;
-    // Build the frame, with a substitute wherever a direction is missing
+    // Build the frame, with a substitute for each direction that is zero
     Vec3 forward = normalize(target - eye);
     if (dot(forward, forward) < 0.5f) forward = {0, 0, -1};
     Vec3 right = cross(forward, Vec3{0, 1, 0});

@@ -1,4 +1,4 @@
-// The camera as the tracer sees it: from picture coordinates to rays.
+// The camera: from picture coordinates to rays, and from points to picture coordinates.
 #pragma once
 
 #include "trace/rays/intersect.h"
@@ -9,11 +9,10 @@ struct View {
     Vec3 eye;
     Vec3 forward;        // unit
     Vec3 right, down;    // across the whole picture, at distance 1
-    float width, height; // of the picture in pixels
-    float spread;        // how much a pixel widens per unit of distance
+    float width, height; // size of the picture in pixels
+    float spread;        // growth of a pixel's width per unit of distance
 
-    // The direction (not of unit length) through the point (x, y) of the picture, in pixels from its top
-    // left.
+    // The direction, not unit, through the point (x, y) of the picture, in pixels from its top left.
     template <class T> Vec3T<T> direction(T x, T y) const {
         T u = x * (1.f / width) - 0.5f, v = y * (1.f / height) - 0.5f;
         return {fmadd(u, right.x, fmadd(v, down.x, forward.x)),
@@ -21,8 +20,8 @@ struct View {
                 fmadd(u, right.z, fmadd(v, down.z, forward.z))};
     }
 
-    // How far ahead of the eye a point lies, in world units, and its position in the picture, in pixels.
-    // project() is valid only for points ahead of the eye.
+    // The distance of a point ahead of the eye, along `forward` in world units, and its position in the
+    // picture, in pixels. project() is valid only for points ahead of the eye.
     float ahead(const Vec3 &p) const { return dot(p - eye, forward); }
     void project(const Vec3 &p, float &x, float &y) const {
         Vec3 to = p - eye;
@@ -32,9 +31,9 @@ struct View {
     }
 };
 
-// The view from `eye` to `target`. Roll in degrees, vertical field of view in degrees (0, 170]. There is
-// always a picture: if target and eye are equal, the view is along -z. In a view straight up, z is at the
-// picture's upper edge; in a view straight down, -z.
+// The view from `eye` to `target`. `roll` and `fov`, the vertical field of view (0, 170], are in degrees. If
+// target and eye are equal, the view is along -z. In a view straight up, z points to the picture's upper
+// edge; in a view straight down, -z.
 View lookAt(const Vec3 &eye, const Vec3 &target, float roll, float fov, int width, int height);
 
 } // namespace odraz

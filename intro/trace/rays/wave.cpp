@@ -13,12 +13,11 @@ static int kindOf(const Scene &scene, int shape) {
 
 void sortHits(const Scene &scene, const RayStream &in, int begin, int end, HitCounts &counts,
               SortedHits &sorted) {
-    // Split the stream into parts that hit the same shape; count the hits of each kind, and list the kinds in
-    // order
-    struct Part {
+    // Split the stream into spans of one shape; count the hits of each kind, and list the kinds in order
+    struct Span {
         int begin, count, kind;
-    } parts[kChunk];
-    int present[kChunk], kinds = 0, partCount = 0;
+    } spans[kChunk];
+    int present[kChunk], kinds = 0, spanCount = 0;
     for (int i = begin; i < end;) {
         int shape = in.shape[i], j = i, others;
         do {
@@ -27,7 +26,7 @@ void sortHits(const Scene &scene, const RayStream &in, int begin, int end, HitCo
         } while (!others && j < end);
         j = min(j, end);
         int k = kindOf(scene, shape);
-        parts[partCount++] = {i, j - i, k};
+        spans[spanCount++] = {i, j - i, k};
         if (counts[k] == 0) {
             int at = kinds++;
             for (; at > 0 && present[at - 1] > k; --at) present[at] = present[at - 1];
@@ -36,26 +35,26 @@ void sortHits(const Scene &scene, const RayStream &in, int begin, int end, HitCo
         counts[k] += j - i;
         i = j;
     }
-    // Place them kind by kind; each kind starts at a multiple of eight
-    int place = 0;
+    // Sort the rays by kind; each kind starts at a multiple of eight
+    int next = 0;
     for (int i = 0; i < kinds; ++i) {
         int32_t &count = counts[present[i]];
-        sorted.groups[i] = {place, count, present[i] == 0, present[i] > kMaxShapes};
-        int start = place;
-        place += (count + 7) & ~7;
+        sorted.groups[i] = {next, count, present[i] == 0, present[i] > kMaxShapes};
+        int start = next;
+        next += (count + 7) & ~7;
         count = start;
     }
-    for (int i = 0; i < partCount; ++i) {
-        const Part &p = parts[i];
-        for (int k = 0; k < p.count; k += 8)
-            _mm256_maskstore_epi32(sorted.place + counts[p.kind] + k, (__m256i)(kLanes < p.count - k),
-                                   (__m256i)(kLanes + (p.begin + k)));
-        counts[p.kind] += p.count;
+    for (int i = 0; i < spanCount; ++i) {
+        const Span &s = spans[i];
+        for (int k = 0; k < s.count; k += 8)
+            _mm256_maskstore_epi32(sorted.rays + counts[s.kind] + k, (__m256i)(kLanes < s.count - k),
+                                   (__m256i)(kLanes + (s.begin + k)));
+        counts[s.kind] += s.count;
     }
     for (int i = 0; i < kinds; ++i) {
         counts[present[i]] = 0;
         const HitGroup &g = sorted.groups[i];
-        int32_t *end = sorted.place + g.start + g.count;
+        int32_t *end = sorted.rays + g.start + g.count;
         for (int k = g.count; k & 7; ++k, ++end) *end = end[-1];
     }
     sorted.groupCount = kinds;

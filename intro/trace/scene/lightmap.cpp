@@ -19,17 +19,17 @@ static Rgb8 bilinear(const float *const plane[3], Float8 x, Float8 y, Corner &&c
     return {channel(plane[0]), channel(plane[1]), channel(plane[2])};
 }
 
-// The colours of patches, interpolated between their middles. `plane` holds them in rows of `across`.
+// The colours of patches, interpolated between their centres. `plane` holds them in rows of `across`.
 static Rgb8 mosaicAt(const float *const plane[3], int across, int down, float sharpness, const Chart &c,
                      const Vec3x8 &q) {
-    auto place = [&](Vec3 axis, float size, int count, Int8 &low, Int8 &high) {
+    auto neighbours = [&](Vec3 axis, float size, int count, Int8 &low, Int8 &high) {
         Float8 x = clamp(along(axis, q, (float)count / size) - 0.5f, 0.f, (float)(count - 1));
         low = toInt(x);
         high = select(low < count - 1, low + 1, low);
         return saturate(fmadd(x - toFloat(low) - 0.5f, sharpness, 0.5f));
     };
     Int8 i[2], j[2];
-    Float8 x = place(c.u, c.width, across, i[0], i[1]), y = place(c.v, c.height, down, j[0], j[1]);
+    Float8 x = neighbours(c.u, c.width, across, i[0], i[1]), y = neighbours(c.v, c.height, down, j[0], j[1]);
     return bilinear(plane, x, y, [&](int k) { return j[k >> 1] * across + i[k & 1]; });
 }
 
@@ -59,8 +59,8 @@ Int8 patchAt(const Chart &c, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine, Fl
     Vec3x8 q = p - c.corner;
     float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
     Float8 x = along(c.u, q, perU), y = along(c.v, q, perV);
-    // Along each axis, the share of an ellipse that a line covers. The ellipse is stretched along the view
-    // alone. It is twice the sample's: lines of one sample's width have stairs, and sparks where they cross
+    // Along each axis, find the share of an ellipse that a line covers. The ellipse is stretched along the
+    // view. It is twice as wide as the sample, or lines would have stairs, and sparks where they cross
     static constexpr float kHalf = 0.01f;
     Float8 stretch = 1.f / max(cosine, 0.02f);
     auto cover = [&](Float8 x, float perUnit, Vec3 axis) {

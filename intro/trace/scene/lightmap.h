@@ -1,9 +1,8 @@
 // Light stored on surfaces. Every chart is a rectangle with its own grid of cells, so that nothing is
 // interpolated across a chart's edges.
 //
-// "Light" is the tracer's diffuse light: irradiance / pi, so that radiance = albedo * light. The texels,
-// which hold its values, are at the corners of cells; neighbouring cells share them. Light is bilinear within
-// a cell.
+// "Light" is the tracer's diffuse light: irradiance / pi, so that radiance = albedo * light. Its values, the
+// texels, are at the corners of cells, which neighbouring cells share. Within a cell it is bilinear.
 #pragma once
 
 #include "base/vec3.h"
@@ -18,16 +17,16 @@ struct Chart {
     int16_t patchesAcross, patchesDown; // patches along u and v, of whole cells each
     uint16_t material;
     bool open;                   // a window: hemicubes see it, rays pass through it
-    int firstCell;               // in rows of `across`
-    int firstTexel;              // of the cells' corners, in rows of across + 1
-    int firstPatch;              // in rows of patchesAcross
-    int firstFacet, facetsCount; // the parts of the rectangle that exist
+    int firstCell;               // index of its first cell; cells are in rows of `across`
+    int firstTexel;              // index of its first texel; texels are in rows of across + 1
+    int firstPatch;              // index of its first patch; patches are in rows of patchesAcross
+    int firstFacet, facetsCount; // facets: the parts of the rectangle that exist
 
     int texel(int i, int j) const { return firstTexel + j * (across + 1) + i; } // 0 .. across, 0 .. down
     int texels() const { return (across + 1) * (down + 1); }
     int patchAcross() const { return across / patchesAcross; } // cells of a patch along u and v
     int patchDown() const { return down / patchesDown; }
-    // How far off the plane a point must be to lie surely on one side of it, in world units
+    // Distance from the plane, in world units, at which a point lies surely on one side of it
     float off() const { return (sumAbs(corner) + width + height) * 2e-6f; }
     Vec3 at(float s, float t) const { return fmadd(u, s, fmadd(v, t, corner)); } // s, t in world units
 };
@@ -35,13 +34,12 @@ struct Chart {
 struct Lightmap {
     const Chart *charts;
     const float *plane[3]; // red, green, blue of every texel
-    // A picture of the patches that is laid over the light. mosaic: its share, 0 .. 1; patch: the patches'
-    // colours; sharpness: 1 interpolates between their middles, kFlat shows each patch in one colour
+    // A picture of the patches, mixed with the light. mosaic: its share, 0 .. 1; patch: the patches' colours;
+    // sharpness: 1 interpolates between their centres, kFlat shows each patch in one colour
     float mosaic;
     const float *patch[3];
     float sharpness;
-    // The chart that also has gloss, or null. Its gloss towards the eye is kept in squares, in rows of
-    // glossAcross
+    // The chart with gloss, or null, and its gloss towards the eye, in squares, in rows of glossAcross
     const Chart *glossy;
     int glossAcross, glossDown;
     const float *gloss[3];
@@ -54,7 +52,7 @@ Rgb8 lightAt(const Lightmap &map, const Chart &chart, const Vec3x8 &p);
 // The gloss of map.glossy at points of its plane: the radiance that it reflects besides the diffuse light.
 Rgb8 glossAt(const Lightmap &map, const Vec3x8 &p);
 
-// The index of the patch that each point p lies in. `clear` gets the share (0 .. 1) of a sample that no line
+// Returns the index of the patch at each point p. `clear` gets the share (0 .. 1) of a sample that no line
 // between patches covers. The sample is `width` world units wide and seen along the unit direction d;
 // `cosine` is between d and the normal.
 Int8 patchAt(const Chart &chart, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine, Float8 width,

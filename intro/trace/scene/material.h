@@ -22,25 +22,23 @@ struct Material {
     Rgb absorb = {};      // glass: absorption per world unit, in powers of two
     Rgb tint = {1, 1, 1}; // colour of a mirror, or of glass for shadow rays
     Rgb emit = {};        // radiance that it emits; it lights no other surface
-    // glass: 0: weights by Fresnel's equations; > 0: the share that is refracted, while `reflect` is mirrored
-    float transmit = 0;
+    float transmit = 0;   // glass: 0: by Fresnel's equations; > 0: share refracted; `reflect` is mirrored
 
     // Whether it only glows: it emits light, but reflects none, neither diffusely nor as a mirror.
     bool onlyGlows() const { return maxComponent(emit) > 0 && diffuse == 0 && reflect == 0; }
     // Whether it has one colour everywhere.
     bool plain() const { return texture.pattern == Pattern::Plain && cell == 0; }
-    // Whether its texture is so fine or pale that in draft and play only pixels show it, and samples its
-    // mean.
+    // Whether its texture is so fine or pale that samples in draft and play have its mean.
     bool faint() const { return texture.traits().faint && cell == 0; }
 };
 
 // The diffuse colour at local points q, seen along the local unit direction d by samples `width` wide
-// (world units, across the direction). `cosine` is between d and the normal. `cell` gets a number that
-// differs between neighbouring cells of a checker.
+// (world units, across d). `cosine` is between d and the normal. `cell` gets a number that differs between
+// neighbouring cells of a checker.
 Rgb8 albedo(const Material &material, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, Float8 width,
             Int8 &cell);
 
-// The average colour: for judging how much a change of light shows, and for radiosity.
+// The average colour, for radiosity and for judging how visible a change of light is.
 Rgb meanAlbedo(const Material &material);
 
 } // namespace odraz

@@ -16,7 +16,7 @@ void Scene::clear() {
     overflow = nullptr;
 }
 
-// The next free index of an array; of a full one the last index, and `overflow` is set.
+// Returns the next free index of an array. In a full array it is the last one, and `overflow` is set.
 int Scene::next(int &count, int most, const char *limit) {
     if (count < most) return count++;
     overflow = limit;

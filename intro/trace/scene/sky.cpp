@@ -22,11 +22,10 @@ Rgb8 radiance(const Sky &sky, const Vec3x8 &d, float width) {
                  sky.near * toFourth(toFourth(toFourth(max(towards, 0.f))));
     }
     if (sky.cover > 0) {
-        // A layer of clouds high above, which ends in haze at the horizon; their fine detail fades before
-        // that
-        Float8 up = max(d.y, 0.f), far = 3.f / (up + 0.12f), at = far * sky.cloudScale;
-        Float8 density =
-            fractalNoise({fmadd(d.x, at, sky.drift), broadcast(sky.drift * 0.3f), d.z * at}, 3, far * width);
+        // Add a layer of clouds, which ends in haze at the horizon; fine detail fades before that
+        Float8 up = max(d.y, 0.f), distance = 3.f / (up + 0.12f), at = distance * sky.cloudScale;
+        Float8 density = fractalNoise({fmadd(d.x, at, sky.drift), broadcast(sky.drift * 0.3f), d.z * at}, 3,
+                                      distance * width);
         density = smoothstep(0.f, 1.f, density + sky.cover) * smoothstep(0.f, 0.16f, up);
         light += (broadcast(sky.clouds) - light) * density;
     }

@@ -1,5 +1,5 @@
-// Splits a group of boxes in two, for building trees. The surface area heuristic chooses the parts (Goldsmith
-// and Salmon, 1987), over bins (Wald, "On Fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
+// Splits a group of boxes in two, for building trees: by the surface area heuristic (Goldsmith and Salmon,
+// 1987), evaluated over bins (Wald, "On Fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
 #pragma once
 
 #include "trace/scene/bounds.h"
@@ -13,30 +13,30 @@ inline float halfArea(const Bounds &b) {
 
 inline float component(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-// Moves the items of the first part to the front of first .. first + count, and returns their number. A group
-// whose items have the same middle, or which is to be halved, is halved in the order it has. box(i) is the
-// box of the item at place i; swap(i, k) exchanges two items.
+// Moves the items of the first part to the front of first .. first + count, and returns their number. If
+// `halve` is set, or all boxes have the same centroid, the group is halved in its present order. box(i)
+// returns the box of item i; swap(i, k) exchanges two items.
 template <class Box, class Swap> int splitGroup(int first, int count, bool halve, Box &&box, Swap &&swap) {
     constexpr int kBins = 16;
-    auto middle = [&](int i) { return box(i).lo + box(i).hi; };
-    Bounds middles = kNoBounds;
-    for (int i = first; i < first + count; ++i) include(middles, {middle(i), middle(i)});
-    Vec3 extent = middles.hi - middles.lo;
+    auto centroid = [&](int i) { return box(i).lo + box(i).hi; }; // doubled
+    Bounds centroids = kNoBounds;
+    for (int i = first; i < first + count; ++i) include(centroids, {centroid(i), centroid(i)});
+    Vec3 extent = centroids.hi - centroids.lo;
     int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    float low = component(middles.lo, axis), width = component(extent, axis);
+    float low = component(centroids.lo, axis), width = component(extent, axis);
     if (halve || !(width > 0)) return count / 2;
 
     Bounds boxes[kBins];
     int counts[kBins] = {};
     for (Bounds &b : boxes) b = kNoBounds;
     auto bin = [&](int i) {
-        return min((int)((component(middle(i), axis) - low) / width * kBins), kBins - 1);
+        return min((int)((component(centroid(i), axis) - low) / width * kBins), kBins - 1);
     };
     for (int i = first; i < first + count; ++i) {
         include(boxes[bin(i)], box(i));
         ++counts[bin(i)];
     }
-    // Sweep from both ends for the split with the least sum of area times count
+    // Sweep from both ends to find the split with the least sum of area times count
     float left[kBins];
     Bounds swept = kNoBounds;
     int passed = 0;

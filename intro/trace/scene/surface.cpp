@@ -22,15 +22,15 @@ static Interval slab(Float8 o, Float8 d, float half) {
     return {min(a, b), max(a, b)};
 }
 
-static Interval both(Interval a, Interval b) { return {max(a.enter, b.enter), min(a.leave, b.leave)}; }
+static Interval overlap(Interval a, Interval b) { return {max(a.enter, b.enter), min(a.leave, b.leave)}; }
 
 static Float8 hitPlane(Float8 height, Float8 slope) {
     Float8 t = -height / slope;
     return select((t > 0.f) & (t < kFar), t, kInfinity);
 }
 
-// How far a rectangle is widened: by more than the rounding error of a point on it. So neighbours overlap,
-// and no ray passes between them.
+// Width that is added to a rectangle on each side: more than the rounding error of a point on it. So
+// neighbours overlap, and no ray passes between them.
 static float slackOf(const Shape &s) { return (sumAbs(s.centre) + s.half.x + s.half.z) * 5e-7f; }
 
 static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
@@ -44,7 +44,7 @@ static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bot
 }
 
 static Float8 hitCylinder(const Shape &s, const Vec3x8 &o, const Vec3x8 &d) {
-    // In the plane across the axis, find the point nearest to it, then half the chord
+    // In the plane across the axis, find the ray's point nearest to the axis, then half the chord
     Float8 a = fmadd(d.x, d.x, d.z * d.z);
     Int8 parallel = a < 1e-12f;
     Float8 inverse = 1.f / select(parallel, 1.f, a);
@@ -53,7 +53,7 @@ static Float8 hitCylinder(const Shape &s, const Vec3x8 &o, const Vec3x8 &d) {
     Float8 px = fmadd(middle, d.x, o.x), pz = fmadd(middle, d.z, o.z);
     Float8 discriminant = s.half.x * s.half.x - fmadd(px, px, pz * pz);
     Float8 half = select(parallel, kInfinity, sqrt(max(discriminant, 0.f) * inverse));
-    Float8 t = nearest(both({middle - half, middle + half}, slab(o.y, d.y, s.half.y)));
+    Float8 t = nearest(overlap({middle - half, middle + half}, slab(o.y, d.y, s.half.y)));
     return select(discriminant >= 0.f, t, kInfinity);
 }
 
@@ -65,8 +65,8 @@ Float8 distance(const Shape &s, const Ray8 &ray, Flat flat) {
     case ShapeKind::Plane:
         return hitPlane(o.y, d.y);
     case ShapeKind::Box: {
-        Interval inside = both(slab(o.x, d.x, s.half.x), slab(o.y, d.y, s.half.y));
-        return nearest(both(inside, slab(o.z, d.z, s.half.z)));
+        Interval inside = overlap(slab(o.x, d.x, s.half.x), slab(o.y, d.y, s.half.y));
+        return nearest(overlap(inside, slab(o.z, d.z, s.half.z)));
     }
     case ShapeKind::Cylinder:
         return hitCylinder(s, o, d);
@@ -113,8 +113,7 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         break;
     }
     case ShapeKind::Rect: {
-        // Keep it surely within the outline: where the rectangle joins a wall, rays must go on in front of
-        // that wall
+        // Keep the point within the outline, so that secondary rays start in front of a wall that meets it
         float slack = 2 * slackOf(s), x = max(s.half.x - slack, 0.f), z = max(s.half.z - slack, 0.f);
         q.x = clamp(q.x, -x, x), q.z = clamp(q.z, -z, z);
         [[fallthrough]];

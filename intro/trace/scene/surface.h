@@ -17,9 +17,8 @@ struct Ray8 {
     Vec3x8 o, d;
 };
 
-// How rays hit rectangles and triangles. Seen: from the front, within the outline, as the eye sees them.
-// Whole: from both sides, as unbounded planes. BothSides: from both sides, within the outline, as they block
-// light.
+// How rays hit rectangles. Seen: from the front, within the outline, as the eye sees them. BothSides: from
+// both sides, as they block light. Whole: from both sides, as unbounded planes.
 enum class Flat : uint8_t { Seen, Whole, BothSides };
 
 // Distance to one shape, kInfinity for rays that miss it.
@@ -41,7 +40,7 @@ ODRAZ_INLINE Float8 hitSphere(const Shape &s, const Ray8 &ray) {
 
 // The surface at the point that a ray hits.
 struct Surface8 {
-    Vec3x8 p;  // world, projected back onto the shape: its error depends on coordinates, not on t
+    Vec3x8 p;  // world; projected onto the shape, so that its error depends on coordinates, not on t
     Vec3x8 n;  // outward unit normal
     Int8 face; // 0 .. 5: which side of a box or cylinder
 };
@@ -50,12 +49,12 @@ Surface8 surfaceAt(const Shape &shape, const Ray8 &ray, Float8 t);
 // The box around a bounded shape.
 Bounds boundsOf(const Shape &shape);
 
-// How far a point must be moved off the surface to lie surely on one side of it: a few rounding errors of all
-// magnitudes that entered it.
+// Distance by which a point must be moved off the surface to lie surely on one side of it: a few rounding
+// errors of the magnitudes that it was computed from.
 ODRAZ_INLINE Float8 errorBound(Vec3x8 p, Float8 ofShape) { return (sumAbs(p) + ofShape) * 1e-6f + 1e-9f; }
 ODRAZ_INLINE float magnitude(const Shape &s) { return sumAbs(s.centre) + maxComponent(s.half); }
 
-// An origin that lies surely on the side of the surface to which `side` points (+1 along n, -1 against it).
+// Returns an origin that lies surely on one side of the surface: +1 along n, -1 against it.
 inline Vec3x8 offsetOrigin(const Shape &s, const Surface8 &at, Float8 side) {
     return fmadd(at.n, errorBound(at.p, broadcast(magnitude(s))) * side, at.p);
 }

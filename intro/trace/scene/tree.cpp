@@ -7,8 +7,8 @@ namespace odraz {
 
 namespace {
 
-// Shapes order[first .. first + count) and their box.
-struct Group {
+// The shapes order[first .. first + count) and their box.
+struct ShapeRange {
     int first, count;
     Bounds box;
 };
@@ -19,7 +19,7 @@ Bounds boxOf(const Scene &s, int first, int count) {
     return b;
 }
 
-int split(Scene &s, const Group &g, bool halve) {
+int split(Scene &s, const ShapeRange &g, bool halve) {
     return splitGroup(
         g.first, g.count, halve, [&](int i) -> const Bounds & { return s.box[s.order[i]]; },
         [&](int i, int k) {
@@ -29,14 +29,15 @@ int split(Scene &s, const Group &g, bool halve) {
         });
 }
 
-// Makes a node of a group: splits it, and then always its largest part, until there are eight parts.
-int build(Scene &s, const Group &all, int deep) {
+// Builds the node of a range of shapes, and those below it; returns its index. Splits the range, and then
+// always its largest part, until there are eight parts.
+int build(Scene &s, const ShapeRange &all, int depth) {
     int index = s.nodeCount++;
-    Group parts[8] = {all};
+    ShapeRange parts[8] = {all};
     int count = 1;
     while (count < 8) {
-        // Find the part with the largest surface. A part of at most eight shapes stays whole and becomes a
-        // node of its own, unless this is the node of such a part
+        // Find the part with the largest surface. A part of at most eight shapes is not split here: it
+        // becomes a node. Only that node splits it, into single shapes
         int largest = -1;
         float area = -1;
         for (int i = 0; i < count; ++i) {
@@ -46,8 +47,8 @@ int build(Scene &s, const Group &all, int deep) {
             area = a;
         }
         if (largest < 0) break;
-        Group &g = parts[largest];
-        int front = split(s, g, deep > kTreeDepth / 2);
+        ShapeRange &g = parts[largest];
+        int front = split(s, g, depth > kTreeDepth / 2);
         parts[count++] = {g.first + front, g.count - front, boxOf(s, g.first + front, g.count - front)};
         g = {g.first, front, boxOf(s, g.first, front)};
     }
@@ -58,7 +59,7 @@ int build(Scene &s, const Group &all, int deep) {
     for (int i = 0; i < count; ++i)
         n.balls &= parts[i].count == 1 && s.shapes[s.order[parts[i].first]].isBall();
     for (int i = 0; i < 8; ++i) {
-        const Group &g = parts[min(i, count - 1)];
+        const ShapeRange &g = parts[min(i, count - 1)];
         const Shape &shape = s.shapes[s.order[g.first]];
         // Grow boxes by the slab test's rounding error; the boxes of missing children are never entered
         Vec3 size = upper(g.box.hi, -g.box.lo);
@@ -72,7 +73,7 @@ int build(Scene &s, const Group &all, int deep) {
     }
     for (int i = 0; i < count; ++i)
         if (parts[i].count > 1) {
-            int child = build(s, parts[i], deep + 1);
+            int child = build(s, parts[i], depth + 1);
             s.nodes[index].child[i] = child;
         }
     return index;

@@ -14,11 +14,11 @@ struct Node {
         float hi[3][8];
         float radius[8];
     };
-    int child[8]; // index of a node, or ~ that of a shape
-    int count;    // boxes from this index on are empty
+    int child[8]; // index of a node, or ~index of a shape
+    int count;    // number of children; boxes from this index on are empty
     bool balls;
 };
-inline constexpr int kTreeDepth = 20; // most nodes from the root to a leaf
+inline constexpr int kTreeDepth = 20; // greatest number of nodes from the root to a leaf
 
 // Builds scene.nodes from scene.box, over the first `bounded` shapes in scene.order, which it reorders.
 void buildTree(Scene &scene, int bounded);

@@ -4,20 +4,20 @@
 
 namespace odraz {
 
-// Eight rays of a run.
+// Computes eight hits of a run.
 static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];
-    Eight pick(run.ray + i);
-    Ray8 ray = {pick(in.o), pick(in.d)};
-    Float8 t = pick(in.t);
+    EightRays rays(run.ray + i);
+    Ray8 ray = {rays(in.o), rays(in.d)};
+    Float8 t = rays(in.t);
     Vec3x8 p, n;
     Int8 id;
-    Float8 size, spread = pick(in.spread), width = pick(in.width), curve = {};
+    Float8 size, spread = rays(in.spread), width = rays(in.width), curve = {};
     if (run.balls) {
         // Each lane has its own ball
-        Int8 index = pick(in.shape);
+        Int8 index = rays(in.shape);
         int32_t at[8];
         store(at, index);
         Vec3x8 centre;
@@ -42,7 +42,7 @@ static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) 
     // Turn the normal to the side that the ray came from
     Float8 side = select(dot(n, ray.d) > 0.f, -1.f, 1.f);
     n = n * side;
-    // A ball of glass gathers what enters it: inside it a sample hardly widens
+    // A ball of glass focuses what enters it: inside it a sample hardly widens
     width = fmadd(spread, select(side > 0.f, t, t * 0.3f), width);
     store(run.p, i, p);
     store(run.n, i, n);
@@ -55,8 +55,8 @@ static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) 
     store(run.curve + i, curve * width);
     store(run.id + i, id);
 
-    // Weaken the ray by what it passed through: fog and, if it comes from inside, glass
-    Rgb8 weight = pick(in.weight);
+    // Weaken the ray by fog and, if it comes from inside, by glass
+    Rgb8 weight = rays(in.weight);
     if (scene.fog > 0) {
         Float8 clear = exp2(t * -scene.fog);
         store(run.clear + i, clear);

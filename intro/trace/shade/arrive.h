@@ -1,4 +1,4 @@
-// Where rays hit surfaces, and their weight there.
+// Computes the surface points that rays hit, and the rays' weights there.
 #pragma once
 
 #include "trace/shade/run.h"

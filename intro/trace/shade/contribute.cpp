@@ -8,10 +8,10 @@ namespace odraz {
 
 namespace {
 
-// Turns four registers of eight floats into eight rows of four.
-struct Rows {
+// Transposes four registers of eight floats to eight rows of four.
+struct EightRows {
     __m128 row[8];
-    Rows(Vec3x8 v, Int8 w) {
+    EightRows(Vec3x8 v, Int8 w) {
         __m256 xy = _mm256_unpacklo_ps(v.x, v.y), xyHigh = _mm256_unpackhi_ps(v.x, v.y);
         __m256 zw = _mm256_unpacklo_ps(v.z, (Float8)w), zwHigh = _mm256_unpackhi_ps(v.z, (Float8)w);
         auto put = [&](int i, __m256 four) {
@@ -29,7 +29,7 @@ struct Rows {
 
 void addRest(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
              Int8 marks) {
-    Rows rows(light, marks);
+    EightRows rows(light, marks);
     for (int k = 0; k < count; ++k) {
         float *rest = c.samples.restOf(in.sample[ray[k]]);
         __m128 was = _mm_load_ps(rest), more = rows.row[k], none = _mm_setzero_ps();
@@ -41,24 +41,24 @@ void addRest(const Shading &c, const RayStream &in, const int32_t *ray, int coun
 
 namespace {
 
-// What eight primary rays see. The radiance is albedo * light + rest.
-struct Seen {
+// The samples of eight primary rays. Their radiance is albedo * light + rest.
+struct EightSamples {
     Rgb8 albedo;
     Int8 id;
     Rgb8 light;
-    Int8 states; // of the lights
+    Int8 states; // the lights' states
     Rgb8 rest;
 };
 
 // Initialises the samples of eight primary rays.
-void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Seen &seen) {
+void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count, const EightSamples &seen) {
     Rgb8 added = c.samples.whole ? seen.rest : seen.rest + seen.albedo * seen.light;
-    Rows third(added, Int8{});
+    EightRows third(added, Int8{});
     if (!c.samples.whole) {
         for (int k = 0; k < count; ++k) _mm_store_ps(c.samples.restOf(in.sample[ray[k]]), third.row[k]);
         return;
     }
-    Rows first(seen.albedo, seen.id), second(seen.light, seen.states);
+    EightRows first(seen.albedo, seen.id), second(seen.light, seen.states);
     for (int k = 0; k < count; ++k) {
         Sample &s = c.samples.whole[in.sample[ray[k]]];
         _mm_store_ps(&s.albedo.x, first.row[k]);
@@ -67,37 +67,37 @@ void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count,
     }
 }
 
-// Clouds have less detail in mirrors and glass. Balls show them so small that they would look like spotted
-// fur, and coarse squares would miss them
-constexpr float kCalmClouds = 0.175f;
+// Clouds have less detail in mirrors and glass: balls show them so small that they would look like spotted
+// fur, and coarse squares would miss them.
+constexpr float kSoftClouds = 0.175f;
 
 Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x) & ~kLamps; }
 
 // The light of sunshafts between the eye and the hits.
-Rgb8 inTheAir(const Shading &c, const RayStream &in, const Eight &pick, const Vec3x8 &d) {
+Rgb8 sunshaftLight(const Shading &c, const RayStream &in, const EightRays &rays, const Vec3x8 &d) {
     if (c.scene.shafts.openings == 0) return Rgb8{};
-    return shaftLight(c.scene.shafts, pick(in.o), d, pick(in.t));
+    return shaftLight(c.scene.shafts, rays(in.o), d, rays(in.t));
 }
 
-// Adds what eight places of a run show.
+// Adds the light that eight hits of a run send along their rays.
 void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];
-    Eight pick(run.ray + i);
+    EightRays rays(run.ray + i);
     int count = min(run.count - i, 8);
     Vec3x8 d = load(run.d, i);
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
-    // Balls that only glow are left out here: addGlowingBalls() adds them. Other lamps would blink behind two
-    // surfaces, or mirrored in glass, where samples are farther apart than they are wide: there they fade, to
-    // about the light of what is around them
+    // Skip balls that only glow: addGlowingBalls() adds them. Fade other lamps in second reflections, and in
+    // glass that mirrors them, where they are narrower than the distance between samples: they would flicker.
+    // What remains is about as bright as their surroundings
     if (c.bounces > 0 && shape.isBall() && m.onlyGlows())
         rest = Rgb8{};
     else if (c.bounces > 0 && shape.traits().bounded && maxComponent(m.emit) > 0)
         rest = rest *
-               select(pick(in.path) < (m.onlyGlows() ? kTwice : 0), 1.f,
+               select(rays(in.path) < (m.onlyGlows() ? kTwoBounces : 0), 1.f,
                       clamp(min(shape.half.x, shape.half.z) * 2 / load(run.width + i) - 1.f, 0.005f, 1.f));
-    if (!m.plain()) light = rest, rest = Rgb8{}; // a lamp shines through its pattern
+    if (!m.plain()) light = rest, rest = Rgb8{}; // the pattern multiplies a lamp's own light
     Int8 cell = {}, states = {};
     float contrast = m.faint() ? c.quality.faint : 1;
     if (m.diffuse > 0 || m.specular > 0) {
@@ -110,11 +110,11 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
         if (contrast < 1 && scene.lines == 0)
             albedo = lerp(broadcast(scene.mean[shape.material]), albedo, broadcast(contrast));
     }
-    if (scene.fog > 0) rest += radiance(scene.sky, d) * pick(in.weight) * (1.f - load(run.clear + i));
+    if (scene.fog > 0) rest += radiance(scene.sky, d) * rays(in.weight) * (1.f - load(run.clear + i));
     Int8 id = loadInts(run.id + i);
     if (c.bounces == 0) {
-        if (scene.lines != 0) states += cell << kCellShift; // so that squares split where patches end
-        rest += inTheAir(c, in, pick, d);
+        if (scene.lines != 0) states += cell << kCellShift; // so that squares split at patches' borders
+        rest += sunshaftLight(c, in, rays, d);
         begin(c, in, run.ray + i, count, {albedo, id, light, states, rest});
         return;
     }
@@ -122,38 +122,38 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
         addRest(c, in, run.ray + i, count, rest + albedo * light, Int8{});
         return;
     }
-    // A hit that counts in the picture changes the sample's mark. The mark also depends on the ray's path
-    Rgb8 brings = rest + albedo * light;
+    // Change the sample's mark if the hit has enough weight. The mark also depends on the ray's path
+    Rgb8 sent = rest + albedo * light;
     Int8 marked = maxComponent(weight) * scene.exposure > c.quality.markWeight;
-    Int8 mark = marked & hash(pick(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
-    addRest(c, in, run.ray + i, count, brings, mark);
+    Int8 mark = marked & hash(rays(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
+    addRest(c, in, run.ray + i, count, sent, mark);
     if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || maxComponent(m.emit) > 0 || contrast < 1)
         return;
-    // A dark texture does not count, unless it mirrors: then it may show a light
-    if (m.reflect == 0) marked &= maxComponent(brings) * scene.exposure > c.quality.markWeight * 0.3f;
+    // Ignore dark textures, unless they mirror and so may show a light
+    if (m.reflect == 0) marked &= maxComponent(sent) * scene.exposure > c.quality.markWeight * 0.3f;
     for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)
         c.samples.whole[in.sample[run.ray[i + __builtin_ctz((unsigned)lanes)]]].lights |= kTextured;
 }
 
 } // namespace
 
-void addShown(const Shading &c, const RayStream &in, const Run &run) {
+void addSurfaces(const Shading &c, const RayStream &in, const Run &run) {
     for (int i = 0; i < run.count; i += 8) addEight(c, in, run, i);
 }
 
 void addSky(const Shading &c, const RayStream &in, const Run &run) {
     for (int i = 0; i < run.count; i += 8) {
-        Eight pick(run.ray + i);
-        Vec3x8 d = pick(in.d);
-        Rgb8 weight = pick(in.weight),
-             light = radiance(c.scene.sky, d, c.bounces ? kCalmClouds : kSharpClouds) * weight;
+        EightRays rays(run.ray + i);
+        Vec3x8 d = rays(in.d);
+        Rgb8 weight = rays(in.weight),
+             light = radiance(c.scene.sky, d, c.bounces ? kSoftClouds : kSharpClouds) * weight;
         int count = min(run.count - i, 8);
         if (c.bounces == 0)
             begin(c, in, run.ray + i, count,
-                  {Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + inTheAir(c, in, pick, d)});
+                  {Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + sunshaftLight(c, in, rays, d)});
         else
             addRest(c, in, run.ray + i, count, light,
-                    hash(pick(in.path)) & (weight.y > c.quality.markWeight));
+                    hash(rays(in.path)) & (weight.y > c.quality.markWeight));
     }
 }
 

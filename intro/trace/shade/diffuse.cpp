@@ -2,8 +2,8 @@
 
 namespace odraz {
 
-// A point in the coordinates of the shape's texture: those of its own frame, or the world's.
-static Vec3x8 localOf(const Shape &s, Vec3x8 p) {
+// Converts a point to the coordinates of the shape's texture: the shape's frame, or the world's.
+static Vec3x8 textureCoordinates(const Shape &s, Vec3x8 p) {
     if (s.traits().joins) return p;
     Vec3x8 q = p - s.centre;
     return s.aligned ? q : s.frame * q;
@@ -18,7 +18,7 @@ Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, cons
         colour = broadcast(m.texture.palette[0] * m.diffuse);
     } else {
         Vec3x8 local = shape.traits().joins || shape.aligned ? d : shape.frame * d;
-        colour = albedo(m, localOf(shape, p) + shape.textureShift, local, cosine, width, cell) *
+        colour = albedo(m, textureCoordinates(shape, p) + shape.textureShift, local, cosine, width, cell) *
                  broadcast(m.diffuse);
     }
     if (scene.lines != 0 && shape.chart >= 0) {

@@ -4,13 +4,13 @@
 
 namespace odraz {
 
-// The greatest brightness of a widened image, in multiples of white. If it were brighter, it would stay white
-// even where the ball is too small to be seen.
-static constexpr float kMost = 6;
+// The greatest brightness of a widened image, in multiples of white. A brighter one would stay white even
+// where the ball is too small to be seen.
+static constexpr float kMaxBrightness = 6;
 
 void addGlowingBalls(const Shading &c, const RayStream &in) {
     const Scene &scene = c.scene;
-    const float bound = (c.bounces ? 1 : kMost) / scene.exposure;
+    const float bound = (c.bounces ? 1 : kMaxBrightness) / scene.exposure;
     for (int i = 0; i < in.count; i += 8) {
         Ray8 ray = {load(in.o, i), load(in.d, i)};
         Rgb8 light = {}, weight = load(in.weight, i);
@@ -20,15 +20,15 @@ void addGlowingBalls(const Shading &c, const RayStream &in) {
             const Shape &s = scene.shapes[scene.glowingBall[k]];
             float r = s.half.x;
             Vec3x8 to = s.centre - ray.o;
-            Float8 far = dot(to, ray.d), off = dot(to, to) - far * far;
-            // Widen the image by half of what the sample covers there
-            Float8 wide = fmadd(load(in.spread + i), far, load(in.width + i)) * 1.5f, square = wide * wide;
+            Float8 along = dot(to, ray.d), across2 = dot(to, to) - along * along;
+            // Widen the image by half of the sample's width there
+            Float8 wide = fmadd(load(in.spread + i), along, load(in.width + i)) * 1.5f, square = wide * wide;
             Float8 reach = fmadd(square, 4.f, r * r);
             Float8 root = sqrt(reach), margin = fmadd(wide, c.quality.coarse * 0.36f, root);
-            Int8 near = (far > 0.f) & (far - r * 1.01f < load(in.t + i)) & (off < margin * margin);
+            Int8 near = (along > 0.f) & (along - r * 1.01f < load(in.t + i)) & (across2 < margin * margin);
             if (!any(near)) continue;
             found |= near;
-            Float8 cover = saturate((reach - off) / (wide * root * 2.f));
+            Float8 cover = saturate((reach - across2) / (wide * root * 2.f));
             cover *= r * r / fmadd(square, 2.f, r * r);
             Rgb8 all = weight * scene.materials[s.material].emit;
             Float8 most = fmadd(r * r / square, bound, broadcast(bound));
@@ -37,10 +37,10 @@ void addGlowingBalls(const Shading &c, const RayStream &in) {
             Int8 shows = near & (maxComponent(all) * scene.exposure > c.quality.markWeight);
             marks += (Uint8)shows & ((Uint8)loadInts(in.path + i) * 0x9e3779b1u + (uint32_t)k);
         }
-        int32_t place[8];
-        store(place, kLanes + i);
+        int32_t rays[8];
+        store(rays, kLanes + i);
         if (c.samples.whole) marks = marks * (kLamps + 1) | ((Uint8)(marks != 0u) & 1u);
-        if (any(found)) addRest(c, in, place, min(in.count - i, 8), light, (Int8)marks);
+        if (any(found)) addRest(c, in, rays, min(in.count - i, 8), light, (Int8)marks);
     }
 }
 

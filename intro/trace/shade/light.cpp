@@ -9,51 +9,53 @@ namespace odraz {
 
 namespace {
 
-// The balls that block light from all around at a run's places. One blocks at most the share radius^2 /
-// distance^2. kLeast is subtracted from what it blocks, so that its effect does not begin abruptly.
+// The balls that block ambient light at a run's hits. A ball blocks at most the share radius^2 / distance^2.
+// kLeast is subtracted from that share, so that the ball's effect does not begin abruptly.
 constexpr float kLeast = 1 / 150.f;
 
 struct Occluders {
     int count = 0;
     uint8_t ball[kMaxOccluders]; // indices of Scene::occluder
 
-    // For places in a box.
+    // Finds them for points in a box.
     Occluders(const Scene &scene, const Bounds &box) {
         for (int i = 0; i < scene.occluderCount; i += 8) {
             Vec3x8 c = load(scene.occluder, i);
             Float8 r = load(scene.occluderRadius + i);
-            Vec3x8 off = {max(box.lo.x - c.x, max(c.x - box.hi.x, 0.f)),
-                          max(box.lo.y - c.y, max(c.y - box.hi.y, 0.f)),
-                          max(box.lo.z - c.z, max(c.z - box.hi.z, 0.f))};
-            int reach = laneBits((dot(off, off) * kLeast < r * r) & (kLanes < scene.occluderCount - i));
+            Vec3x8 outside = {max(box.lo.x - c.x, max(c.x - box.hi.x, 0.f)),
+                              max(box.lo.y - c.y, max(c.y - box.hi.y, 0.f)),
+                              max(box.lo.z - c.z, max(c.z - box.hi.z, 0.f))};
+            int reach =
+                laneBits((dot(outside, outside) * kLeast < r * r) & (kLanes < scene.occluderCount - i));
             for (; reach; reach &= reach - 1) ball[count++] = (uint8_t)(i + __builtin_ctz((unsigned)reach));
         }
     }
 
-    // The share of that light that reaches places p with unit normals n.
-    Float8 open(const Scene &scene, const Shape &shape, const Vec3x8 &p, const Vec3x8 &n) const {
+    // The share of ambient light that reaches points p with unit normals n.
+    Float8 visibility(const Scene &scene, const Shape &shape, const Vec3x8 &p, const Vec3x8 &n) const {
         Float8 left = broadcast(1.f);
         for (int i = 0; i < count; ++i) {
             int k = ball[i];
             float r = scene.occluderRadius[k], square = r * r;
             Vec3x8 to = {scene.occluder[0][k] - p.x, scene.occluder[1][k] - p.y, scene.occluder[2][k] - p.z};
-            Float8 far2 = max(dot(to, to), 1e-12f), facing = dot(n, to);
-            Int8 counts = (facing > -r) & (far2 < square * (1 / kLeast));
-            if (shape.isBall()) counts &= far2 > square * 1.0001f; // not itself
+            Float8 distance2 = max(dot(to, to), 1e-12f), facing = dot(n, to);
+            Int8 counts = (facing > -r) & (distance2 < square * (1 / kLeast));
+            if (shape.isBall()) counts &= distance2 > square * 1.0001f; // not itself
             if (!any(counts)) continue;
-            // The horizon cuts few of them. Most touch a floor: there rounding must not decide
-            Float8 cosine = facing / sqrt(far2), sine2 = square / far2, taken = cosine * sine2;
+            // The horizon cuts few balls. Most of them touch a floor, where rounding must not decide
+            Float8 cosine = facing / sqrt(distance2), sine2 = square / distance2, blocked = cosine * sine2;
             if (any(counts & (facing * abs(facing) < square * 0.9999f)))
-                taken = ballFormFactor(cosine, sine2);
-            left *= 1.f - select(counts, clamp(taken - kLeast, 0.f, 0.95f), 0.f);
+                blocked = ballFormFactor(cosine, sine2);
+            left *= 1.f - select(counts, clamp(blocked - kLeast, 0.f, 0.95f), 0.f);
         }
         return left;
     }
 };
 
-// Finds the shapes that may stand between a light and a run's places, by the box around these. For few
-// places, or if the beam is too wide, found.count is -1, and the whole tree is tried.
-void aim(const Scene &scene, const Run &run, const Bounds &box, Vec3 from, Candidates &found) {
+// Finds the shapes that may be between a light and a run's hits, by the box around the hits. For few hits, or
+// if the beam is too wide, found.count is -1, and shadow rays traverse the tree.
+void findShadowCandidates(const Scene &scene, const Run &run, const Bounds &box, Vec3 from,
+                          Candidates &found) {
     found.count = -1;
     if (run.count <= 16) return;
     BeamBuilder builder(from, (box.lo + box.hi) * 0.5f - from);
@@ -73,15 +75,15 @@ Bounds boxOf(const Run &run) {
     return {{least(lo.x), least(lo.y), least(lo.z)}, {-least(-hi.x), -least(-hi.y), -least(-hi.z)}};
 }
 
-// The sum of the light that arrives at eight places.
-struct Arriving {
+// The sum of the light that arrives at eight hits.
+struct LightSum {
     Rgb8 diffuse, highlight = {};
     Int8 states = {};
 };
 
-// Adds the light from all around, of the lightmap or ambient, less what balls block.
-ODRAZ_INLINE void addAround(const Scene &scene, const Shape &shape, const Occluders &occluders,
-                            const Vec3x8 &p, const Vec3x8 &n, Arriving &sum) {
+// Adds ambient light, from the lightmap or the scene, less what balls block.
+ODRAZ_INLINE void addAmbient(const Scene &scene, const Shape &shape, const Occluders &occluders,
+                             const Vec3x8 &p, const Vec3x8 &n, LightSum &sum) {
     if (shape.chart >= 0) {
         const Chart &chart = scene.lightmap->charts[shape.chart];
         sum.diffuse = lightAt(*scene.lightmap, chart, p);
@@ -90,20 +92,20 @@ ODRAZ_INLINE void addAround(const Scene &scene, const Shape &shape, const Occlud
         sum.diffuse =
             broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f);
     if (occluders.count) {
-        Float8 open = occluders.open(scene, shape, p, n);
-        sum.diffuse = sum.diffuse * open;
-        sum.highlight = sum.highlight * open;
+        Float8 visibility = occluders.visibility(scene, shape, p, n);
+        sum.diffuse = sum.diffuse * visibility;
+        sum.highlight = sum.highlight * visibility;
     }
 }
 
-// Phong's lobe around the mirrored rays of eight places. On a ball the normal varies within a sample, which
-// blurs highlights: the variance of the normals is added to that of the lobe, 1 / exponent (Kaplanyan et al.,
-// "Filtering Distributions of Normals", 2016).
+// Phong's lobe around the mirrored rays of eight hits. On a ball the normal varies within a sample, which
+// blurs highlights: the variance of the normals is added to the lobe's variance, 1 / exponent (Kaplanyan et
+// al., "Filtering Distributions of Normals", 2016).
 struct Lobe {
-    Vec3x8 d = {}; // of the rays
+    Vec3x8 d = {}; // directions of the rays
     Float8 dn = {}, wider = {};
-    // Cosines. At `end` the lobe ends. From `reach` on, shadows are traced even for faint light, and squares
-    // split: the highlight may lie between the corners of the coarsest
+    // Cosines. At `end` the lobe ends. Above `reach`, shadows are traced even for faint light, and squares
+    // split, because the highlight may lie between the corners of the coarsest
     Float8 end = {}, reach = broadcast(2.f);
 
     ODRAZ_INLINE Lobe(const Run &run, int i, const Material &m, float lobeEnd, int coarse, const Vec3x8 &n) {
@@ -116,78 +118,77 @@ struct Lobe {
         reach = fmadd(variance, (float)(coarse * coarse) * -0.0625f, 1.f);
         wider = 1.f / fmadd(variance, m.exponent, 1.f);
     }
-    // The cosine between the mirrored rays and a light. A ball of light counts as if it stood at its point
-    // nearest to them.
-    ODRAZ_INLINE Float8 towards(const Light &light, const Vec3x8 &l, Float8 cosine, Float8 inverse) const {
-        Float8 towards = fmadd(dn, cosine, dot(d, l));
+    // The cosine between the mirrored rays and the direction l to a light, or to a ball of light's point that
+    // is nearest to them. `cosine` is between normal and l, `inverse` is 1 / distance.
+    ODRAZ_INLINE Float8 cosineTo(const Light &light, const Vec3x8 &l, Float8 cosine, Float8 inverse) const {
+        Float8 aligned = fmadd(dn, cosine, dot(d, l));
         if (light.radius > 0) {
-            Float8 off = max(sqrt(max(fmadd(towards, -2.f, 2.f), 0.f)) - inverse * light.radius, 0.f);
-            towards = fmadd(off * off, -0.5f, 1.f);
+            Float8 off = max(sqrt(max(fmadd(aligned, -2.f, 2.f), 0.f)) - inverse * light.radius, 0.f);
+            aligned = fmadd(off * off, -0.5f, 1.f);
         }
-        return towards;
+        return aligned;
     }
-    // Its value at that cosine, in active lanes.
-    ODRAZ_INLINE Float8 at(Float8 towards, const Material &m, Int8 active) const {
-        Int8 near = active & (towards > end);
+    // The lobe's value at such a cosine, in active lanes.
+    ODRAZ_INLINE Float8 at(Float8 aligned, const Material &m, Int8 active) const {
+        Int8 near = active & (aligned > end);
         if (!any(near)) return Float8{};
-        Float8 lobe = exp2(log2(clamp(towards, 0.01f, 1.f)) * wider * m.exponent) * wider;
+        Float8 lobe = exp2(log2(clamp(aligned, 0.01f, 1.f)) * wider * m.exponent) * wider;
         return select(near, lobe * m.specular, 0.f);
     }
 };
 
-// The shapes that may stand between each light and a run. They are found when the first place needs them.
-struct InTheWay {
-    Candidates among[kMaxLights];
+// The shapes that may be between each light and a run. They are found when the first hit needs them.
+struct ShadowCasters {
+    Candidates candidates[kMaxLights];
     Blockers blockers[kMaxLights];
     int found = 0; // a bit for every light
 
     ODRAZ_INLINE void find(const Scene &scene, const Run &run, const Bounds &box, int k, bool soft) {
         if (found >> k & 1) return;
-        aim(scene, run, box, scene.lights[k].position, among[k]);
+        findShadowCandidates(scene, run, box, scene.lights[k].position, candidates[k]);
         if (soft) findBlockers(scene, scene.lights[k], box, blockers[k]);
         found |= 1 << k;
     }
 };
 
-// What is the same for all places of a run.
-struct Lit {
+// Values that all hits of a run share.
+struct RunLighting {
     const Scene &scene;
     const Run &run;
     const Material &m;
     const Bounds &box;
     float reflectance;
-    float counts; // light times this is in fifths of the cutoff
+    float perFifth; // 5 / cutoff: converts light to fifths of the cutoff
 };
 
-// Eight places of a run.
-struct Places {
+// Eight hits of a run.
+struct EightHits {
     int first;
     const Vec3x8 &p, &n; // p is moved off the shape by its rounding error
-    Float8 side, share;  // share: of the picture
+    Float8 side, share;  // share: the ray's weight in the picture
     Int8 active;
 };
 
 // Adds the light of one Light, less what is blocked.
-ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, int k, InTheWay &way,
-                           Arriving &sum) {
-    // Leave out lanes that face away
+ODRAZ_INLINE void addLight(const RunLighting &all, const EightHits &at, const Lobe &phong, int k,
+                           ShadowCasters &casters, LightSum &sum) {
+    // Skip lanes that face away
     const Light &light = all.scene.lights[k];
     Vec3x8 to = light.position - at.p;
-    Float8 square = max(dot(to, to), 1e-8f), far = sqrt(square), inverse = 1.f / far;
+    Float8 square = max(dot(to, to), 1e-8f), distance = sqrt(square), inverse = 1.f / distance;
     Vec3x8 l = to * inverse;
-    Float8 cosine = dot(at.n, l), strength = inverse * inverse, lobe = {}, towards = {};
+    Float8 cosine = dot(at.n, l), strength = inverse * inverse, lobe = {}, aligned = {};
     Int8 facing = at.active & (cosine > 0.f);
     if (!any(facing)) return;
     if (all.m.specular > 0) {
-        towards = phong.towards(light, l, cosine, inverse);
-        lobe = phong.at(towards, all.m, facing);
+        aligned = phong.cosineTo(light, l, cosine, inverse);
+        lobe = phong.at(aligned, all.m, facing);
     }
-    // Light that adds less than a fifth of the cutoff to the picture needs no shadow; from there to twice as
-    // much the shadow fades in
-    Float8 promised =
+    // Add light without a shadow if it is less than a fifth of the cutoff; up to twice that, shadows fade in
+    Float8 unblocked =
         fmadd(cosine, all.reflectance, lobe) * (strength * at.share) * maxComponent(light.intensity);
-    Int8 close = towards > phong.reach;
-    Float8 faint = select(close, 0.f, saturate(2.f - promised * all.counts));
+    Int8 close = aligned > phong.reach;
+    Float8 faint = select(close, 0.f, saturate(2.f - unblocked * all.perFifth));
     Int8 lit = facing & (faint < 1.f);
     Float8 tilt = l.x * light.tilt;
     Rgb8 intensity = Rgb8{1.f + tilt, fmadd(tilt * tilt, -0.55f, 1.f), 1.f - tilt} * light.intensity;
@@ -196,15 +197,16 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
     sum.highlight += bare * lobe;
     if (!any(lit)) return;
 
-    // Add the light that passes. A shape does not shade its own outside where that faces the light, and none
-    // but balls within the lamp shades it. (Beams from a light know only where balls end on its side)
+    // Trace shadows. Ignore the lit shape if its outside faces the light: convex shapes do not shade
+    // themselves there. In soft light, only balls inside the lamp cast shadows, not other shapes.
+    // (For balls, transmittance() finds only the surface on the light's side)
     bool soft = all.scene.ballsOcclude && light.radius > 0;
-    way.find(all.scene, all.run, all.box, k, soft);
-    Int8 own = select(at.side > 0.f, unpackShape(loadInts(all.run.id + at.first)), broadcast(-1));
-    Rgb8 through =
-        transmittance(all.scene, way.among[k], {at.p, l}, far - (soft ? light.radius : 0), lit, own, soft);
-    if (soft && way.blockers[k].count)
-        through = through * softShadow(all.scene, way.blockers[k], light, at.p, l, far, own);
+    casters.find(all.scene, all.run, all.box, k, soft);
+    Int8 ignored = select(at.side > 0.f, unpackShape(loadInts(all.run.id + at.first)), broadcast(-1));
+    Rgb8 through = transmittance(all.scene, casters.candidates[k], {at.p, l},
+                                 distance - (soft ? light.radius : 0), lit, ignored, soft);
+    if (soft && casters.blockers[k].count)
+        through = through * softShadow(all.scene, casters.blockers[k], light, at.p, l, distance, ignored);
     through += (Rgb{1, 1, 1} - through) * faint;
     lit &= maxComponent(through) > 0.f;
     if (!any(lit)) return;
@@ -223,27 +225,26 @@ void illuminate(const Shading &c, Run &run) {
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];
     float reflectance = maxComponent(scene.mean[shape.material]),
-          counts = 5 * scene.exposure / max(c.quality.cutoff, 1e-6f);
-    // Highlights end at 2^-20: powers of smaller cosines would become denormal numbers, each of which costs
-    // 100 cycles
+          perFifth = 5 * scene.exposure / max(c.quality.cutoff, 1e-6f);
+    // Highlights end at 2^-20: powers of smaller cosines would be denormal numbers, which cost 100 cycles
     float lobeEnd = m.specular > 0 ? exp2(-20 / m.exponent) : 1;
     Bounds box = boxOf(run);
     Occluders occluders(scene, box);
-    InTheWay way;
-    Lit all = {scene, run, m, box, reflectance, counts};
+    ShadowCasters casters;
+    RunLighting all = {scene, run, m, box, reflectance, perFifth};
 
     for (int i = 0; i < run.count; i += 8) {
         Vec3x8 p = load(run.p, i), n = load(run.n, i);
-        Arriving sum;
-        addAround(scene, shape, occluders, p, n, sum);
+        LightSum sum;
+        addAmbient(scene, shape, occluders, p, n, sum);
         Float8 error = load(run.error + i), side = load(run.side + i);
         Float8 share = maxComponent(load(run.weight, i));
         Int8 active = kLanes < run.count - i;
         if (m.ior > 0) active &= side > 0.f; // inside glass, light arrives by refraction
         Lobe phong(run, i, m, lobeEnd, c.quality.coarse, n);
         p = fmadd(n, error, p);
-        Places at = {i, p, n, side, share, active};
-        for (int k = 0; k < scene.lightCount; ++k) addLight(all, at, phong, k, way, sum);
+        EightHits at = {i, p, n, side, share, active};
+        for (int k = 0; k < scene.lightCount; ++k) addLight(all, at, phong, k, casters, sum);
         store(run.diffuse, i, sum.diffuse);
         store(run.highlight, i, sum.highlight);
         store(run.states + i, sum.states);

@@ -1,4 +1,4 @@
-// The light that arrives at a run of hits: from all around, and from every single light.
+// The light that arrives at a run of hits: ambient light, and the light of every Light.
 //
 // The shadow rays of a run to one light are traced together, as a beam from that light; glass dims them.
 // Highlights are Phong's. Cosines are clamped.

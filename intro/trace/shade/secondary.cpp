@@ -6,28 +6,28 @@ namespace odraz {
 
 namespace {
 
-// Appends to a stream those of eight rays whose share of the picture is large enough. The others end here and
-// bring the average ambient light. Without it there would be darkness where followed rays bring light, and
-// black patches where the depth ends.
+// Appends rays to a stream, eight at a time, if their share of the picture is above the cutoff. Other rays
+// are terminated and add the average ambient light, or terminated paths would be darker than followed ones,
+// and black at the greatest depth.
 struct Emitter {
     const Shading &c;
     const RayStream &in;
     RayStream &out;
-    Eight pick;
+    EightRays rays;
     Int8 active;
-    Rgb8 ended = {};
+    Rgb8 terminated = {};
 
     [[gnu::noinline]] void operator()(const Vec3x8 &o, const Vec3x8 &d, const Rgb8 &weight, Float8 width,
                                       Float8 spread, int branch) {
-        // What a mirror shows in a mirror fades where a sample spreads over a quarter of a radian
+        // From the second bounce on, fade rays whose sample spreads by more than an eighth of a radian
         Float8 kept = saturate(fmadd(spread, -4.f, c.bounces ? 1.5f : 9.f));
-        Int8 goes = active & (maxComponent(weight) * kept * c.scene.exposure > c.quality.cutoff);
-        if (c.bounces >= c.quality.depth) goes = Int8{};
-        kept = select(goes, kept, 0.f);
+        Int8 followed = active & (maxComponent(weight) * kept * c.scene.exposure > c.quality.cutoff);
+        if (c.bounces >= c.quality.depth) followed = Int8{};
+        kept = select(followed, kept, 0.f);
         const Rgb low = c.scene.ambientLow, high = c.scene.ambientHigh;
         Rgb8 light = broadcast(low) + (high - low) * fmadd(d.y, 0.5f, 0.5f);
-        ended += weight * light * select(active, 1.f - kept, 0.f);
-        int lanes = laneBits(goes);
+        terminated += weight * light * select(active, 1.f - kept, 0.f);
+        int lanes = laneBits(followed);
         if (!lanes) return;
         Int8 order = packedOrder(lanes);
         size_t end = (size_t)out.count; // read once: GCC must assume that the stores below may change it
@@ -40,8 +40,8 @@ struct Emitter {
         append3(out.weight, weight * kept);
         append(out.width, width);
         append(out.spread, spread);
-        append(out.sample, pick(in.sample));
-        append(out.path, (Int8)((Uint8)pick(in.path) * 2u + (uint32_t)branch)); // the oldest bit is lost
+        append(out.sample, rays(in.sample));
+        append(out.path, (Int8)((Uint8)rays(in.path) * 2u + (uint32_t)branch)); // the oldest bit is lost
         out.count += __builtin_popcount((unsigned)lanes);
     }
 };
@@ -49,7 +49,7 @@ struct Emitter {
 // Reflects and refracts eight rays of a run.
 void followEight(const Shading &c, const RayStream &in, const Run &run, RayStream &out, int i) {
     const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
-    Emitter emit = {c, in, out, Eight(run.ray + i), kLanes < run.count - i};
+    Emitter emit = {c, in, out, EightRays(run.ray + i), kLanes < run.count - i};
     Vec3x8 p = load(run.p, i), n = load(run.n, i), d = load(run.d, i);
     Rgb8 weight = load(run.weight, i);
     Float8 cosine = load(run.cosine + i), width = load(run.width + i), spread = load(run.spread + i);
@@ -62,7 +62,7 @@ void followEight(const Shading &c, const RayStream &in, const Run &run, RayStrea
         Float8 eta = select(load(run.side + i) > 0.f, 1.f / m.ior, m.ior);
         Float8 sine2 = eta * eta * fmadd(-cosine, cosine, 1.f);
         Float8 cosineT = sqrt(max(1.f - sine2, 0.f));
-        // Fresnel's equations for both polarisations; beyond the critical angle all is reflected
+        // Evaluate Fresnel's equations for both polarisations; beyond the critical angle all is reflected
         Float8 across = (eta * cosine - cosineT) / max(eta * cosine + cosineT, 1e-9f);
         Float8 along = (cosine - eta * cosineT) / max(cosine + eta * cosineT, 1e-9f);
         Float8 reflected = (across * across + along * along) * 0.5f, refracted = 1.f - reflected;
@@ -72,7 +72,7 @@ void followEight(const Shading &c, const RayStream &in, const Run &run, RayStrea
         refracted = select(total, 0.f, refracted);
         emit(outside, mirrored, weight * reflected, width, mirrorSpread, 2);
         Vec3x8 bent = normalize(fmadd(n, eta * cosine - cosineT, d * eta));
-        // What leaves a ball of glass has a focus near it
+        // Light that leaves a ball of glass has a focus near it, so its samples start with no width
         Float8 bend = max(steep, 1.f / max(cosineT, 0.1f)) - 0.75f;
         width = select((load(run.side + i) < 0.f) & (curve > 0.f), 0.f, width);
         emit(p - offset, bent, weight * refracted, width, min(fmadd(curve, bend, spread), 1.f), 1);
@@ -84,8 +84,8 @@ void followEight(const Shading &c, const RayStream &in, const Run &run, RayStrea
         }
         emit(outside, mirrored, weight * reflected * m.tint, width, mirrorSpread, 0);
     }
-    if (any(maxComponent(emit.ended) * c.scene.exposure > 1e-4f))
-        addRest(c, in, run.ray + i, min(run.count - i, 8), emit.ended, Int8{});
+    if (any(maxComponent(emit.terminated) * c.scene.exposure > 1e-4f))
+        addRest(c, in, run.ray + i, min(run.count - i, 8), emit.terminated, Int8{});
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Secondary rays: reflected and refracted.
+// Secondary rays: reflected and refracted rays.
 #pragma once
 
 #include "trace/shade/run.h"

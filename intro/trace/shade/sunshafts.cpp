@@ -6,12 +6,12 @@ namespace odraz {
 
 namespace {
 
-// A stretch of t; empty if to <= from.
-struct Stretch {
+// An interval of t; empty if to <= from.
+struct Interval {
     Float8 from, to;
 
     // The part in which the coordinate start + t speed lies in [low, high].
-    Stretch within(Float8 start, Float8 speed, float low, float high) const {
+    Interval within(Float8 start, Float8 speed, float low, float high) const {
         // A speed of almost zero becomes a tiny one, so that the division is safe
         Float8 slow = select(speed < 0.f, -1e-6f, 1e-6f);
         Float8 inverse = 1.f / select(abs(speed) < 1e-6f, slow, speed);
@@ -25,25 +25,25 @@ struct Stretch {
 
 Rgb8 shaftLight(const Sunshafts &shafts, const Vec3x8 &o, const Vec3x8 &d, Float8 hit) {
     const Bounds &room = shafts.room;
-    Stretch all = {Float8{}, hit};
+    Interval all = {Float8{}, hit};
     const Float8 *from = &o.x, *speeds = &d.x; // x, y, z
     const float *low = &room.lo.x, *high = &room.hi.x;
     for (int k = 0; k < 3; ++k) all = all.within(from[k], speeds[k], low[k], high[k]);
-    // Slide along the sun's direction to the wall
-    float rise = shafts.sun.y / shafts.sun.x, aside = shafts.sun.z / shafts.sun.x;
-    Float8 deep = room.lo.x - o.x;
-    all = all.within(fmadd(deep, rise, o.y), fmadd(d.x, -rise, d.y), shafts.low, shafts.high);
-    Float8 z = fmadd(deep, aside, o.z), speed = fmadd(d.x, -aside, d.z), lit = {};
+    // Project along the sun's direction to the wall
+    float slopeY = shafts.sun.y / shafts.sun.x, slopeZ = shafts.sun.z / shafts.sun.x;
+    Float8 depth = room.lo.x - o.x;
+    all = all.within(fmadd(depth, slopeY, o.y), fmadd(d.x, -slopeY, d.y), shafts.low, shafts.high);
+    Float8 z = fmadd(depth, slopeZ, o.z), speed = fmadd(d.x, -slopeZ, d.z), lit = {};
     if (!any(all.from < all.to)) return Rgb8{};
 
-    // Half the width of a column's shadow on the wall
-    float wide = shafts.pillarRadius * sqrt(fmadd(aside, aside, 1.f));
+    // Sum the lit intervals, less the columns' shadows. `wide`: half of a shadow's width on the wall
+    float wide = shafts.pillarRadius * sqrt(fmadd(slopeZ, slopeZ, 1.f));
     for (int i = 0; i < shafts.openings; ++i) {
-        Stretch shaft = all.within(z, speed, shafts.from[i], shafts.to[i]);
+        Interval shaft = all.within(z, speed, shafts.from[i], shafts.to[i]);
         Float8 bright = shaft.length();
         if (!any(bright > 0.f)) continue;
         for (int k = 0; k < shafts.pillars; ++k) {
-            float x = shafts.pillarX[k], middle = fmadd(room.lo.x - x, aside, shafts.pillarZ[k]);
+            float x = shafts.pillarX[k], middle = fmadd(room.lo.x - x, slopeZ, shafts.pillarZ[k]);
             if (middle + wide <= shafts.from[i] || middle - wide >= shafts.to[i]) continue;
             bright -=
                 shaft.within(z, speed, middle - wide, middle + wide).within(o.x, d.x, x, room.hi.x).length();

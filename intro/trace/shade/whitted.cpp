@@ -10,12 +10,12 @@ namespace odraz {
 
 namespace {
 
-// Shades a run of hits, and appends the rays that go on to `out`.
+// Shades a run of hits, and appends its reflected and refracted rays to `out`.
 void shade(const Shading &c, const RayStream &in, Run &run, RayStream &out) {
     const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
     arrive(c, in, run);
     if (m.diffuse > 0 || m.specular > 0) illuminate(c, run);
-    addShown(c, in, run);
+    addSurfaces(c, in, run);
     if (m.ior > 0 || m.reflect > 0) addSecondaryRays(c, in, run, out);
 }
 
@@ -29,7 +29,7 @@ void shadeChunk(const Shading &c, TraceScratch &scratch, const RayStream &in, Ra
         const HitGroup &g = hits.groups[i];
         run.count = g.count;
         run.balls = g.balls;
-        run.ray = hits.place + g.start;
+        run.ray = hits.rays + g.start;
         run.shape = in.shape[run.ray[0]];
         if (g.sky)
             addSky(c, in, run);
@@ -71,7 +71,7 @@ void traceSamples(const Scene &scene, const View &view, const Quality &quality, 
             store(stream.spread + i, broadcast(view.spread * points.size));
             store(stream.sample + i, loadInts((const int32_t *)points.index + first + i));
             store(stream.path + i, broadcast(1));
-            Hit8 hit = intersect(scene, points.among, view.eye, d, kLanes < stream.count - i);
+            Hit8 hit = intersect(scene, points.candidates, view.eye, d, kLanes < stream.count - i);
             store(stream.t + i, hit.t);
             store(stream.shape + i, hit.shape);
         }

@@ -2,8 +2,8 @@
 
 namespace odraz {
 
-// Dot product of (x, y, z) with one of eight gradients: a cube's corners, turned so that none lies along the
-// lattice. The hash's high bits choose; a look-up among eight is one instruction.
+// Dot product of (x, y, z) with one of eight gradients: a cube's corners, turned so that none is parallel to
+// the lattice. The hash's high bits select it; a look-up among eight is one instruction.
 static Float8 gradient(Uint8 hash, Float8 x, Float8 y, Float8 z) {
     constexpr Float8 kX = {-0.2641f, 0.8046f, -1.3646f, -0.2958f, 0.2958f, 1.3646f, -0.8046f, 0.2641f};
     constexpr Float8 kY = {-0.6427f, 0.5723f, 0.1631f, 1.3782f, -1.3782f, -0.1631f, -0.5723f, 0.6427f};
@@ -18,7 +18,7 @@ static Float8 fade(Float8 t) { return t * t * t * fmadd(t, fmadd(t, 6.f, -15.f),
 static Float8 mix(Float8 a, Float8 b, Float8 t) { return fmadd(t, b - a, a); }
 
 Float8 noise(const Vec3x8 &p) {
-    // Split into lattice cell and place in it
+    // Split into lattice cell and position within it
     Vec3x8 cell = {floor(p.x), floor(p.y), floor(p.z)};
     Vec3x8 f = p - cell;
     Uint8 x0 = (Uint8)toInt(cell.x) * 0x8da6b343u, x1 = x0 + 0x8da6b343u;
@@ -38,7 +38,7 @@ Float8 noise(const Vec3x8 &p) {
         return mix(edge(z + y0, f.y, fz), edge(z + y1, f.y - 1.f, fz), v);
     };
     Float8 sum = mix(face(z0, f.z), face(z1, f.z - 1.f), w);
-    return clamp(sum, -1.f, 1.f); // far out, where cells are coarser than floats, f may leave [0, 1]
+    return clamp(sum, -1.f, 1.f); // where floats are coarser than cells, f may leave [0, 1]
 }
 
 Float8 bandLimit(Float8 width, float size) { return saturate(1.5f - width * (2.f / size)); }
@@ -51,7 +51,7 @@ Float8 fractalNoise(const Vec3x8 &at, int octaves, Float8 width, float finer, fl
         Float8 strength = bandLimit(width, size);
         if (!any(strength > 0.f)) break;
         sum = fmadd(noise(p), strength * amplitude, sum);
-        // The shift keeps the octaves' lattice points, where all are zero, from falling together
+        // The shift keeps the octaves' lattice points, where noise is zero, from coinciding
         p = p * broadcast(finer) + Vec3{17.17f, 5.31f, 11.73f};
         amplitude *= weaker;
         size /= finer;

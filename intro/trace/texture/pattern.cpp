@@ -8,29 +8,29 @@ namespace odraz {
 
 static Float8 fract(Float8 x) { return x - floor(x); }
 
-// Fine bright veins where two warped noises cross zero, strong here and faint there, over slow clouds. They
-// have an edge on one side and run out on the other.
+// Fine bright veins of varying strength, where two warped noises cross zero, over slow clouds. A vein has an
+// edge on one side and fades out on the other.
 static Float8 marble(const Vec3x8 &p, Float8 width) {
     Float8 warp = fractalNoise(p * broadcast(0.7f), 2, width * 0.7f);
     Vec3x8 bent = p + Vec3x8{warp * 1.3f, warp * -0.9f, warp * 1.1f};
-    // Broad veins, and thin ones, which are weaker
-    Float8 strength = saturate(fmadd(warp, 0.875f, 0.5625f)), share = strength, own = 0.02f + 0.1f * strength,
-           seen = width, veins = {};
+    // Add broad veins, then thin ones, which are weaker
+    Float8 strength = saturate(fmadd(warp, 0.875f, 0.5625f)), weight = strength,
+           vein = 0.02f + 0.1f * strength, sample = width, veins = {};
     for (int i = 0; i < 2; ++i) {
-        // A vein widens to what a sample sees, and pales in proportion
-        constexpr float kEdge = 0.4f; // its share of the width
-        Float8 off = noise(bent), wide = fmadd(seen, 1.f, own), edge = fmadd(seen, 1.5f, own * kEdge);
-        Float8 inside = saturate(1.f - max(off / wide, -off / edge));
-        veins = fmadd(inside * inside, own * (1 + kEdge) / (wide + edge) * share, veins);
+        // Widen the vein by the sample's width, and dim it in proportion
+        constexpr float kEdge = 0.4f; // width of the edge, as a share of the other side's
+        Float8 v = noise(bent), wide = fmadd(sample, 1.f, vein), edge = fmadd(sample, 1.5f, vein * kEdge);
+        Float8 inside = saturate(1.f - max(v / wide, -v / edge));
+        veins = fmadd(inside * inside, vein * (1 + kEdge) / (wide + edge) * weight, veins);
         bent = bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f};
-        seen *= 2.3f, own = broadcast(0.1f), share = broadcast(0.35f);
+        sample *= 2.3f, vein = broadcast(0.1f), weight = broadcast(0.35f);
     }
     return saturate(fmadd(warp, 0.15625f, 0.21875f) + veins * 0.8125f);
 }
 
-// Boards along the local z axis, one unit wide, each cut from a trunk of its own.
+// Boards along the local z axis, one unit wide, each cut from a different trunk.
 static Float8 wood(const Vec3x8 &p, Float8 width) {
-    Float8 board = floor(p.x), own = fract(board * 0.625f), x = p.x - board - 0.5f, y = p.y + own + 0.125f;
+    Float8 board = floor(p.x), tone = fract(board * 0.625f), x = p.x - board - 0.5f, y = p.y + tone + 0.125f;
     Float8 radius = sqrt(fmadd(x, x, y * y));
     Float8 waver = noise({radius * 1.5f, board * 7.25f, p.z * 0.375f});
     constexpr float kRings = 16;
@@ -42,17 +42,17 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
     // Pores: short dark streaks, most of them in early wood
     Float8 pores = bandLimit(width * 64.f, 1.f);
     if (any(pores > 0.f)) pores *= max(noise(p * Vec3{64, 64, 2.5f}) - f * 0.375f, 0.f) - 0.04f;
-    return saturate(fmadd(own, 0.25f, fmadd(shade, 0.75f, 0.0625f + pores)));
+    return saturate(fmadd(tone, 0.25f, fmadd(shade, 0.75f, 0.0625f + pores)));
 }
 
-// Granite: crystals are the cells of scattered points (Worley, "A Cellular Texture Basis Function", 1996).
-// Pale ones are larger. The points lie near those of a skewed lattice, where the nearest of all is one of
-// four: the corners of a simplex (Perlin, "Noise Hardware", 2001). The hash multiplies by 1,024ths, so that
-// its sum is exact with fused products and without. Samples as wide as a crystal see the mean.
+// Granite: crystals are the cells of scattered points (Worley, "A Cellular Texture Basis Function", 1996);
+// pale ones are larger. The points are close to a skewed lattice, so that the nearest belongs to one among
+// the four corners of a simplex (Perlin, "Noise Hardware", 2001). The hash's factors are multiples of 1/1024,
+// so that its sum is exact with and without fused products. Samples as wide as a crystal have the mean.
 static Float8 stone(const Vec3x8 &at, Float8 width) {
     Float8 skew = (at.x + at.y + at.z) * (1 / 3.f);
     Vec3x8 p = at + Vec3x8{skew, skew, skew};
-    // Folds of space make edges crooked, and crystals are not of one tone
+    // Fold space, which makes edges crooked and tones uneven
     Float8 crisp = bandLimit(width, 0.5f), uneven = {};
     for (float size = 1.125f; size > 0.4f; size *= 0.4375f) {
         Float8 most = crisp * (size * 0.4375f);
@@ -65,19 +65,20 @@ static Float8 stone(const Vec3x8 &at, Float8 width) {
     }
     Vec3x8 low = {floor(p.x), floor(p.y), floor(p.z)}, f = p - low;
     constexpr Vec3 kHash = {7.3095703125f, 5.1708984375f, 3.7705078125f};
-    Float8 least = broadcast(9.f), tone = {}, perEdge = 1.f / fmadd(width, 1.5f, 0.03125f);
-    // From corner to corner: along the axis on which the place is farthest, then the next, then the last
+    Float8 nearest = broadcast(9.f), tone = {}, perEdge = 1.f / fmadd(width, 1.5f, 0.03125f);
+    // Visit the simplex's corners: step along the axis of the largest coordinate first, of the least last
     Float8 more = max(f.x, f.y), less = min(f.x, f.y);
     for (Float8 from : {broadcast(2.f), max(more, f.z), max(less, min(more, f.z)), Float8{}}) {
         auto step = [&](Float8 x) { return select(x >= from, 1.f, 0.f); };
         Vec3x8 next = {step(f.x), step(f.y), step(f.z)};
-        Float8 n = dot(low + next, broadcast(kHash)), own = fract(n * fract(n));
-        auto off = [](Float8 share) { return fmadd(share, 0.3f, -0.15f); };
-        Vec3x8 to = next - f + Vec3x8{off(own), off(fract(own * 59.f)), off(fract(own * 211.f))};
-        // The distance in space that is not skewed
-        Float8 sum = to.x + to.y + to.z, far = fmadd(sum * -0.25f, sum, dot(to, to)) - own * 0.21875f;
-        tone = fmadd(own - tone, saturate(fmadd(least - far, perEdge, 0.5f)), tone);
-        least = min(least, far);
+        Float8 n = dot(low + next, broadcast(kHash)), random = fract(n * fract(n));
+        auto jitter = [](Float8 share) { return fmadd(share, 0.3f, -0.15f); };
+        Vec3x8 to =
+            next - f + Vec3x8{jitter(random), jitter(fract(random * 59.f)), jitter(fract(random * 211.f))};
+        // The squared distance in unskewed space, less a bonus for pale crystals
+        Float8 sum = to.x + to.y + to.z, distance = fmadd(sum * -0.25f, sum, dot(to, to)) - random * 0.21875f;
+        tone = fmadd(random - tone, saturate(fmadd(nearest - distance, perEdge, 0.5f)), tone);
+        nearest = min(nearest, distance);
     }
     tone = fmadd(tone - 0.56f, bandLimit(width, 2.5f), 0.56f);
     return saturate(fmadd(uneven, 0.4f, tone));
@@ -90,10 +91,10 @@ static Float8 plaster(const Vec3x8 &p, Float8 width) {
     return saturate(fmadd(streaks * 0.5f + patches + saturate(1.f - abs(p.y)), 0.3125f, 0.4375f));
 }
 
-// From the middle of each to its edges; a ninth of their distance is left between them.
+// Tubes along z, one unit apart: 0 on a tube's axis, rising to 1 at its edge, 0.35 units from the axis.
 static Float8 tubes(const Vec3x8 &p, Float8 width) {
-    Float8 aside = fract(p.x) - 0.5f;
-    return fmadd(min(aside * aside * 8.f, 1.f) - 0.4f, bandLimit(width, 2.f), 0.4f);
+    Float8 offset = fract(p.x) - 0.5f;
+    return fmadd(min(offset * offset * 8.f, 1.f) - 0.4f, bandLimit(width, 2.f), 0.4f);
 }
 
 static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
@@ -119,7 +120,7 @@ static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {
 
 Rgb8 colour(const Texture &t, const Vec3x8 &q, Float8 width) {
     if (t.pattern == Pattern::Plain) return broadcast(t.palette[0]);
-    // Look the number up in the palette, whose colours are three floats apart
+    // Interpolate in the palette, whose colours are three floats apart
     Float8 v = valueOf(t.pattern, q * broadcast(t.scale), width * t.scale) * 3.f, from = min(floor(v), 2.f);
     auto at = [&](int first, Int8 i) {
         return (Float8)_mm256_permutevar8x32_ps(load(&t.palette[0].x + first), (__m256i)i);

@@ -1,9 +1,8 @@
 // Solid textures: a pattern of local points, looked up in a palette.
 //
-// A pattern gives a number in [0, 1]; four evenly spaced colours make it a colour. Patterns are band-limited
-// to the width that a sample covers: octaves fade before they alias. A new one needs an enumerator, a row of
-// kPatterns below it, and a case in valueOf() (pattern.cpp).
-// Source: Perlin, "Improving Noise", 2002, for the noise under them.
+// A pattern gives a number in [0, 1]; a palette of four evenly spaced colours turns it into a colour.
+// Patterns are band-limited to the sample's width: octaves fade before they alias. A new pattern needs an
+// enumerator, a row of kPatterns, and a case in valueOf() (pattern.cpp).
 #pragma once
 
 #include "base/rows.h"
@@ -17,7 +16,7 @@ enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Plaster, 
 struct PatternTraits {
     Pattern pattern;
     bool faint = false; // so fine or pale that samples and mirrors may show its mean: see Quality::faint
-    float shares[4];    // how often each colour of the palette appears, counted
+    float shares[4];    // each palette colour's share of space, by counting
 };
 
 inline constexpr PatternTraits kPatterns[] = {

@@ -68,7 +68,7 @@ TEST(Between, PairsAreNearerToTheTruthThanDrafts) {
         double draft = decibels(film(), truth, traced(film(), seconds, named(QualityName::Draft)));
         double play = decibels(film(), truth, traced(film(), seconds, named(QualityName::Play)));
         double between = decibels(film(), truth, made(film(), seconds));
-        double retraced = (double)tracedAnew(film().between) / (kWidth * kHeight);
+        double retraced = (double)retracedPixels(film().between) / (kWidth * kHeight);
         double pair = -10 * std::log10((std::pow(10, -play / 10) + std::pow(10, -between / 10)) / 2);
         std::printf("%s at %g s: %.1f dB, play %.1f, draft %.1f, traced again %.2f %%\n",
                     sceneName(sceneAt(seconds)), seconds, between, play, draft, 100 * retraced);
@@ -83,7 +83,7 @@ TEST(Between, OfTwoEqualPicturesIsThatPicture) {
     for (double seconds : moments) {
         auto play = traced(film(), seconds, named(QualityName::Play));
         EXPECT_GT(decibels(film(), play, made(film(), seconds, 0, 0)), 36) << seconds;
-        EXPECT_LT((double)tracedAnew(film().between), 0.04 * kWidth * kHeight) << seconds;
+        EXPECT_LT((double)retracedPixels(film().between), 0.04 * kWidth * kHeight) << seconds;
     }
 }
 
@@ -103,18 +103,18 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
     auto trace = [&](Traced to, float turn) {
         pose(*to.scene, turn);
         traceFrame(intro.tracer, *intro.workers, *to.scene, view, named(QualityName::Play), to.frame);
-        if (to.frame.owners) markOwners(to.frame, *intro.workers);
+        if (to.frame.quads) markQuads(to.frame, *intro.workers);
         return Traced{to.frame, to.scene, view};
     };
     Traced now = {intro.frame, intro.film.scene, view};
     auto still = planesOf(trace(now, 0).frame);
     constexpr float kTurn = 0.045f; // the fastest turn of the largest ball of scene odraz
     Traced before = trace(intro.slots[0].traced, -kTurn), after = trace(intro.slots[1].traced, kTurn);
-    tracedAnew(intro.between);
+    retracedPixels(intro.between);
     traceBetween(intro.between, intro.tracer, *intro.workers, {before, after, 0.5f, 2}, now,
                  named(QualityName::Play));
     double alike = decibels(intro, still, planesOf(now.frame));
-    double retraced = (double)tracedAnew(intro.between) / (kWidth * kHeight);
+    double retraced = (double)retracedPixels(intro.between) / (kWidth * kHeight);
     std::printf("%.1f dB, traced again %.2f %%\n", alike, 100 * retraced);
     EXPECT_GT(alike, 50);
     EXPECT_LT(retraced, 0.005);

@@ -164,9 +164,9 @@ TEST(Develop, TheTableIsWithinAFortiethOfAStep) {
     for (uint32_t b = 0; b < 0x7f800000; b += 997) {
         float radiance = fromBits((int32_t)b);
         float v = clamp(radiance + ToneCurve::kFoot, ToneCurve::kFoot, ToneCurve::kHead);
-        int at = bits(v) - bits(ToneCurve::kFoot), place = curve.place[at >> ToneCurve::kShift];
+        int at = bits(v) - bits(ToneCurve::kFoot), entry = curve.entry[at >> ToneCurve::kShift];
         double share = (at & ((1 << ToneCurve::kShift) - 1)) / (double)(1 << ToneCurve::kShift);
-        double shown = ((place >> 16) + (int16_t)place * share) / 128;
+        double shown = ((entry >> 16) + (int16_t)entry * share) / 128;
         worst = std::max(worst, std::fabs(shown - exact(radiance)));
     }
     EXPECT_LT(worst, 0.025);
