@@ -44,7 +44,7 @@ check "a closed pipe" cmp "$WORK/p" "$WORK/hello"
 # (radiosity.sh tests outputs that are pipes)
 cp "$hello" "$WORK/in"
 for words in "in -o ./in" "in -o x --html in" "in -o x --model model --report model"; do
-    check "refused: $words" refuses 2 "would be written over" bash -c "cd '$WORK' && exec '$pack' $words"
+    check "refused: $words" refuses 2 "would be overwritten" bash -c "cd '$WORK' && exec '$pack' $words"
 done
 check "... and it stays" cmp "$hello" "$WORK/in"
 check "contexts may replace those that were given" bash -c "cd '$WORK' && exec '$pack' in -o in.packed --model model --save-model model >/dev/null"

@@ -62,12 +62,12 @@ check "compare exits 0 within it" prints 'largest difference 20,' "$BUILD/compar
 check "compare refuses what is no picture" refuses 2 "its format is unknown" "$BUILD/compare" "$WORK/a.ppm" "$BUILD/CMakeCache.txt"
 
 for words in "base.ppm b.ppm --diff ./base.ppm" "b.ppm base.ppm --diff base.ppm" "--png base.ppm base.ppm"; do
-    check "compare $words is refused" refuses 2 "base.ppm would be written over" bash -c "cd '$WORK' && cp a.ppm base.ppm && exec '$BUILD/compare' $words"
+    check "compare $words is refused" refuses 2 "base.ppm would be overwritten" bash -c "cd '$WORK' && cp a.ppm base.ppm && exec '$BUILD/compare' $words"
     check "... and changes nothing" cmp "$WORK/a.ppm" "$WORK/base.ppm"
 done
 check "a picture into a pipe" eval '"$BUILD/compare" --png "$WORK/a.ppm" /dev/stdout | cat >"$WORK/a.png" && "$BUILD/compare" "$WORK/a.png" "$WORK/a.ppm" >/dev/null'
-check "a name like an option" refuses 2 "cannot use '-dash.png', which is no option; a file of that name is ./-dash.png" "$BUILD/compare" -dash.png "$WORK/a.ppm"
-check "contact_sheet spares its film" refuses 2 "would be written over" "$BUILD/contact_sheet" "$WORK/a.ppm" "$WORK/a.ppm"
+check "a name like an option" refuses 2 "unknown option '-dash.png'; if it is a file, write ./-dash.png" "$BUILD/compare" -dash.png "$WORK/a.ppm"
+check "contact_sheet spares its film" refuses 2 "would be overwritten" "$BUILD/contact_sheet" "$WORK/a.ppm" "$WORK/a.ppm"
 
 # All channels, all bits and all pictures of a file count
 differ() { # differ PATTERN COMMAND...: exit status 1, and prints what matches
@@ -93,7 +93,7 @@ cat "$WORK/a.ppm" "$WORK/b.ppm" >"$WORK/ab.ppm"
 check "a second picture counts" differ '^picture 2: psnr .*, largest difference 20,' "$BUILD/compare" "$WORK/aa.ppm" "$WORK/ab.ppm"
 check "... as does its lack" refuses 2 "the numbers of pictures differ: 2 and 1" "$BUILD/compare" "$WORK/aa.ppm" "$WORK/a.ppm"
 { printf 'P5\n1500 1500\n65535\n'; head -c 4500000 /dev/zero; } >"$WORK/large.pgm"
-check "one without memory for it is refused" refuses 2 "there is not enough memory" bash -c "ulimit -v 20000; '$BUILD/compare' '$WORK/large.pgm' '$WORK/large.pgm'"
+check "one without memory for it is refused" refuses 2 "not enough memory" bash -c "ulimit -v 20000; '$BUILD/compare' '$WORK/large.pgm' '$WORK/large.pgm'"
 exr=$SOURCE/tests/support/pictures
 # Statements of files about their colours and orientation, which compare does not apply
 with() { head -c "$2" "$exr/small.$1" && printf "$3" && tail -c +$(($2 + 1)) "$exr/small.$1"; } # with TYPE OFFSET BYTES: prints small.TYPE with these bytes inserted

@@ -134,7 +134,7 @@ printf '{"asset":{"version":"2.0"},"images":[{"uri":"kd.ppm"}],"buffers":[{"uri"
 printf 'P6 2 1 255 abcdef' | tee kd.ppm bump.ppm >sky.ppm
 cp cube.rad in.rad && ln -s in.rad in.link && ln -s in.obj soft && ln in.obj hard && cksum in.* soft hard ./*.ppm cube.obj >before
 while read -r words; do
-    check "refused: $words" refuses 2 "would be written over" "$radiosity" $words
+    check "refused: $words" refuses 2 "would be overwritten" "$radiosity" $words
 done <<'END'
 solve in.obj -o in.obj
 solve in.obj -o soft

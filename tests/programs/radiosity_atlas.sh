@@ -39,7 +39,7 @@ fi
 check "the lamps shine on in its materials" grep -q '^Ke 20 18 15' light/model.mtl
 check "... and in glTF" grep -q '"KHR_materials_emissive_strength":{"emissiveStrength":20[.}]' light/model.gltf
 check "... but not twice where the pages have them" lacks '^Ke [^0]' shown/model.mtl
-check "a folder that holds something" refuses 2 "light: exists already: name a folder that is new or empty" "$radiosity" export m.rad --atlas light
+check "a folder that holds something" refuses 2 "light: already exists: name a new or empty folder" "$radiosity" export m.rad --atlas light
 # Every page exceeds this limit on the size of files
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' export m.rad --atlas x"
 check "... leaves nothing" test -z "$(find . -maxdepth 1 -name 'x*')"

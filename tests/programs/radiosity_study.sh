@@ -55,5 +55,5 @@ check "... and nothing is left" test -z "$(find . -maxdepth 1 -name 'x*')"
 check "an interrupt ends its table" await interrupted table "interrupted: x/index.html has what was measured until then"
 check "... and leaves the chapters that are done, with all their parts" eval '[ -s x/methods.csv ] && parts x 1'
 check "... on a page that lists what is missing" grep -q "<li>rasters: interrupted" x/index.html
-check "a folder that holds something" refuses 2 "page: exists already" "$radiosity" study cube.obj -o page
+check "a folder that holds something" refuses 2 "page: already exists" "$radiosity" study cube.obj -o page
 finish

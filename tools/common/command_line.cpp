@@ -16,10 +16,11 @@ namespace common {
 
 namespace {
 
-constexpr size_t kNames = 26, kWidth = 100; // characters: the column of names in --help, and a line's length
+constexpr size_t kNames = 26,
+                 kWidth = 100; // characters: width of the column of names in --help, and of a line
 
-// Lays out --help: names in one column, descriptions wrapped in another.
-class Layout : public CLI::Formatter {
+// Formats --help: a column of names, and a column of wrapped descriptions.
+class HelpFormatter : public CLI::Formatter {
     std::string make_option(const CLI::Option *option, bool positional) const override {
         std::string name = "  " + option->get_name(positional, false);
         if (!option->get_type_name().empty()) name += " " + option->get_type_name();
@@ -50,13 +51,14 @@ class Layout : public CLI::Formatter {
 
 struct CommandLine::Parser {
     std::string name, group = "Options";
-    std::vector<std::string> words, given, values; // `values` of all that are `given`
+    std::vector<std::string> words, given,
+        values; // given: names of the options; values: one for each of them
     CLI::App app;
-    struct Row {
+    struct KnownOption {
         CLI::Option *option;
         Take take;
     };
-    std::vector<Row> rows;
+    std::vector<KnownOption> known;
 
     CLI::Option *add(const std::string &option, const std::string &value, const Take &take,
                      const std::string &what, const std::string &fallback = "") {
@@ -64,7 +66,7 @@ struct CommandLine::Parser {
             app.add_option(option, CLI::callback_t([](const CLI::results_t &) { return true; }), what);
         o->type_name(value)->group(group)->take_all()->expected(1)->allow_extra_args(false);
         o->default_str(fallback);
-        rows.push_back({o, take});
+        known.push_back({o, take});
         return o;
     }
 };
@@ -74,10 +76,10 @@ CommandLine::CommandLine(std::string name, std::vector<std::string> arguments)
     parser->name = std::move(name);
     parser->words = std::move(arguments);
     parser->app.name(parser->name);
-    auto layout = std::make_shared<Layout>();
-    layout->label("Positionals", "Arguments");
-    parser->app.formatter(layout);
-    parser->app.set_help_flag("--help", "print this and exit");
+    auto formatter = std::make_shared<HelpFormatter>();
+    formatter->label("Positionals", "Arguments");
+    parser->app.formatter(formatter);
+    parser->app.set_help_flag("--help", "print this help and exit");
 }
 CommandLine::~CommandLine() = default;
 
@@ -94,7 +96,7 @@ void CommandLine::argument(const std::string &name, std::string &to, const std::
 
 void CommandLine::flag(const std::string &name, bool &to, const std::string &what) {
     CLI::Option *o = parser->app.add_flag(name, what)->group(parser->group)->disable_flag_override();
-    parser->rows.push_back({o, [&to](const std::string &) { to = true; }});
+    parser->known.push_back({o, [&to](const std::string &) { to = true; }});
 }
 
 void CommandLine::option(const std::string &name, const std::string &value, std::string &to,
@@ -119,7 +121,7 @@ void CommandLine::number(const std::string &name, const std::string &value, Rang
                          const std::string &what) {
     auto take = [=](const std::string &text) {
         double x = numberOf(name, text, range);
-        if (whole && x != std::floor(x)) throw Refused(name + " takes a whole number, not '" + text + "'");
+        if (whole && x != std::floor(x)) throw Refused(name + " needs a whole number, not '" + text + "'");
         to(x);
     };
     parser->add(name, value, take, what, fallback);
@@ -130,7 +132,7 @@ void CommandLine::choice(const std::string &name, const std::vector<std::string>
     auto join = [&](const char *between) { return CLI::detail::join(names, between); };
     auto take = [=, or_ = join(" or ")](const std::string &text) {
         auto found = std::find(names.begin(), names.end(), text);
-        if (found == names.end()) throw Refused(name + " is " + or_ + ", not '" + text + "'");
+        if (found == names.end()) throw Refused(name + " needs " + or_ + ", not '" + text + "'");
         to((size_t)(found - names.begin()));
     };
     parser->add(name, join("|"), take, what, fallback < names.size() ? names[fallback] : "");
@@ -140,30 +142,30 @@ void CommandLine::parse() {
     CLI::App &app = parser->app;
     forgetFiles();
     try {
-        app.parse(
-            std::vector<std::string>(parser->words.rbegin(), parser->words.rend())); // CLI11 pops the last
+        app.parse(std::vector<std::string>(parser->words.rbegin(),
+                                           parser->words.rend())); // CLI11 reads from the end
     } catch (const CLI::CallForHelp &) {
         std::fputs(app.help().c_str(), stdout);
         throw HelpPrinted();
     } catch (const CLI::ParseError &e) {
-        if (const auto rest = app.remaining(); !rest.empty()) // a name like -a.png, too
-            refuse("cannot use '" + rest[0] + "'" +
-                   (rest[0][0] == '-' ? ", which is no option; a file of that name is ./" + rest[0] : ""));
+        if (const auto rest = app.remaining(); !rest.empty())
+            refuse(rest[0][0] == '-' ? "unknown option '" + rest[0] + "'; if it is a file, write ./" + rest[0]
+                                     : "unexpected argument '" + rest[0] + "'");
         const std::string &last = parser->words.back();
-        const bool lacks =
+        const bool lacksValue =
             e.get_name() == "ArgumentMismatch" && last[0] == '-' && last.find('=') == last.npos;
-        refuse(lacks ? last + " needs a value" : e.what());
+        refuse(lacksValue ? last + " needs a value" : e.what());
     }
-    std::vector<size_t> taken(parser->rows.size());
+    std::vector<size_t> taken(parser->known.size()); // values taken so far, by option
     for (const CLI::Option *option : app.parse_order())
         for (size_t i = 0; i < taken.size(); ++i)
-            if (parser->rows[i].option == option) {
+            if (parser->known[i].option == option) {
                 const std::string &value = option->results()[taken[i]++];
                 if (option->nonpositional()) {
                     parser->given.push_back(option->get_name());
                     parser->values.push_back(option->get_items_expected_max() > 0 ? value : "");
                 }
-                parser->rows[i].take(value);
+                parser->known[i].take(value);
             }
 }
 
@@ -200,11 +202,10 @@ int CommandLine::run(const std::vector<Command> &commands) {
         return command.run(line);
     }
     if (std::find(words.begin(), words.end(), "--help") == words.end())
-        refuse(words.empty() ? "a command is missing, " + names
-                             : "'" + words[0] + "' is no command, " + names + " are");
+        refuse((words.empty() ? "no command" : "unknown command '" + words[0] + "'") + ": use " + names);
     for (const Command &command : commands) parser->app.add_subcommand(command.name, command.what);
     std::printf("%s", parser->app.help().c_str());
-    std::printf("%s COMMAND --help prints what a command takes.\n", parser->name.c_str());
+    std::printf("%s COMMAND --help prints the options of a command.\n", parser->name.c_str());
     throw HelpPrinted();
 }
 
@@ -212,18 +213,18 @@ double numberOf(const std::string &option, const std::string &text, Range range)
     char *end;
     double x = std::strtod(text.c_str(), &end);
     if (end != text.c_str() && !*end && x >= range.least && x <= range.most) return x;
-    throw Refused(option + " takes a number from " + format("%g to %g", range.least, range.most) + ", not '" +
+    throw Refused(option + " needs a number from " + format("%g to %g", range.least, range.most) + ", not '" +
                   text + "'");
 }
 
 Size sizeOf(const std::string &option, const std::string &text, Size most) {
     Size s;
-    char behind;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &s.width, &s.height, &behind) == 2 && s.width > 0 &&
+    char extra;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &s.width, &s.height, &extra) == 2 && s.width > 0 &&
         s.height > 0 && s.width <= most.width && s.height <= most.height)
         return s;
     throw Refused(option +
-                  format(" takes a size like 1280x720, up to %dx%d, not '", most.width, most.height) + text +
+                  format(" needs a size like 1280x720, up to %dx%d, not '", most.width, most.height) + text +
                   "'");
 }
 
@@ -234,14 +235,14 @@ std::vector<double> numbersOf(const std::string &option, const std::string &text
         char *end;
         numbers.push_back(std::strtod(p, &end));
         if (end == p || !std::isfinite(numbers[i]) || *end != (i + 1 < count ? ',' : 0))
-            throw Refused(option + " takes " + std::to_string(count) + " numbers with commas between, not '" +
+            throw Refused(option + " needs " + std::to_string(count) + " numbers separated by commas, not '" +
                           text + "'");
         p = end + 1;
     }
     return numbers;
 }
 
-// Prints one line, even if the message repeats arguments of the user that have line breaks.
+// Prints the error as one line, even if the message repeats an argument that has line breaks.
 static int printError(const char *name, const std::exception &e, int status) {
     std::string line = e.what();
     std::replace_if(
@@ -251,7 +252,7 @@ static int printError(const char *name, const std::exception &e, int status) {
 }
 
 int runProgram(const char *name, int argc, char **argv, int (*body)(CommandLine &)) {
-    std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit (ulimit -f) is a write that fails
+    std::signal(SIGXFSZ, SIG_IGN); // so that a write beyond the limit (ulimit -f) fails
     try {
         CommandLine line(name, {argv + std::min(argc, 1), argv + argc});
         int status = 0;

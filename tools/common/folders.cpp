@@ -18,7 +18,7 @@ NewFolder::NewFolder(std::string named) : path(std::move(named)) {
     std::error_code wrong;
     bool exists = std::filesystem::exists(path, wrong);
     if (exists && (!std::filesystem::is_directory(path, wrong) || !std::filesystem::is_empty(path, wrong)))
-        throw Refused(path + ": exists already: name a folder that is new or empty");
+        throw Refused(path + ": already exists: name a new or empty folder");
     if (!exists) checkWritable(path);
     errno = EEXIST;
     for (int i = 0; i < 100 && errno == EEXIST; ++i) {

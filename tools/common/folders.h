@@ -1,23 +1,23 @@
-// Folders that appear whole, and folders that go.
+// Output folders that appear complete, and temporary folders.
 #pragma once
 
 #include <string>
 
 namespace common {
 
-// A folder of files that appears whole: it is made beside its place and renamed at the end.
+// A folder of files that appears complete: it has a temporary name in the same parent folder until finish()
+// renames it.
 class NewFolder {
 public:
-    // Throws Refused if there is something at the path already, or it cannot be written. An empty folder is
-    // replaced.
+    // Throws Refused if the path exists, unless it is an empty folder, or if it cannot be written.
     explicit NewFolder(std::string path);
     NewFolder(const NewFolder &) = delete;
-    ~NewFolder(); // removes it with its files, unless it is finished
-    // Writes a file in it. Throws std::runtime_error.
+    ~NewFolder(); // removes an unfinished folder with its files
+    // Writes a file in the folder. Throws std::runtime_error.
     void write(const std::string &name, const std::string &text) const;
-    // Where a file in it lies until it is finished.
+    // The path of a file in the unfinished folder.
     std::string operator/(const std::string &name) const { return part + "/" + name; }
-    // Gives it its name. Throws std::runtime_error.
+    // Renames the folder to its path. Throws std::runtime_error.
     void finish();
 
 private:
@@ -28,7 +28,7 @@ private:
 // A new folder in TMPDIR or /tmp. The destructor removes it with all its files.
 class TemporaryFolder {
 public:
-    // Throws std::runtime_error if the folder cannot be made.
+    // Throws std::runtime_error if it cannot make the folder.
     TemporaryFolder();
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder &) = delete;

@@ -1,4 +1,4 @@
-// FNV-1a, the hash of Fowler, Noll and Vo: 64 bits, to compare contents, not for security.
+// FNV-1a, the 64-bit hash of Fowler, Noll and Vo. It compares contents; it is not secure.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@ namespace common {
 
 constexpr uint64_t kFnvStart = 0xcbf29ce484222325, kFnvPrime = 0x100000001b3;
 
-// Continues a hash with one more value, which is usually a byte.
+// Continues a hash with one more value, usually a byte.
 constexpr uint64_t fnv1a(uint64_t hash, uint64_t value) { return (hash ^ value) * kFnvPrime; }
 
-// The hash of bytes, or a hash continued with them.
+// Returns the hash of bytes, or continues a hash with them.
 constexpr uint64_t fnv1a(std::string_view bytes, uint64_t hash = kFnvStart) {
     for (char byte : bytes) hash = fnv1a(hash, (unsigned char)byte);
     return hash;

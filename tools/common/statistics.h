@@ -1,4 +1,4 @@
-// Statistics of many values: quantiles.
+// Quantiles.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace common {
 
-// The value at the given share (0 .. 1) of the sorted values, which must not be empty.
+// Returns the value at the given share (0 .. 1) of the sorted values. `values` must not be empty.
 template <class T> T quantile(std::vector<T> values, double share) {
     auto at = values.begin() + (long)((double)(values.size() - 1) * share);
     std::nth_element(values.begin(), at, values.end());

@@ -13,7 +13,7 @@ static void append(std::string &to, const char *format, va_list arguments) {
     va_end(again);
     if (size < 0) return;
     size_t before = to.size();
-    to.resize(before + (size_t)size + 1); // with the zero at its end
+    to.resize(before + (size_t)size + 1); // with the final zero
     std::vsnprintf(&to[before], (size_t)size + 1, format, arguments);
     to.pop_back();
 }

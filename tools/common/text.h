@@ -1,24 +1,24 @@
-// Text: printf into a string, long numbers, and quoting for a shell and for HTML.
+// Text: printf into strings, long numbers, and quoting for shells and HTML.
 #pragma once
 
 #include <string>
 
 namespace common {
 
-// printf into a new string, and at the end of one. Any length.
+// format() prints into a new string, append() at the end of a string. Any length.
 [[gnu::format(printf, 1, 2)]] std::string format(const char *format, ...);
 [[gnu::format(printf, 2, 3)]] void append(std::string &to, const char *format, ...);
 
-// 12345.6 as 12,346.
+// Prints 12345.6 as "12,346".
 std::string thousands(double value);
 
-// "1 triangle" or "2 triangles".
+// Prints "1 triangle" or "2 triangles".
 std::string counted(size_t count, const std::string &what);
 
-// A word as a shell reads it: in quotes where it needs them.
+// Quotes a word for a shell, if it needs quotes.
 std::string shellWord(const std::string &word);
 
-// Text for HTML and XML, outside tags and within quoted attributes.
+// Escapes text for HTML and XML, outside tags and within quoted attributes.
 std::string htmlText(const std::string &text);
 
 } // namespace common

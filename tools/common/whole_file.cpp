@@ -25,10 +25,10 @@ static std::string cannot(const char *what, const std::string &path) {
 
 using OpenFile = std::unique_ptr<std::FILE, int (*)(std::FILE *)>;
 
-// Regular files only: a device or a pipe may never end, and opening a pipe may block for ever.
+// Opens a regular file. A device or a pipe may never end, and opening a pipe may block forever.
 static OpenFile openRegular(const std::string &path, struct stat &s) {
     if (stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode))
-        throw Refused("cannot read " + path + ": it is not a regular file");
+        throw Refused("cannot read " + path + ": not a regular file");
     OpenFile file(std::fopen(path.c_str(), "rb"), std::fclose);
     if (!file || fstat(fileno(file.get()), &s) != 0) throw Refused(cannot("read", path));
     std::setvbuf(file.get(), nullptr, _IONBF, 0);
@@ -39,7 +39,7 @@ WholeFile readWholeFile(const std::string &path) {
     struct stat s;
     noteInput(path);
     OpenFile f = openRegular(path, s);
-    if (s.st_size > kMostBytes) throw Refused("cannot read " + path + ": it has more than 4 GB");
+    if (s.st_size > kMostBytes) throw Refused("cannot read " + path + ": larger than 4 GB");
     auto size = (size_t)s.st_size;
     WholeFile file = {std::make_unique_for_overwrite<char[]>(size), 0};
     file.size = std::fread(file.bytes.get(), 1, size, f.get());
@@ -58,12 +58,11 @@ std::string readStart(const std::string &path, size_t size) {
 
 std::string readWhole(const std::string &path) { return std::string(readWholeFile(path).view()); }
 
-// Where a path leads to: a file, perhaps a missing one, or what is written to directly: a device, a pipe, or
-// an open descriptor of this process (/dev/stdout, /dev/fd/3), which may have no name that can be opened.
+// The target of a path, behind symbolic links.
 struct Target {
     std::string path;
-    bool direct = false;
-    int descriptor = -1;
+    bool direct = false; // a device, a pipe or a descriptor, which is written to directly; else a file
+    int descriptor = -1; // an open descriptor of this process (/dev/stdout, /dev/fd/3); it may have no path
 };
 static Target targetOf(const std::string &given) {
     std::error_code none;
@@ -85,7 +84,7 @@ void checkWritable(const std::string &given) {
     const auto [path, direct, descriptor] = targetOf(given);
     struct stat s;
     if (stat(path.c_str(), &s) == 0 && S_ISDIR(s.st_mode))
-        throw Refused("cannot write " + path + ": it is a folder");
+        throw Refused("cannot write " + path + ": is a folder");
     size_t slash = path.rfind('/');
     std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
     const int flags = fcntl(descriptor, F_GETFL);
@@ -97,12 +96,12 @@ void checkWritable(const std::string &given) {
 
 // --- The files of a run ---
 
-static constexpr char kReplaced[] = " would be written over: give another name";
+static constexpr char kReplaced[] = " would be overwritten: give another name";
 static std::mutex theLock;
-static int theStandardOutput = -1; // if it is an output: what is printed goes to standard error
-static std::map<std::string, std::string> theInputs, theOutputs; // their names, by identityOf() them
+static int theStandardOutput = -1; // a copy of it, if it is an output; then stdout prints to standard error
+static std::map<std::string, std::string> theInputs, theOutputs; // names, keyed by identityOf()
 
-// A regular file as the system knows it, or a missing one by its path; empty for others.
+// Returns device and inode of a regular file, or the path of a missing file. Empty for devices and pipes.
 static std::string identityOf(const std::string &path) {
     struct stat s;
     if (stat(path.c_str(), &s) == 0)
@@ -123,14 +122,14 @@ bool claimOutput(const std::string &path, const std::string &replaces) {
     std::lock_guard lock(theLock);
     const std::string id = identityOf(path);
     const auto [ignored, direct, descriptor] = targetOf(path);
-    if (descriptor == STDOUT_FILENO && theStandardOutput < 0) { // it is for the file alone
+    if (descriptor == STDOUT_FILENO && theStandardOutput < 0) { // reserve it for the output
         std::fflush(stdout);
         theStandardOutput = dup(STDOUT_FILENO);
         dup2(STDERR_FILENO, STDOUT_FILENO);
     }
     if (id.empty() || (!replaces.empty() && id == identityOf(replaces))) return !direct;
     if (auto input = theInputs.find(id); input != theInputs.end()) throw Refused(input->second + kReplaced);
-    need(theOutputs.emplace(id, path).second, path + " is named for two outputs: give another name");
+    need(theOutputs.emplace(id, path).second, path + " is used for two outputs: give another name");
     return !direct;
 }
 
@@ -139,7 +138,7 @@ void forgetFiles() {
     theInputs.clear(), theOutputs.clear();
 }
 
-// Writes all bytes and closes the file. Returns 0, or what went wrong as errno.
+// Writes all bytes and closes the file. Returns 0 or an errno.
 static int writeAndClose(int file, std::string_view bytes) {
     int wrong = 0;
     while (!bytes.empty() && !wrong) {
@@ -166,7 +165,7 @@ void writeWhole(const std::string &given, std::string_view bytes, unsigned mode)
         file = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, mode ? mode : 0666);
     }
     if (file < 0) throw std::runtime_error(cannot("write", path));
-    if (!direct && mode) fchmod(file, mode); // whatever the umask
+    if (!direct && mode) fchmod(file, mode); // ignores the umask
     int wrong = writeAndClose(file, bytes);
     if (!direct && !wrong && rename(part.c_str(), path.c_str())) wrong = errno;
     if (!direct && wrong) unlink(part.c_str());

@@ -1,5 +1,5 @@
-// Reads whole files, and writes them whole or not at all. No output of a run replaces an input or another
-// output.
+// Reads whole files, and writes files whole or not at all. An output never overwrites an input or another
+// output of the same run.
 #pragma once
 
 #include "tools/common/command_line.h"
@@ -10,11 +10,10 @@
 
 namespace common {
 
-// Reads a regular file of at most 4 GB. Throws Refused (command_line.h) with a line that names the file and
-// the reason.
+// Reads a regular file of at most 4 GB. Throws Refused (command_line.h) with the file's name and the reason.
 std::string readWhole(const std::string &path);
 
-// The same without a copy. The bytes are aligned as memory from new is.
+// Reads such a file without a copy. The bytes are aligned like memory from new.
 struct WholeFile {
     std::unique_ptr<char[]> bytes;
     size_t size = 0;
@@ -22,10 +21,10 @@ struct WholeFile {
 };
 WholeFile readWholeFile(const std::string &path);
 
-// Its first `size` bytes, or all if it has fewer.
+// Reads the first `size` bytes of a file, or all if it has fewer.
 std::string readStart(const std::string &path, size_t size);
 
-// Calls `body`, and puts the file's name in front of the errors that it throws, if it is not there yet.
+// Calls `body`. If it throws Refused, puts the file's name in front of the error, unless it is there.
 template <class Body> auto inFile(const std::string &path, Body body) {
     try {
         return body();
@@ -41,30 +40,30 @@ template <class Parse> auto parseFile(const std::string &path, Parse parse) {
     return inFile(path, [&] { return parse(text); });
 }
 
-// Throws Refused if a file certainly cannot be written, so that minutes of work are not lost.
+// Throws Refused if the file certainly cannot be written, so that minutes of work are not lost.
 void checkWritable(const std::string &path);
 
-// What a run reads and will write: a program claims the outputs that its user names, before it works, and
-// notes the inputs that it does not read whole, which are noted by themselves. An output that is an input, by
-// whatever name, is refused by the later of both calls; but `replaces` may be written over. So is one that
-// cannot be written, or is another output. claimOutput() returns false for a pipe or a device; if that is
-// standard output, what is printed goes to standard error. Each command line begins a run.
+// Notes an input of a run. readWhole() and readWholeFile() do so themselves. Throws WouldReplace if the file,
+// by whatever name, is an output.
 void noteInput(const std::string &path);
+// Claims an output that the user named, before work begins. Throws Refused if it cannot be written, or is an
+// input or another output, by whatever name. The input `replaces` may be overwritten. Returns false for a
+// pipe or a device. If the output is standard output, printed text goes to standard error instead.
 bool claimOutput(const std::string &path, const std::string &replaces = "");
+// Forgets all inputs and outputs. Each command line begins a new run.
 void forgetFiles();
-// Thrown instead of Refused by readers, some of which go on without a file that they cannot read.
+// Thrown by readers instead of Refused, since some callers go on without a file that cannot be read.
 struct WouldReplace : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Writes a file beside `path` and renames it; of a symbolic link the target is written. A pipe or a device is
-// written to directly, as is an open descriptor (/dev/stdout). `mode`: the file's permissions, as chmod takes
-// them; 0 for those of any new file. Throws std::runtime_error with a line that names the file and the
-// reason.
+// Writes a temporary file in the same folder and renames it to `path`, or to the target of a symbolic link. A
+// pipe, a device or an open descriptor (/dev/stdout) is written to directly. `mode`: permissions as for
+// chmod; 0: the default for new files. Throws std::runtime_error with the file's name and the reason.
 void writeWhole(const std::string &path, std::string_view bytes, unsigned mode = 0);
 
-// Removes the file that writeWhole() would replace; not what it would write to directly. False: there is
-// none.
+// Removes the file that writeWhole() would replace. Returns false if there is no such file, or if
+// writeWhole() would write to it directly.
 bool removeWhole(const std::string &path);
 
 } // namespace common

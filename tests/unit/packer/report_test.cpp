@@ -208,8 +208,8 @@ TEST(Options, RefusesWhatDoesNotGoTogether) {
         {{"in", "-o", "out", "--symbols", "x"}, "--symbols needs --map"},
         {{"in", "-o", "out", "--rooms", "x"}, "--rooms needs --map"},
         {{"in", "-o", "out", "--than", "x"}, "--than needs --html or --text"},
-        {{"in", "-o", "./in"}, "in would be written over"},
-        {{"in", "-o", "out", "--html", "out"}, "out is named for two outputs"},
+        {{"in", "-o", "./in"}, "in would be overwritten"},
+        {{"in", "-o", "out", "--html", "out"}, "out is used for two outputs"},
         {{"in", "-o", "out", "--model", "none"}, "cannot read none"},
     };
     for (auto &wrong : kWrong)

@@ -110,7 +110,7 @@ bool claimOutput(const std::string &path) {
     const std::string there = std::filesystem::canonical(path, none); // empty: no file
     common::need(!std::filesystem::is_regular_file(there, none) || !isModel(there) ||
                      common::readStart(there, kStart).starts_with(kExportedObj),
-                 path + " is a model, and would be written over: give another name");
+                 path + " is a model and would be overwritten: give another name");
     return common::claimOutput(path);
 }
 
