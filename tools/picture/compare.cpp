@@ -1,4 +1,4 @@
-// compare: measures how much two pictures differ.
+// compare: measures the difference of two pictures.
 #include "tools/common/command_line.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
@@ -15,17 +15,18 @@ namespace pictures {
 namespace {
 
 struct Difference {
-    double squares = 0, largest = 0; // in steps of 1/255: the sum over all channels, the largest of a channel
-    size_t values = 0;               // compared, of all channels
-    size_t pixels = 0, transparent = 0; // that differ, and that differ in alpha
-    Image enlarged;                     // eight times
+    double squares = 0, largest = 0; // of channels, in steps of 1/255
+    size_t values = 0;               // number of compared values: pixels times channels
+    size_t pixels = 0;               // number of pixels that differ
+    size_t pixelsInAlpha = 0;        // number of pixels that differ in alpha
+    Image amplified;                 // eight times
 };
 
-Difference between(const Picture &a, const Picture &b) {
+Difference differenceOf(const Picture &a, const Picture &b) {
     Difference all;
     size_t channels = a.hasAlpha() || b.hasAlpha() ? 4 : 3;
     all.values = a.pixels() * channels;
-    all.enlarged = {a.width, a.height, std::vector<uint8_t>(a.pixels() * 3)};
+    all.amplified = {a.width, a.height, std::vector<uint8_t>(a.pixels() * 3)};
     for (size_t i = 0; i < a.pixels(); ++i) {
         auto stepsA = a.steps(i), stepsB = b.steps(i);
         double d[4] = {};
@@ -35,42 +36,40 @@ Difference between(const Picture &a, const Picture &b) {
             all.largest = std::max(all.largest, d[c]);
         }
         all.pixels += d[0] + d[1] + d[2] + d[3] > 0;
-        all.transparent += d[3] > 0;
+        all.pixelsInAlpha += d[3] > 0;
         for (size_t c = 0; c < 3; ++c)
-            all.enlarged.rgb[i * 3 + c] = (uint8_t)std::min(255., 8 * std::max(d[c], d[3]) + 0.5);
+            all.amplified.rgb[i * 3 + c] = (uint8_t)std::min(255., 8 * std::max(d[c], d[3]) + 0.5);
     }
     return all;
 }
 
-std::string kindOf(const Picture &p) {
+std::string formatOf(const Picture &p) {
     return common::format(p.light.empty() ? "%d bits" : "floats of %d bits", p.bits) +
            (p.hasAlpha() ? " and alpha" : "");
 }
 
-// The limits of --max and --psnr, and where a difference is written.
-struct Settings {
-    double most = 0, leastPsnr = HUGE_VAL;
+struct CompareSettings {
+    double most = 0, leastPsnr = HUGE_VAL; // limits: the largest difference, or the least PSNR
     bool seen = false;
-    std::string diff;
+    std::string diff; // the file for the difference; may be empty
 };
 
-// Appends to `text` how two pictures differ. Returns whether that passes.
-bool compare(const Picture &a, const Picture &b, const Settings &s, std::string &text) {
+// Appends the differences of two pictures to `text`. Returns whether they are within the limits.
+bool compare(const Picture &a, const Picture &b, const CompareSettings &s, std::string &text) {
     for (const Picture *p : {&a, &b})
-        common::need(p->others.empty(),
-                     "a picture has the channels" + p->others + ", which are not all compared");
+        common::need(p->others.empty(), "cannot compare all channels of a picture, which are" + p->others);
     common::need(a.light.empty() == b.light.empty(),
-                 "one picture has floats, which are linear, and the other has not");
+                 "one picture has floats, which are linear, the other has not");
     common::need(a.width == b.width && a.height == b.height,
                  common::format("the sizes differ: %dx%d and %dx%d", a.width, a.height, b.width, b.height));
-    Difference d = between(a, b);
+    Difference d = differenceOf(a, b);
     double db = psnr(d.squares, d.values);
     common::append(text, "psnr %.2f dB, largest difference %.4g, %zu of %zu pixels differ", db, d.largest,
                    d.pixels, a.pixels());
-    if (d.values > 3 * a.pixels()) common::append(text, ", %zu in alpha", d.transparent);
-    std::string kindA = kindOf(a), kindB = kindOf(b);
-    text += kindA == kindB ? "\n" : "\nA has " + kindA + ", B has " + kindB + "\n";
-    // What both say alike makes no difference
+    if (d.values > 3 * a.pixels()) common::append(text, ", %zu in alpha", d.pixelsInAlpha);
+    std::string formatA = formatOf(a), formatB = formatOf(b);
+    text += formatA == formatB ? "\n" : "\nA has " + formatA + ", B has " + formatB + "\n";
+    // Unused statements about the pixels count only if they differ
     std::map<std::string, uint64_t> unlike;
     std::set_symmetric_difference(a.unused.begin(), a.unused.end(), b.unused.begin(), b.unused.end(),
                                   std::inserter(unlike, unlike.end()));
@@ -81,7 +80,7 @@ bool compare(const Picture &a, const Picture &b, const Settings &s, std::string 
                        meanFlip(see(imageA.rgb, a.width, a.height), see(imageB.rgb, b.width, b.height)),
                        linearPsnr(imageA.rgb, imageB.rgb), psnr(imageA.rgb, imageB.rgb));
     }
-    if (!s.diff.empty()) writePng(s.diff, d.enlarged);
+    if (!s.diff.empty()) writePng(s.diff, d.amplified);
     return unlike.empty() && (d.largest <= s.most || (s.leastPsnr != HUGE_VAL && db >= s.leastPsnr));
 }
 
@@ -91,17 +90,17 @@ size_t countRest(PictureFile &file) {
     return count;
 }
 
-int compareFiles(const std::string &pathA, const std::string &pathB, const Settings &s) {
+int compareFiles(const std::string &pathA, const std::string &pathB, const CompareSettings &s) {
     PictureFile a(pathA), b(pathB);
     bool pass = true, several = false;
     size_t count = 0;
-    std::string text; // printed if all can be compared
+    std::string text; // printed only if all pictures can be compared
     do {
         Picture one = a.next(), other = b.next();
         several |= a.more() || b.more();
         ++count;
         if (several) {
-            common::need(s.diff.empty(), "--diff is for files of one picture");
+            common::need(s.diff.empty(), "--diff needs files with a single picture");
             common::append(text, "picture %zu: ", count);
         }
         pass &= compare(one, other, s, text);
@@ -116,26 +115,29 @@ int compareFiles(const std::string &pathA, const std::string &pathB, const Setti
 
 int run(common::CommandLine &line) {
     std::string pathA, pathB;
-    Settings s;
+    CompareSettings s;
     bool toPng = false, toLinear = false;
     int by = 1;
     line.about(
         "Prints the PSNR of two pictures, the largest difference of a channel (in steps of 1/255) and the\n"
-        "number of pixels that differ; then what their files hold, if that differs: bits, alpha. A picture\n"
-        "without alpha is opaque. Floats are linear, and 1 is 255. Of files with several pictures all are\n"
-        "compared, in order. What files say of their numbers and is not used (gamma, profiles, orientation,\n"
-        "animations) must be alike. Exit status 1: it is not, or a largest difference is over --max and the\n"
-        "PSNR is under --psnr (if given).");
+        "number of pixels that differ. Also prints their numbers of bits and alpha, if these differ. A "
+        "picture\n"
+        "without alpha is opaque. Floats are linear, and 1 is 255. Files with several pictures are compared\n"
+        "picture by picture. Statements in the files that are not used (gamma, profiles, orientation,\n"
+        "animations) must be equal. The exit status is 1 if they are not, or if the largest difference is "
+        "above\n"
+        "--max and the PSNR is below --psnr (if given).");
     line.argument("A", pathA, "a picture: PNG, JPEG, TGA, BMP, PNM, Radiance HDR or OpenEXR");
-    line.argument("B", pathB, "another; with --png or --linear the file to write");
+    line.argument("B", pathB, "another picture; with --png or --linear the file to write");
     line.option("--max", "N", s.most, {0, 255}, "the largest difference of a channel that passes");
-    line.option("--psnr", "DB", s.leastPsnr, {0, 1000}, "the PSNR from which pictures pass in any case");
+    line.option("--psnr", "DB", s.leastPsnr, {0, 1000}, "pictures pass from this PSNR on, whatever --max");
     line.option("--diff", "OUT.png", s.diff, "write the differences, times eight; those in alpha are grey");
     line.flag(
         "--seen", s.seen,
-        "also print what a viewer sees: mean FLIP at 67 pixels per degree, PSNR in linear light and in sRGB");
-    line.flag("--png", toPng, "instead, write the picture A as PNG of eight bits, without alpha, to B");
-    line.flag("--linear", toLinear, "instead, read A as linear numbers, and write it as sRGB to B");
+        "also print the visible difference: mean FLIP at 67 pixels per degree, PSNR in linear light and in "
+        "sRGB");
+    line.flag("--png", toPng, "write picture A to B instead, as PNG of eight bits without alpha");
+    line.flag("--linear", toLinear, "write picture A to B instead: read it as linear light, write sRGB");
     line.option("--by", "N", by, {1, 16}, "with --linear: average squares of N x N pixels");
     line.parse();
 

@@ -23,8 +23,8 @@ using common::need;
 constexpr uint32_t kTiled = 0x200, kLongNames = 0x400, kDeep = 0x800, kParts = 0x1000, kVersion = 2;
 constexpr const char *kCompressions[] = {"none",  "RLE", "ZIPS", "ZIP",  "PIZ",
                                          "PXR24", "B44", "B44A", "DWAA", "DWAB"};
-constexpr int kLinesOfChunk[] = {1, 1, 1, 16, 32}; // of the first five, which are read
-constexpr int64_t kMostCompressed = 1100;          // the largest ratio of zlib, which compresses most
+constexpr int kLinesOfChunk[] = {1, 1, 1, 16, 32}; // for the first five compressions, the readable ones
+constexpr int64_t kMostCompressed = 1100;          // the largest ratio of any of them, zlib's
 constexpr uint32_t kHuffmanCodes = (1 << 16) + 1;
 
 struct Window { // both ends included
@@ -35,11 +35,11 @@ struct Window { // both ends included
 
 struct Channel {
     bool half;
-    int to = -1; // its place in a pixel of the picture; -1: it is not read
+    int to = -1; // index in a pixel of the picture; -1: not read
 };
 
-// Bytes that are taken from the front.
-struct Bytes {
+// Reads bytes from the front.
+struct ByteReader {
     std::string_view rest;
 
     std::string_view take(size_t size) {
@@ -53,7 +53,7 @@ struct Bytes {
         std::memcpy(&n, take(sizeof n).data(), sizeof n);
         return n;
     }
-    std::string text() { // up to a zero
+    std::string text() { // up to a zero byte
         std::string all(take(std::min(rest.find('\0'), rest.size())));
         take(1);
         return all;
@@ -65,7 +65,7 @@ public:
     explicit ExrReader(std::string_view file) : file(file) {}
 
     Picture read() {
-        Bytes from = {file.substr(4)};
+        ByteReader from = {file.substr(4)};
         readHead(from);
         int64_t lines = kLinesOfChunk[compression];
         chunkWidth = tiled ? std::min(chunkWidth, data.width()) : data.width();
@@ -79,10 +79,10 @@ public:
         std::vector<bool> seen((size_t)chunks);
         for (int64_t i = 0; i < chunks; ++i) {
             auto offset = from.number<uint64_t>();
-            need(offset > 0, "it is not complete: some of its pixels were never written");
+            need(offset > 0, "it is not complete: some pixels were never written");
             need(offset < file.size(), "it is damaged: it ends too early");
             size_t number = readChunk({file.substr(offset)});
-            need(!seen[number], "it is damaged: it has some of its pixels twice");
+            need(!seen[number], "it is damaged: it has some pixels twice");
             seen[number] = true;
         }
         return std::move(picture);
@@ -92,14 +92,14 @@ private:
     std::string_view file;
     Picture picture = {.channels = 0, .bits = 16};
     std::vector<Channel> channels;          // in the order of the file
-    std::vector<EXRChannelInfo> forTinyexr; // the same
+    std::vector<EXRChannelInfo> forTinyexr; // the same channels
     size_t bytesOfPixel = 0;
     Window data, display;
     int compression = -1;
     bool tiled = false;
     int64_t chunkWidth = 0, chunkHeight = 0, across = 0;
 
-    void readHead(Bytes &from) {
+    void readHead(ByteReader &from) {
         auto version = from.number<uint32_t>();
         need(!(version & kParts), "it has several parts (exrmultipart -separate makes a file of each)");
         need(!(version & kDeep), "it has deep pixels, which are not read");
@@ -107,13 +107,13 @@ private:
         tiled = version & kTiled;
         while (from.rest.empty() || from.rest[0]) {
             std::string name = from.text(), type = from.text();
-            Bytes value = {from.take(from.number<uint32_t>())};
+            ByteReader value = {from.take(from.number<uint32_t>())};
             if (name == "channels") readChannels(value);
             if (name == "compression") compression = value.number<uint8_t>();
             if (name == "dataWindow") data = value.number<Window>();
             if (name == "displayWindow") display = value.number<Window>();
             if (name == "chromaticities") readPrimaries(value);
-            if (name == "envmap" && value.rest != std::string_view("\0", 1)) // 0 is a panorama
+            if (name == "envmap" && value.rest != std::string_view("\0", 1)) // not 0, a panorama
                 picture.leave("envmap (a cube)", value.rest);
             if ((name == "pixelAspectRatio" || name == "gamma") &&
                 value.rest != std::string_view("\0\0\x80\x3f", 4))
@@ -135,7 +135,8 @@ private:
                  "it has no pixels, or more than 2^27");
     }
 
-    void readPrimaries(Bytes value) {
+    // Notes primaries and white that are not sRGB's
+    void readPrimaries(ByteReader value) {
         bool usual = true;
         const std::string_view bytes = value.rest;
         for (float x : {.64f, .33f, .3f, .6f, .15f, .06f, .3127f, .329f})
@@ -143,7 +144,7 @@ private:
         if (!usual) picture.leave("chromaticities", bytes);
     }
 
-    void readChannels(Bytes from) {
+    void readChannels(ByteReader from) {
         std::map<std::string, size_t> number; // of each channel
         std::string all;
         std::vector<bool> whole;
@@ -161,8 +162,8 @@ private:
             forTinyexr.emplace_back().pixel_type = type;
             bytesOfPixel += channels.back().half ? 2 : 4;
         }
-        // Those without a layer's name, or the only layer
-        std::vector<std::pair<std::string, std::string>> found; // layers, and their channels
+        // Find the layers with colours
+        std::vector<std::pair<std::string, std::string>> found; // layers and their channels
         for (const auto &[name, ignored] : number) {
             const std::string layer = name.substr(0, name.rfind('.') + 1);
             auto has = [&](char c) { return number.count(layer + c) > 0; };
@@ -173,6 +174,7 @@ private:
             if (!order.empty() && (found.empty() || found.back().first != layer))
                 found.push_back({layer, order});
         }
+        // Take the channels without a layer's name, or the only layer
         need(!found.empty() && (found.size() == 1 || found[0].first.empty()),
              "it has the channels" + all + "; only R, G and B, or Y, with or without A are read");
         const auto &[layer, order] = found[0];
@@ -187,8 +189,8 @@ private:
         picture.others = channels.size() > order.size() ? all : "";
     }
 
-    // Reads some lines, or a tile. Returns its number.
-    size_t readChunk(Bytes from) {
+    // Reads a chunk: some lines or a tile. Returns its number.
+    size_t readChunk(ByteReader from) {
         int64_t x = 0, y;
         if (tiled) {
             x = from.number<int32_t>(), y = from.number<int32_t>();
@@ -229,7 +231,7 @@ private:
     void unpack(std::string_view from, std::vector<uint8_t> &to, int width, int height) {
         auto *bytes = (const uint8_t *)from.data();
         unsigned long size = to.size();
-        bool good = from.size() == size; // then it is stored as it is
+        bool good = from.size() == size; // stored without compression
         if (good)
             std::memcpy(to.data(), bytes, size);
         else if (compression == TINYEXR_COMPRESSIONTYPE_RLE)
@@ -243,9 +245,9 @@ private:
         need(good, "it is damaged: some of its pixels cannot be decompressed");
     }
 
-    // Whether the sizes within are those that follow: tinyexr does not check them.
+    // Returns whether the sizes in a PIZ chunk match its content, which tinyexr does not check.
     static bool isPiz(std::string_view chunk) {
-        Bytes from = {chunk};
+        ByteReader from = {chunk};
         auto first = from.number<uint16_t>(), last = from.number<uint16_t>();
         if (first <= last) from.take((size_t)(last - first) + 1);
         auto size = from.number<uint32_t>(), least = from.number<uint32_t>(), most = from.number<uint32_t>();

@@ -32,12 +32,12 @@ constexpr Matrix kFromXyz = {{{3.241003275f * kWhite[0], -1.537398934f, -0.49861
                               {-0.969224334f * kWhite[0], 1.875930071f, 0.041554224f * kWhite[2]},
                               {0.055639423f * kWhite[0], -0.204011202f, 1.057148933f * kWhite[2]}}};
 
-struct Colour {
+struct LabColour {
     float l, a, b;
 };
 
-// CIELAB with a chroma that falls with lightness (Hunt's effect), from linear sRGB
-Colour perceived(float r, float g, float b) {
+// Converts linear sRGB to CIELAB whose chroma falls with lightness (Hunt's effect)
+LabColour perceived(float r, float g, float b) {
     auto f = [](float t) {
         constexpr float kKnee = 6 / 29.f;
         return t > kKnee * kKnee * kKnee ? std::cbrt(t) : t / (3 * kKnee * kKnee) + 4 / 29.f;
@@ -47,7 +47,7 @@ Colour perceived(float r, float g, float b) {
     return {l, hunt * 500 * (f(x) - f(y)), hunt * 200 * (f(y) - f(z))};
 }
 
-float distance(const Colour &p, const Colour &q) { // HyAB
+float distance(const LabColour &p, const LabColour &q) { // HyAB
     return std::fabs(p.l - q.l) + std::sqrt((p.a - q.a) * (p.a - q.a) + (p.b - q.b) * (p.b - q.b));
 }
 
@@ -58,7 +58,7 @@ template <class F> Kernel kernel(int radius, F &&f) {
     return k;
 }
 
-// Scales positive weights to sum to 1, and negative ones to -1
+// Scales positive weights to a sum of 1, and negative weights to a sum of -1
 Kernel normalised(Kernel k) {
     float up = 0, down = 0;
     for (float w : k) (w > 0 ? up : down) += std::fabs(w);
@@ -66,7 +66,7 @@ Kernel normalised(Kernel k) {
     return k;
 }
 
-// Filters with a product of two kernels; border pixels are repeated outside the picture.
+// Filters with the product of two kernels. Border pixels are repeated outside the picture.
 Plane filtered(const Plane &in, int width, int height, const Kernel &across, const Kernel &down) {
     int rx = (int)across.size() / 2, ry = (int)down.size() / 2;
     Plane rows(in.size()), out(in.size()), padded((size_t)(width + 2 * rx));
@@ -87,7 +87,7 @@ Plane filtered(const Plane &in, int width, int height, const Kernel &across, con
     return out;
 }
 
-// How the eye blurs a channel: the Fourier transform of its contrast sensitivity, two Gaussians
+// How the eye blurs a channel: the Fourier transform of its contrast sensitivity, a sum of two Gaussians
 struct Sensitivity {
     double a1, b1, a2, b2;
 };
@@ -96,7 +96,7 @@ constexpr Sensitivity kAchromatic = {1, 0.0047, 0, 1e-5}, kRedGreen = {1, 0.0053
 
 Plane blurred(const Plane &in, int width, int height, const Sensitivity &s) {
     int radius = (int)std::ceil(3 * std::sqrt(kBlueYellow.b1 / (2 * M_PI * M_PI)) * kPixelsPerDegree);
-    double weight[2], all = 0; // of each Gaussian in the plane
+    double weight[2], all = 0; // integrals of the Gaussians over the plane, and their sum
     Kernel kernels[2];
     for (int i = 0; i < 2; ++i) {
         double b = i ? s.b2 : s.b1, sum = 0;
@@ -117,7 +117,7 @@ Plane blurred(const Plane &in, int width, int height, const Sensitivity &s) {
     return out;
 }
 
-// The strength of features: the length of the gradient that a derivative's filter gives across and down
+// Feature strength: the length of the vector of a derivative filter's responses across and down
 Plane strength(const Plane &in, int width, int height, const Kernel &derivative, const Kernel &gauss) {
     Plane across = filtered(in, width, height, derivative, gauss),
           down = filtered(in, width, height, gauss, derivative);
@@ -132,7 +132,7 @@ SeenPicture see(const std::vector<uint8_t> &rgb, int width, int height) {
     size_t pixels = (size_t)width * (size_t)height;
     SeenPicture seen = {width, height, Plane(pixels), Plane(pixels), Plane(pixels), {}, {}};
 
-    // Opponent colours
+    // Convert to opponent colours
     Plane luminance(pixels), redGreen(pixels), blueYellow(pixels);
     for (size_t p = 0; p < pixels; ++p) {
         auto [x, y, z] = kToXyz((float)linearOfSrgb(rgb[3 * p]), (float)linearOfSrgb(rgb[3 * p + 1]),
@@ -142,7 +142,7 @@ SeenPicture see(const std::vector<uint8_t> &rgb, int width, int height) {
         blueYellow[p] = y - z;
     }
 
-    // Edges and points of the luminance: the first and second derivatives of a Gaussian
+    // Detect edges and points of the luminance by the first and second derivatives of a Gaussian
     double sd = 0.5 * 0.082 * kPixelsPerDegree;
     int radius = (int)std::ceil(3 * sd);
     auto gauss = [&](double x) { return std::exp(-x * x / (2 * sd * sd)); };
@@ -158,7 +158,7 @@ SeenPicture see(const std::vector<uint8_t> &rgb, int width, int height) {
     blueYellow = blurred(blueYellow, width, height, kBlueYellow);
     for (size_t p = 0; p < pixels; ++p) {
         auto [r, g, b] = kFromXyz(luminance[p] + redGreen[p], luminance[p], luminance[p] - blueYellow[p]);
-        Colour c = perceived(std::clamp(r, 0.f, 1.f), std::clamp(g, 0.f, 1.f), std::clamp(b, 0.f, 1.f));
+        LabColour c = perceived(std::clamp(r, 0.f, 1.f), std::clamp(g, 0.f, 1.f), std::clamp(b, 0.f, 1.f));
         seen.lightness[p] = c.l;
         seen.a[p] = c.a;
         seen.b[p] = c.b;
@@ -167,14 +167,15 @@ SeenPicture see(const std::vector<uint8_t> &rgb, int width, int height) {
 }
 
 std::vector<float> flip(const SeenPicture &reference, const SeenPicture &test) {
-    // The largest distance between two colours, green to blue, and where most of the range ends
+    // `most`: the largest distance of two colours, green and blue. Distances up to `knee` take 95 % of the
+    // range
     const float most = std::pow(distance(perceived(0, 1, 0), perceived(0, 0, 1)), 0.7f), knee = 0.4f * most;
     std::vector<float> error(reference.lightness.size());
     for (size_t p = 0; p < error.size(); ++p) {
-        float apart = distance({reference.lightness[p], reference.a[p], reference.b[p]},
-                               {test.lightness[p], test.a[p], test.b[p]});
-        if (apart == 0) continue;
-        float e = std::pow(apart, 0.7f);
+        float colourDistance = distance({reference.lightness[p], reference.a[p], reference.b[p]},
+                                        {test.lightness[p], test.a[p], test.b[p]});
+        if (colourDistance == 0) continue;
+        float e = std::pow(colourDistance, 0.7f);
         float colour = e < knee ? 0.95f * e / knee : 0.95f + 0.05f * (e - knee) / (most - knee);
         float feature = std::max(std::fabs(reference.edges[p] - test.edges[p]),
                                  std::fabs(reference.points[p] - test.points[p]));

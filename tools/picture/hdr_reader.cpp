@@ -16,11 +16,11 @@ namespace pictures {
 
 namespace {
 
-// Radiance keeps CIE XYZ in lumens, and red, green and blue in watts.
+// Radiance stores CIE XYZ in lumens, and red, green and blue in watts.
 constexpr double kLumensOfWatt = 179;
 constexpr double kMostOfFloat = 3e38;
 
-// From CIE XYZ to linear red, green and blue with sRGB's primaries and white (IEC 61966-2-1).
+// Converts CIE XYZ to linear red, green and blue with sRGB's primaries and white (IEC 61966-2-1).
 constexpr double kRgbOfXyz[3][3] = {
     {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}};
 
@@ -33,7 +33,7 @@ public:
         readOrder();
         line.resize((size_t)perLine * 4);
         for (int i = 0; i < lines; ++i) {
-            // Memory grows with the data read, not with the size that the head claims
+            // Memory grows with the data that is read, not with the size in the header
             readLine();
             for (int j = 0; j < perLine; ++j) addPixel(&line[(size_t)j * 4]);
         }
@@ -47,26 +47,25 @@ private:
     Picture picture = {.bits = 32};
     size_t at = 0;
     bool xyz = false;
-    std::array<double, 3> multiplied = {1, 1, 1}; // the factors by which pixels were multiplied
-    // The axis from line to line, the axis along a line, and whether these go down and right
-    char first = 0, second = 0;
-    bool firstForward = true, secondForward = true;
+    std::array<double, 3> multiplied = {1, 1, 1};   // the factors by which pixels were multiplied
+    char first = 0, second = 0;                     // the axis from line to line, and the axis along a line
+    bool firstForward = true, secondForward = true; // whether the axes point down or right
     int lines = 0, perLine = 0;
     std::vector<uint8_t> line;
 
     [[noreturn]] static void refuse(const std::string &what) { throw common::Refused(what); }
 
-    // A line of the head; it ends with LF or CR LF.
+    // Reads a line of the header, which ends with LF or CR LF.
     std::string text() {
         size_t end = file.find('\n', at);
-        if (end == file.npos) refuse("it ends in its head");
+        if (end == file.npos) refuse("it ends within its header");
         std::string line(file.substr(at, end - at));
         if (line.ends_with('\r')) line.pop_back();
         at = end + 1;
         return line;
     }
 
-    // The lines of text up to an empty one.
+    // Reads the lines of text up to an empty line.
     void readHead() {
         for (std::string line = text(); !line.empty(); line = text())
             if (line.starts_with("FORMAT="))
@@ -79,7 +78,8 @@ private:
                 readOther(line);
     }
 
-    // Primaries and white are those of sRGB, or those that Radiance means without such a line.
+    // Notes a line that changes the meaning of pixels. The usual primaries are sRGB's, and Radiance's
+    // default.
     void readOther(const std::string &line) {
         static const std::map<std::string, std::vector<double>> kUsual = {
             {"PRIMARIES", {.64, .33, .295, .6, .15, .06, .323, .331}}, {"GAMMA", {1}}, {"PIXASPECT", {1}}};
@@ -97,11 +97,11 @@ private:
         format.erase(0, format.find_first_not_of(' '));
         xyz = format == "32-bit_rle_xyze";
         if (!xyz && format != "32-bit_rle_rgbe")
-            refuse("it has pixels of the format " + format +
+            refuse("its pixels have the format " + format +
                    "; only 32-bit_rle_rgbe and 32-bit_rle_xyze are read");
     }
 
-    // A line may be repeated; then all of its factors count.
+    // Reads a line of factors. If a line is repeated, all factors count.
     void readFactors(const std::string &text, int count) {
         double f[3];
         int got = std::sscanf(text.c_str() + text.find('=') + 1, "%lf %lf %lf", f, f + 1, f + 2);
@@ -113,8 +113,8 @@ private:
         }
     }
 
-    // The line with the size also has the order of the pixels: usually -Y HEIGHT +X WIDTH, lines from top to
-    // bottom, each from left to right.
+    // Reads the line with size and order of the pixels: usually -Y HEIGHT +X WIDTH, which is lines from top
+    // to bottom, each from left to right.
     void readOrder() {
         char signs[2];
         if (std::sscanf(text().c_str(), "%c%c %d %c%c %d", signs, &first, &lines, signs + 1, &second,
@@ -154,8 +154,8 @@ private:
             }
     }
 
-    // Plain pixels, and runs of the older kind: 1, 1, 1, N repeats the pixel before it N times; another such
-    // pixel directly after it gives the next higher byte of N.
+    // Reads plain pixels, and runs of the older kind: 1, 1, 1, N repeats the last pixel N times. Another such
+    // pixel directly after it has the next higher byte of N.
     void readPixels() {
         int shift = 0;
         for (int i = 0; i < perLine;) {
@@ -183,12 +183,12 @@ private:
                 light = 0;
                 for (size_t i = 0; i < 3; ++i) light += kRgbOfXyz[k][i] * c[i] / kLumensOfWatt;
             }
-            // Colours below 0 are outside the gamut of these primaries
+            // Clamp colours outside the gamut, which are below 0
             picture.light.push_back((float)std::clamp(light, 0., kMostOfFloat));
         }
     }
 
-    // The pixels in rows from top to bottom, each from left to right.
+    // Sorts the pixels into rows from top to bottom, each from left to right.
     std::vector<float> inOrder() const {
         std::vector<float> to(picture.light.size());
         const float *from = picture.light.data();

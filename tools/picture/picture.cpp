@@ -25,7 +25,7 @@ void Picture::leave(const std::string &name, std::string_view bytes) {
 void Picture::needUsual(const std::string &name) const {
     for (const auto &[what, hash] : unused)
         common::need(light.empty(),
-                     name + ": it would be other light than is meant: " + what + " is not used");
+                     name + ": " + what + " is not supported, and the light would be wrong without it");
 }
 
 std::array<double, 4> Picture::steps(size_t pixel) const {
@@ -38,7 +38,7 @@ std::array<double, 4> Picture::steps(size_t pixel) const {
 }
 
 std::array<float, 3> Picture::linear(size_t pixel) const {
-    static const std::vector<float> ofEncoded = [] {
+    static const std::vector<float> linearOf = [] {
         std::vector<float> v(65536);
         for (size_t i = 0; i < v.size(); ++i) v[i] = (float)linearOfSrgb((double)i / 65535);
         return v;
@@ -46,7 +46,7 @@ std::array<float, 3> Picture::linear(size_t pixel) const {
     std::array<float, 3> all;
     for (size_t c = 0; c < 3; ++c) {
         size_t i = pixel * (size_t)channels + (channels < 3 ? 0 : c);
-        all[c] = light.empty() ? ofEncoded[encoded[i]] : light[i];
+        all[c] = light.empty() ? linearOf[encoded[i]] : light[i];
     }
     return all;
 }
@@ -66,7 +66,7 @@ Image toImage(const Picture &p) {
 
 Image linearToImage(const Picture &p, int by) {
     common::need(p.width % by == 0 && p.height % by == 0,
-                 "its size is not one that " + std::to_string(by) + " divides");
+                 "its width and height must be multiples of " + std::to_string(by));
     Image image = {p.width / by, p.height / by, {}};
     for (int y = 0; y < p.height; y += by)
         for (int x = 0; x < p.width; x += by) {
@@ -88,7 +88,7 @@ void writePng(const std::string &path, const Image &p) {
         ((std::string *)to)->append((const char *)bytes, (size_t)size);
     };
     if (!stbi_write_png_to_func(append, &png, p.width, p.height, 3, p.rgb.data(), p.width * 3))
-        throw std::runtime_error("there is not enough memory for " + path);
+        throw std::runtime_error("not enough memory for " + path);
     common::writeWhole(path, png);
 }
 

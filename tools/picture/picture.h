@@ -1,4 +1,4 @@
-// Pictures: as a file holds them, and as eight-bit RGB.
+// Pictures: as stored in a file, and as eight-bit RGB.
 #pragma once
 
 #include <array>
@@ -15,46 +15,45 @@ struct Image {
     std::vector<uint8_t> rgb; // sRGB, 3 * width * height bytes, top row first
 };
 
-// As a file holds it, top row first: numbers encoded as sRGB, or floats that are linear. The channels are
-// grey, grey and alpha, RGB, or RGB and alpha.
+// A picture as stored in a file, top row first: whole numbers encoded as sRGB, or linear floats. The channels
+// are grey, grey and alpha, RGB, or RGB and alpha.
 struct Picture {
     int width = 0, height = 0, channels = 3;
     int bits = 8;                       // of a number in the file
     std::vector<uint16_t> encoded = {}; // 65535 is 1; empty if there are floats
     std::vector<float> light = {};      // 1 is white
     std::string others = {};            // the names of all channels, if some are not read
-    // What else the file says of its numbers, unless that is usual: by name, with a hash of its bytes. It is
-    // not used
+    // Statements in the file about its pixels that are not used, unless they say the usual: hashes, by name
     std::map<std::string, uint64_t> unused = {};
 
     size_t pixels() const { return (size_t)width * (size_t)height; }
-    void leave(const std::string &name, std::string_view bytes); // adds to `unused`
-    // Throws Refused for floats with anything that is not used: they would be other light
+    void leave(const std::string &name, std::string_view bytes); // adds a statement to `unused`
+    // Throws Refused if these are floats and a statement is unused, since the light would be wrong
     void needUsual(const std::string &name) const;
     bool hasAlpha() const { return channels % 2 == 0; }
-    // Red, green, blue and alpha, 255 for 1; 255 without alpha
+    // Red, green, blue and alpha in steps of 1/255; alpha is 255 if there is none
     std::array<double, 4> steps(size_t pixel) const;
     // Linear red, green and blue
     std::array<float, 3> linear(size_t pixel) const;
 };
 
-// The largest size that is read: a sky of 16,384 x 8,192.
+// The largest readable picture: a sky of 16,384 x 8,192.
 constexpr int64_t kMostPixels = 1 << 27;
 
-// The most light that is read, here and from models and options: sums must fit into a float.
+// The largest light value that is accepted, here and from models and options, so that sums fit into a float.
 constexpr double kMostLight = 1e12;
 
-// Rounded to the nearest. Floats are encoded as sRGB; alpha is left out.
+// Converts to eight bits, rounded to the nearest. Floats are encoded as sRGB; alpha is dropped.
 Image toImage(const Picture &picture);
 
-// The same of numbers that are linear, not sRGB, each pixel the mean of `by` x `by`. Throws Refused if the
-// size is no multiple of `by`.
+// Converts a picture whose numbers are linear, not sRGB. Each pixel is the mean of `by` x `by` pixels. Throws
+// Refused if the size is no multiple of `by`.
 Image linearToImage(const Picture &picture, int by);
 
-// Writes a PNG whole or not at all. Throws std::runtime_error.
+// Writes a PNG, whole or not at all. Throws std::runtime_error.
 void writePng(const std::string &path, const Image &picture);
 
-// Shrinks by averaging areas; `width` is at most the picture's own.
+// Shrinks a picture to `width` by averaging areas. It is never enlarged.
 Image shrink(const Image &picture, int width);
 
 } // namespace pictures

@@ -11,7 +11,7 @@ namespace pictures {
 
 namespace {
 
-// Reads the first picture of `rest` and removes it.
+// Reads the first picture of `rest` and removes its bytes.
 Picture takePicture(std::string_view &rest) {
     return isPnm(rest)   ? takePnm(rest)
            : isHdr(rest) ? takeHdr(rest)
@@ -23,7 +23,7 @@ void checkLight(const Picture &p) {
     for (size_t i = 0; i < p.light.size(); ++i)
         if (!(std::fabs(p.light[i]) <= (float)kMostLight)) {
             size_t pixel = i / (size_t)p.channels, width = (size_t)p.width;
-            throw common::Refused(common::format("its pixel %zu,%zu is %g: light must be a number up to %g",
+            throw common::Refused(common::format("its pixel %zu,%zu is %g; light must be a number up to %g",
                                                  pixel % width, pixel / width, (double)p.light[i],
                                                  kMostLight));
         }
@@ -33,7 +33,7 @@ template <class Body> auto withMemory(const std::string &name, Body body) {
     try {
         return body();
     } catch (const std::bad_alloc &) {
-        throw common::Refused(name + ": there is not enough memory");
+        throw common::Refused(name + ": not enough memory");
     }
 }
 

@@ -1,9 +1,9 @@
-// Reads pictures: PNG, JPEG, TGA, BMP, PNM (P2, P3, P5, P6), Radiance HDR and OpenEXR. The content decides,
-// not the name. A file of PNM, PNG or Radiance HDR may hold several, one after the other.
+// Reads pictures: PNG, JPEG, TGA, BMP, PNM (P2, P3, P5, P6), Radiance HDR and OpenEXR. The content decides
+// the format, not the name. A file of PNM, PNG or Radiance HDR may have several pictures, one after another.
 //
-// All of it throws Refused: for other formats and for damaged files, for files that end early, for PNM that
-// goes on, for pictures of more than 2^27 pixels (2^26 of PNG, JPEG, TGA and BMP), and for floats that are
-// not numbers or beyond +-1e12.
+// All functions throw Refused for other formats, for damaged files, for files that end early, for other bytes
+// after a PNM, for pictures of more than 2^27 pixels (2^26 for PNG, JPEG, TGA and BMP), and for floats that
+// are not numbers or are beyond +-1e12.
 #pragma once
 
 #include "tools/picture/picture.h"
@@ -13,10 +13,10 @@ namespace pictures {
 class PictureFile {
 public:
     explicit PictureFile(const std::string &path);
-    // What was read already; `name` begins the errors.
+    // Takes the bytes of a file that was already read. Errors begin with `name`.
     PictureFile(const std::string &name, std::string bytes);
 
-    // Whether there is another picture, or something else.
+    // Returns whether bytes are left: another picture, or anything else.
     bool more() const { return at < bytes.size(); }
     Picture next();
 
@@ -25,7 +25,7 @@ private:
     size_t at = 0;
 };
 
-// The only picture of a file; or of what was read already.
+// Reads the only picture of a file, or of bytes that were already read.
 Picture readPicture(const std::string &path);
 Picture readPicture(const std::string &name, std::string bytes);
 

@@ -10,12 +10,13 @@ namespace pictures {
 
 namespace {
 
-constexpr double kLeft = 80, kTop = 40, kBottom = 60, kLeastKey = 170; // the legend is right of the plot
-constexpr double kSeriesLine = 20, kPointLine = 13;                    // heights of the legend's lines
+constexpr double kLeft = 80, kTop = 40, kBottom = 60; // margins
+constexpr double kLeastKey = 170;                     // the least width of the legend, right of the plot
+constexpr double kSeriesLine = 20, kPointLine = 13;   // heights of the legend's lines
 constexpr double kMark = 4, kShippedMark = 6;
 constexpr const char *kColours[] = {"#b5562a", "#2f6f8f", "#5a7d2b", "#7a4b8c", "#8a7a20",
                                     "#555555", "#c2871c", "#1c8c7a", "#a03a5c", "#3a50a0"};
-// Marks in a square from -1 to 1: circle, square, triangle, cross, diamond, plus, inverted triangle,
+// Paths of marks in a square from -1 to 1: circle, square, triangle, cross, diamond, plus, inverted triangle,
 // hourglass, bow tie, star. Closed marks are filled.
 constexpr const char *kMarks[] = {
     "M-1 0A1 1 0 1 1 1 0A1 1 0 1 1-1 0Z",
@@ -33,7 +34,7 @@ constexpr int kMarkCount = sizeof kMarks / sizeof *kMarks, kColourCount = sizeof
 
 using common::format;
 
-// One axis: maps values to positions, and finds round values to write on it.
+// An axis: maps values to positions, and finds round values for its ticks.
 struct Axis {
     bool logarithmic;
     double low, high, from, to;
@@ -45,7 +46,7 @@ struct Axis {
         high += margin;
     }
     double scale(double v) const { return logarithmic ? std::log10(v) : v; }
-    double place(double v) const { return from + (scale(v) - low) / (high - low) * (to - from); }
+    double position(double v) const { return from + (scale(v) - low) / (high - low) * (to - from); }
     std::vector<double> ticks() const {
         std::vector<double> all;
         auto inside = [&](double v) { return scale(v) >= low && scale(v) <= high; };
@@ -54,7 +55,7 @@ struct Axis {
                 for (double m : {1.0, 2.0, 5.0})
                     if (double v = m * std::pow(10, decade); inside(v)) all.push_back(v);
         if (all.size() > 2) return all;
-        // A part of a decade also gets equal steps
+        // Use equal steps on a linear axis, or within a part of a decade
         all.clear();
         double first = logarithmic ? std::pow(10, low) : low, last = logarithmic ? std::pow(10, high) : high,
                step = std::pow(10, std::floor(std::log10((last - first) / 4)));
@@ -65,23 +66,23 @@ struct Axis {
     }
 };
 
-// Wide enough for the longest name, of about 6.6 a letter.
+// The legend's width: enough for the longest name, at about 6.6 a letter.
 double keyWidth(const Plot &plot) {
     size_t longest = 0;
     for (const std::string &name : plot.series) longest = std::max(longest, name.size());
     for (const PlotPoint &p : plot.points) longest = std::max(longest, p.name.size());
     return std::max(kLeastKey, 50 + 6.6 * (double)longest);
 }
-// High enough for the legend
+// The plot's height: enough for the legend
 double heightOf(const Plot &plot) {
     double lines = kSeriesLine * (double)plot.series.size();
     for (const PlotPoint &p : plot.points) lines += p.name.empty() ? 0 : kPointLine;
     return std::max(460., kTop + lines + kBottom);
 }
 
-class Drawing {
+class PlotDrawing {
 public:
-    explicit Drawing(const Plot &of)
+    explicit PlotDrawing(const Plot &of)
         : plot(of), height(heightOf(of)), key(keyWidth(of)),
           x(of.logarithmicX, least(0), -least(0, -1), kLeft, width - key),
           y(of.logarithmicY, least(1), -least(1, -1), height - kBottom, kTop) {}
@@ -102,7 +103,7 @@ private:
     Axis x, y;
     std::string out;
 
-    // The least value, or with a sign of -1 the negated greatest.
+    // The least value of an axis; with a sign of -1, minus the greatest value.
     double least(int axis, double sign = 1) const {
         double v = 1e300;
         for (const PlotPoint &p : plot.points) v = std::min(v, sign * (axis ? p.y : p.x));
@@ -129,18 +130,18 @@ private:
         text((kLeft + width - key) / 2, height - 12, "middle", plot.xName);
         text(0, 0, "middle", plot.yName, format(" transform=\"translate(18 %.0f) rotate(-90)\"", height / 2));
         for (double v : x.ticks()) {
-            out += format("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#e9e9e9\"/>\n", x.place(v), kTop,
+            out += format("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#e9e9e9\"/>\n", x.position(v), kTop,
                           height - kBottom);
-            text(x.place(v), height - kBottom + 18, "middle", format("%g", v));
+            text(x.position(v), height - kBottom + 18, "middle", format("%g", v));
         }
         for (double v : y.ticks()) {
-            out +=
-                format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e9e9e9\"/>\n", kLeft, y.place(v), width - key);
-            text(kLeft - 8, y.place(v) + 4, "end", format("%g", v));
+            out += format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e9e9e9\"/>\n", kLeft, y.position(v),
+                          width - key);
+            text(kLeft - 8, y.position(v) + 4, "end", format("%g", v));
         }
     }
 
-    // The points that no other point of the series beats; series -1 means all points
+    // The points that no other point of the series beats; -1: of all series
     std::vector<PlotPoint> front(int series) const {
         double signX = plot.lessIsBetterX ? 1 : -1, signY = plot.lessIsBetterY ? 1 : -1;
         auto counts = [&](const PlotPoint &p) { return series < 0 || p.series == series; };
@@ -162,21 +163,21 @@ private:
         return all;
     }
 
-    // Draws the fronts, or joins all points
+    // Draws the fronts, or lines through all points of each series
     void fronts() {
         bool each = plot.frontOfEach || plot.joined;
         for (int series = each ? 0 : -1; series < (each ? (int)plot.series.size() : 0); ++series) {
             std::string path;
             for (const PlotPoint &p : plot.joined ? ofSeries(series) : front(series))
-                path += format("%s%.1f %.1f", path.empty() ? "M" : "L", x.place(p.x), y.place(p.y));
+                path += format("%s%.1f %.1f", path.empty() ? "M" : "L", x.position(p.x), y.position(p.y));
             out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" +
                    (series < 0 ? "#999" : kColours[series % kColourCount]) +
                    (plot.joined ? "\" stroke-width=\"1.5\"/>\n" : "\" stroke-dasharray=\"4 3\"/>\n");
         }
     }
 
-    // Draws the points, with the numbers of those that have names, and the legend with each series and its
-    // names
+    // Draws the points and the legend of all series. A point with a name gets a number at its mark and in the
+    // legend
     void legend() {
         double left = width - key + 20, at = kTop + 12;
         int number = 0;
@@ -184,10 +185,10 @@ private:
             mark(left, at - 4, series, kMark, "key");
             text(left + 12, at, "start", plot.series[(size_t)series]);
             for (const PlotPoint &p : ofSeries(series)) {
-                double px = x.place(p.x), py = y.place(p.y), size = p.shipped ? kShippedMark : kMark;
+                double px = x.position(p.x), py = y.position(p.y), size = p.shipped ? kShippedMark : kMark;
                 mark(px, py, series, size, "mark");
                 if (p.name.empty()) continue;
-                // A white rim covers lines below
+                // A white outline covers the lines below
                 const char *look = p.shipped ? " font-size=\"10\" font-weight=\"bold\"" : " font-size=\"10\"";
                 std::string which = std::to_string(++number);
                 text(px + size + 2, py - 2, "start", which,
@@ -202,6 +203,6 @@ private:
 
 } // namespace
 
-std::string svg(const Plot &plot) { return Drawing(plot).svg(); }
+std::string svg(const Plot &plot) { return PlotDrawing(plot).svg(); }
 
 } // namespace pictures

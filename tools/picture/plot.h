@@ -9,8 +9,8 @@ namespace pictures {
 struct PlotPoint {
     double x, y;
     std::string name; // may be empty
-    bool shipped;     // its mark is larger, its name bold in the legend
-    int series;       // the number of its series
+    bool shipped;     // has a larger mark, and a bold name in the legend
+    int series;       // index of its series
 };
 
 struct Plot {
@@ -18,14 +18,14 @@ struct Plot {
     std::vector<std::string> series; // their names
     std::vector<PlotPoint> points;
     bool logarithmicX = false, logarithmicY = false;
-    bool lessIsBetterX = true, lessIsBetterY = true; // which corner the front faces
-    bool frontOfEach = false;                        // one front for each series
-    bool joined = false; // instead of fronts: the points of each series are joined in their order
+    bool lessIsBetterX = true, lessIsBetterY = true; // the corner that the front faces
+    bool frontOfEach = false;                        // a front for each series
+    bool joined = false; // no fronts; a line joins the points of each series in their order
 };
 
-// The plot with its front: the points that no other point beats on both axes, joined. There must be a point.
-// On a logarithmic axis all values must be positive. A point with a name has a number beside its mark, by
-// which the legend names it.
+// Draws the plot and its front, a line through the points that no other point beats on both axes. There must
+// be at least one point. On a logarithmic axis all values must be positive. A point with a name gets a
+// number, which is next to its mark and in the legend.
 std::string svg(const Plot &plot);
 
 } // namespace pictures

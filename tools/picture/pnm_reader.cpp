@@ -18,7 +18,7 @@ public:
     Picture read() {
         char kind = file[1];
         common::need(std::string_view("2356").find(kind) != std::string_view::npos,
-                     common::format("it is a P%c; of PNM, only P2, P3, P5 and P6 are read", kind));
+                     common::format("it is a P%c file; of PNM, only P2, P3, P5 and P6 are read", kind));
         bool text = kind < '5';
         Picture p = {(int)number("width", 1, kMostPixels), (int)number("height", 1, kMostPixels),
                      kind == '2' || kind == '5' ? 1 : 3};
@@ -29,10 +29,10 @@ public:
             skipComment();
             common::need(at < file.size(), kEnds);
             common::need(std::isspace((uint8_t)file[at++]),
-                         "it has no space between its head and its pixels");
+                         "it has no space between its header and its pixels");
         }
         size_t count = p.pixels() * (size_t)p.channels, each = text || most > 255 ? 2 : 1;
-        // A digit may be the last byte of a text
+        // In text the last byte may be a digit, without a blank after it
         common::need(file.size() - at + text >= count * each, kEnds);
         p.encoded.resize(count);
         for (uint16_t &to : p.encoded) {
@@ -47,7 +47,7 @@ public:
 
 private:
     std::string_view file;
-    size_t at = 2; // behind P6
+    size_t at = 2; // after "P6"
     uint32_t most = 0;
 
     void skipComment() {
@@ -68,7 +68,7 @@ private:
         return value;
     }
 
-    uint32_t bytes(size_t count) { // the highest first
+    uint32_t bytes(size_t count) { // the highest byte first
         uint32_t value = 0;
         for (; count; --count) value = value << 8 | (uint8_t)file[at++];
         return value;

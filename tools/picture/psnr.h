@@ -1,4 +1,4 @@
-// The peak signal-to-noise ratio, and the sRGB curve that it needs for linear light.
+// The peak signal-to-noise ratio (PSNR), and the sRGB curve for PSNR in linear light.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,16 @@
 
 namespace pictures {
 
-// Peak signal-to-noise ratio in dB of `count` eight-bit values whose squared differences add up to `squares`;
-// infinite if none differs.
+// PSNR, in dB, of `count` eight-bit values whose squared differences have the sum `squares`. Infinite if no
+// value differs.
 inline double psnr(double squares, size_t count) {
     return squares > 0 ? 10 * std::log10(255. * 255. * (double)count / squares) : INFINITY;
 }
 
-// The linear value of an sRGB value (IEC 61966-2-1); both 0 .. 1.
+// Converts an sRGB value (IEC 61966-2-1) to linear light; both 0 .. 1.
 inline double linearOfSrgb(double x) { return x > 0.04045 ? std::pow((x + 0.055) / 1.055, 2.4) : x / 12.92; }
 
-// The same of an eight-bit value.
+// Converts an eight-bit sRGB value to linear light.
 inline double linearOfSrgb(uint8_t value) {
     static const std::vector<double> all = [] {
         std::vector<double> v(256);
@@ -28,14 +28,14 @@ inline double linearOfSrgb(uint8_t value) {
     return all[value];
 }
 
-// The inverse: sRGB, 0 .. 1, not rounded to eight bits.
+// Converts linear light to sRGB, 0 .. 1, not rounded to eight bits.
 inline float srgbOfLinear(float x) {
     x = std::clamp(x, 0.f, 1.f);
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
 
-// PSNR in linear light of eight-bit sRGB values, which weighs bright places more. Both vectors are of one
-// size.
+// PSNR, in linear light, of eight-bit sRGB values. It weighs bright pixels more. Both vectors must have the
+// same size.
 inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
     double squares = 0;
     for (size_t i = 0; i < a.size(); ++i) {
@@ -45,7 +45,7 @@ inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_
     return psnr(squares, a.size());
 }
 
-// PSNR of two vectors of one size.
+// PSNR of two vectors of the same size.
 inline double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
     double squares = 0;
     for (size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);

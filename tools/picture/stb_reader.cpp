@@ -11,9 +11,9 @@
 #include <vector>
 #include <zlib.h>
 
-// A PNG may have empty parts: nothing is copied to nowhere
+// A PNG may have empty chunks: allow a copy of 0 bytes from a null pointer
 #define memcpy(to, from, size) ((size) > 0 ? memcpy(to, from, size) : (to))
-// Memory that stb_image does not fill is 0: it uses tables that a damaged JPEG lacks
+// Clear all memory, since stb_image also reads the tables that a damaged JPEG lacks
 #define STBI_MALLOC(size) std::calloc(1, size)
 #define STBI_REALLOC(memory, size) std::realloc(memory, size)
 #define STBI_FREE(memory) std::free(memory)
@@ -34,8 +34,8 @@ namespace pictures {
 
 namespace {
 
-// stb_image reads zeros where a file ends early, or leaves pixels uninitialised. So it gets
-// zeros there, at least as many as it reads at once (a row of TGA), and whether it took any is then visible.
+// After the end of a file, stb_image reads zeros or leaves pixels uninitialised. So zeros are appended, at
+// least as many as it reads at once (a row of a TGA). If it reads any of them, the file ends early.
 constexpr size_t kZeros = 65536 * 4;
 constexpr int64_t kMostByStb = 1 << 26;
 
@@ -59,7 +59,7 @@ Picture read(std::string_view file, Sample *(*load)(stbi__context *, int *, int 
     return p;
 }
 
-// A number; bytes behind the end are 0.
+// Reads a number. Bytes after the end are 0.
 uint32_t numberIn(std::string_view bytes, size_t at, size_t size, bool highestFirst = true) {
     uint32_t n = 0;
     for (size_t k = 0; k < size; ++k) {
@@ -69,7 +69,7 @@ uint32_t numberIn(std::string_view bytes, size_t at, size_t size, bool highestFi
     return n;
 }
 
-// Only the orientation in EXIF changes what is seen.
+// Notes an unusual orientation. Nothing else in EXIF changes what is seen.
 void leaveExif(Picture &p, std::string_view exif) {
     auto number = [&](size_t at, size_t size) { return numberIn(exif, at, size, exif[0] == 'M'); };
     const size_t first = number(4, 4) + 2, end = first + 12 * number(first - 2, 2);
@@ -78,32 +78,33 @@ void leaveExif(Picture &p, std::string_view exif) {
             p.leave("orientation", std::to_string(to));
 }
 
-// Whether a JPEG has tables before its pixels, of codes and of steps, and of codes at most 256 in each, as
-// stb_image expects. What lies between its segments is skipped, as are pixels; there 255 stands before 0, or
-// before the mark of a restart. What `p` does not use is noted there.
+// Returns whether a JPEG has Huffman tables and quantisation tables before its pixels, with at most 256 codes
+// in each Huffman table, as stb_image expects. Skips pixels and bytes between segments; in these 255 is
+// followed by 0 or by a restart marker. Notes unused statements in `p`.
 bool hasTables(std::string_view jpeg, Picture &p) {
     auto byte = [&](size_t at) { return at < jpeg.size() ? (uint8_t)jpeg[at] : 0; };
-    bool codes = false, steps = false;
+    bool huffman = false, quantisation = false;
     for (size_t at = 0; at + 4 <= jpeg.size();) {
-        int mark = byte(at + 1);
-        if (byte(at) != 0xff || mark == 0xff) {
+        int marker = byte(at + 1);
+        if (byte(at) != 0xff || marker == 0xff) {
             ++at;
             continue;
         }
         at += 2;
-        if (mark == 0 || (mark >= 0xd0 && mark <= 0xd8)) continue; // nothing belongs to these marks
-        if (mark == 0xd9) {                                        // its end
+        if (marker == 0 || (marker >= 0xd0 && marker <= 0xd8)) continue; // without a segment
+        if (marker == 0xd9) {                                            // end of the picture
             size_t more = jpeg.find("\xff\xd8\xff", at);
             if (more != jpeg.npos) p.leave("further pictures", jpeg.substr(more));
             return true;
         }
-        codes |= mark == 0xc4, steps |= mark == 0xdb;
-        if (mark == 0xda && !(codes && steps)) return false;
+        huffman |= marker == 0xc4, quantisation |= marker == 0xdb;
+        if (marker == 0xda && !(huffman && quantisation)) return false;
         size_t end = at + numberIn(jpeg, at, 2);
-        std::string_view part = jpeg.substr(at, end - at); // with its size
-        if (mark == 0xe1 && part.size() > 8 && part.substr(2, 4) == "Exif") leaveExif(p, part.substr(8));
-        if (mark == 0xe2 && part.find("ICC_PROFILE") == 2) p.leave("an ICC profile", part);
-        for (size_t table = at + 2; mark == 0xc4 && table < end;) {
+        std::string_view segment = jpeg.substr(at, end - at); // begins with its size
+        if (marker == 0xe1 && segment.size() > 8 && segment.substr(2, 4) == "Exif")
+            leaveExif(p, segment.substr(8));
+        if (marker == 0xe2 && segment.find("ICC_PROFILE") == 2) p.leave("an ICC profile", segment);
+        for (size_t table = at + 2; marker == 0xc4 && table < end;) {
             int count = 0;
             for (size_t k = 1; k <= 16; ++k) count += byte(table + k);
             if (count > 256) return false;
@@ -116,10 +117,10 @@ bool hasTables(std::string_view jpeg, Picture &p) {
 
 constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
 
-// The size of a PNG, whose parts must have their checksums: stb_image ignores these. What `p` does not use is
-// noted there.
+// Returns the size of a PNG. Checks the checksums of its chunks, which stb_image ignores. Notes unused
+// statements in `p`.
 size_t checkedSize(std::string_view png, Picture &p) {
-    // That of sRGB. Profiles and codes of others have nothing usual
+    // The values of sRGB. Profiles have no usual value; cICP's is below
     static const std::map<std::string, std::vector<uint32_t>> kUsual = {
         {"gAMA", {45455}},
         {"cHRM", {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}},
@@ -128,19 +129,19 @@ size_t checkedSize(std::string_view png, Picture &p) {
     for (size_t at = kPng.size(); at + 12 <= png.size();) {
         const size_t size = numberIn(png, at, 4);
         if (size > png.size() - at - 12) break;
-        std::string_view part = png.substr(at + 4, size + 4); // its kind, of four letters, and its content
-        common::need(crc32(0, (const Bytef *)part.data(), (uInt)part.size()) ==
+        std::string_view chunk = png.substr(at + 4, size + 4); // its kind, of four letters, and its content
+        common::need(crc32(0, (const Bytef *)chunk.data(), (uInt)chunk.size()) ==
                          numberIn(png, at + 8 + size, 4),
                      "it is damaged: a checksum is wrong");
-        const std::string kind(part.substr(0, 4));
+        const std::string kind(chunk.substr(0, 4));
         if (auto known = kUsual.find(kind); known != kUsual.end()) {
-            bool usual = !known->second.empty() || part == std::string_view("cICP\1\15\0\1", 8);
+            bool usual = !known->second.empty() || chunk == std::string_view("cICP\1\15\0\1", 8);
             for (size_t k = 0; k < known->second.size(); ++k)
-                usual &= std::abs((int64_t)numberIn(part, 4 + 4 * k, 4) - known->second[k]) < 100;
-            if (!usual) p.leave(kind, part);
+                usual &= std::abs((int64_t)numberIn(chunk, 4 + 4 * k, 4) - known->second[k]) < 100;
+            if (!usual) p.leave(kind, chunk);
         }
-        if (kind == "acTL" || kind == "fcTL" || kind == "fdAT") p.leave("an animation (APNG)", part);
-        if (kind == "eXIf" && size) leaveExif(p, part.substr(4));
+        if (kind == "acTL" || kind == "fcTL" || kind == "fdAT") p.leave("an animation (APNG)", chunk);
+        if (kind == "eXIf" && size) leaveExif(p, chunk.substr(4));
         at += size + 12;
         if (kind == "IEND") return at;
     }
@@ -154,7 +155,7 @@ void dropAlpha(Picture &p) {
     p.encoded.resize(to);
 }
 
-// Exchanges left and right of a TGA that begins on the right.
+// Mirrors a TGA whose rows begin on the right.
 void mirror(Picture &p) {
     auto channels = (size_t)p.channels, width = (size_t)p.width;
     for (size_t row = 0; row < p.encoded.size(); row += width * channels)
@@ -170,7 +171,7 @@ Picture takeByStb(std::string_view &rest) {
     common::need(file.size() <= (size_t)256 << 20, "it has more than 256 MB");
     const bool isPng = file.starts_with(kPng),
                isTga = !isPng && !file.starts_with('\xff') && !file.starts_with("BM");
-    Picture head; // what the file says
+    Picture head; // for the unused statements of the file
     if (isPng) {
         size_t size = checkedSize(file, head);
         if (file.substr(size).starts_with(kPng)) rest = file.substr(size);
@@ -182,14 +183,13 @@ Picture takeByStb(std::string_view &rest) {
     common::need(stbi_info_from_memory(bytes, size, &width, &height, &channels),
                  isTga ? "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read"
                        : "it is damaged, or of a kind that is not read");
-    int64_t pixels = std::abs((int64_t)width * height); // the height is below 0 if lines go down
+    int64_t pixels = std::abs((int64_t)width * height); // the height is negative if the top row is first
     common::need(pixels > 0 && pixels <= kMostByStb, "it has no pixels, or more than 2^26");
     Picture p = stbi_is_16_bit_from_memory(bytes, size)
                     ? read<stbi__uint16>(file, stbi__load_and_postprocess_16bit)
                     : read<stbi_uc>(file, stbi__load_and_postprocess_8bit);
     if (isTga && file[17] & 0x10) mirror(p);
-    // TGA counts bits of alpha, and BMP has some only with a mask or in a later head; else such bytes are not
-    // alpha
+    // Alpha exists only in a TGA with alpha bits, and in a BMP with an alpha mask or a later header
     if (p.hasAlpha() && (isTga ? !(file[17] & 15) : file.starts_with("BM") && file[14] == 40 && !file[30]))
         dropAlpha(p);
     p.unused.merge(head.unused);

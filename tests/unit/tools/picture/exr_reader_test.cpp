@@ -191,7 +191,7 @@ TEST(Exr, RefusesByName) {
     lost.replace(table, 8, std::string(8, '\0'));
     refused(lost, "it is not complete");
     twice.replace(table, 8, file.substr(table + 8, 8));
-    refused(twice, "it has some of its pixels twice");
+    refused(twice, "it has some pixels twice");
     outside[table + 5] = 1;
     refused(outside, "ends too early");
 }

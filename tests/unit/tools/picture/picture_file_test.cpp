@@ -112,7 +112,7 @@ TEST(Pnm, RefusesWhatIsDamaged) {
         expectRefused(file, "a largest value that is not from 1 to 65535");
     expectRefused("P2 1 1 9 10", "a pixel that is not from 0 to 9");
     expectRefused("P6 40000 40000 255\nabc", "more than 2^27 pixels");
-    expectRefused("P6 1 1 255abc", "it has no space between its head and its pixels");
+    expectRefused("P6 1 1 255abc", "it has no space between its header and its pixels");
     for (char kind : "147Ff"s)
         expectRefused("P"s + kind + " 1 1 255\nabc", "only P2, P3, P5 and P6 are read");
 }
@@ -264,7 +264,7 @@ TEST(PictureFile, RefusesLightThatIsNoNumberOrTooMuch) {
     };
     EXPECT_EQ(read(hdr("\x80\0\0\xa0")).light[3], 0.5f * 4294967296.f);
     expectRefused(hdr("\xff\xff\xff\xff"),
-                  "its pixel 1,0 is 1.69477e+38: light must be a number up to 1e+12");
+                  "its pixel 1,0 is 1.69477e+38; light must be a number up to 1e+12");
     expectRefused(hdr("\0\x80\0\xa9"), "its pixel 1,0 is 1.09951e+12");
     std::string exr = common::readWhole(kFolder + "none_half.exr");
     for (const char *value : {"\0\x7c", "\0\xfc", "\1\x7e"}) { // infinite, and not a number
