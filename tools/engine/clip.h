@@ -1,4 +1,4 @@
-// Cuts a convex polygon along a line or a plane (Sutherland and Hodgman, 1974).
+// Clips a convex polygon by a line or a plane (Sutherland and Hodgman, 1974).
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace odraz {
 
-// The part of `in` where distance(point) is at least 0. between(p, q, t) is the point at the share t of the
-// way.
+// Returns the part of `in` where distance(point) >= 0. between(p, q, t) interpolates from p to q, t from 0
+// to 1.
 template <class Point, class Distance, class Between>
 std::vector<Point> clip(const std::vector<Point> &in, Distance distance, Between between) {
     std::vector<Point> out;

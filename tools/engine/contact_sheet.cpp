@@ -1,4 +1,5 @@
-// contact_sheet: the film on one page, a frame every few seconds, each with its time; or a poster of it.
+// contact_sheet: draws the film on one page, with a frame every few seconds and their times; or draws a
+// poster.
 #include "film.h"
 #include "show/font.h"
 #include "tools/common/command_line.h"
@@ -15,21 +16,22 @@ using namespace pictures;
 
 namespace {
 
-// The moments that a poster shows, in seconds into the film; the large picture comes first.
+// The moments of a poster, in seconds of the film; the large picture is first.
 constexpr int kPosterMoments[] = {FILM_POSTER};
 
-// Writes with the film's own font over a box of the picture, which is first darkened to `shade`.
-struct Area {
+struct PixelBox {
     int x, y, width, height;
 };
-void write(Image &picture, const Area &box, const char *text, float size, float weight, float tracking,
-           Align align, const uint8_t colour[3], float shade) {
+
+// Writes a text in the film's font over a box of the picture, which is first darkened to `shade`.
+void writeText(Image &picture, const PixelBox &box, const char *text, const TextStyle &style,
+               const uint8_t colour[3], float shade = 1) {
     size_t pixels = (size_t)box.width * (size_t)box.height;
-    std::vector<float> planes(3 * pixels); // all three are alike; only one is needed
+    std::vector<float> planes(3 * pixels); // all three are equal; the first is used
     Frame frame = {box.width, box.height, box.width, {&planes[0], &planes[pixels], &planes[2 * pixels]},
                    nullptr,   nullptr};
-    float x = align == Align::Left ? size / 2 : (float)box.width - size / 2;
-    drawText(frame, text, x, ((float)box.height + size) / 2, {size, weight, align, {1, 1, 1}, 1, tracking});
+    float x = style.align == Align::Left ? style.size / 2 : (float)box.width - style.size / 2;
+    drawText(frame, text, x, ((float)box.height + style.size) / 2, style);
     for (int y = 0; y < box.height && box.y + y < picture.height; ++y)
         for (int x = 0; x < box.width && box.x + x < picture.width; ++x)
             for (int c = 0; c < 3; ++c) {
@@ -41,19 +43,20 @@ void write(Image &picture, const Area &box, const char *text, float size, float 
             }
 }
 
-// Writes minutes:seconds into the lower left corner of the picture.
+// Writes minutes:seconds in the lower left corner of the picture.
 void label(Image &picture, int seconds) {
     char text[16];
     std::snprintf(text, sizeof text, "%d:%02d", seconds / 60, seconds % 60);
     static constexpr uint8_t kGrey[3] = {230, 230, 230};
     int height = std::min(20, picture.height);
-    write(picture, {0, picture.height - height, 64, height}, text, 10, 0.13f, 1, Align::Left, kGrey, 0.75f);
+    writeText(picture, {0, picture.height - height, 64, height}, text,
+              {10, 0.13f, Align::Left, {1, 1, 1}, 1, 1}, kGrey, 0.75f);
 }
 
-// The frames that the program dumps with `options`, `width` pixels wide.
-std::vector<Image> dumped(const std::string &program, const std::string &options, int width,
-                          const std::string &quality) {
-    // Trace twice as large as shown: the averaging smooths once more
+// Runs the program with --dump and `options`. Returns its frames, `width` pixels wide.
+std::vector<Image> dumpFrames(const std::string &program, const std::string &options, int width,
+                              const std::string &quality) {
+    // Trace pictures of twice the size, since averaging makes them smoother
     int traced = width * 2;
     std::string command = common::shellWord(program) + " --dump - " + options + " --quality " +
                           common::shellWord(quality) + " --size " + std::to_string(traced) + "x" +
@@ -65,7 +68,7 @@ std::vector<Image> dumped(const std::string &program, const std::string &options
     while (size_t read = std::fread(&dump[size], 1, dump.size() - size, film))
         if ((size += read) == dump.size()) dump.resize(2 * size);
     dump.resize(size);
-    if (pclose(film) != 0 || dump.empty()) throw std::runtime_error(program + " did not dump the film");
+    if (pclose(film) != 0 || dump.empty()) throw std::runtime_error(program + ": its --dump failed");
     std::vector<Image> frames;
     for (PictureFile file(program, std::move(dump)); file.more();)
         frames.push_back(shrink(toImage(file.next()), width));
@@ -73,7 +76,7 @@ std::vector<Image> dumped(const std::string &program, const std::string &options
 }
 
 std::vector<Image> framesOf(const std::string &program, int every, int width, const std::string &quality) {
-    std::vector<Image> frames = dumped(program, "--fps 1/" + std::to_string(every), width, quality);
+    std::vector<Image> frames = dumpFrames(program, "--fps 1/" + std::to_string(every), width, quality);
     for (size_t i = 0; i < frames.size(); ++i) label(frames[i], every * (int)i);
     return frames;
 }
@@ -84,7 +87,7 @@ void paste(Image &sheet, const Image &frame, int x, int y) {
                     &frame.rgb[(size_t)row * (size_t)frame.width * 3], (size_t)frame.width * 3);
 }
 
-// A poster: one large picture, two rows of three below it, and the title.
+// Draws a poster: a large picture, two rows of three small ones, and the title.
 Image poster(const std::string &program, int width, const std::string &quality) {
     constexpr int kAcross = 3;
     const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross, high = small * 9 / 16,
@@ -93,7 +96,7 @@ Image poster(const std::string &program, int width, const std::string &quality) 
     int y = gap, shown = 0;
     for (int second : kPosterMoments) {
         std::string at = "--fps 1 --from " + std::to_string(second) + " --to " + std::to_string(second + 1);
-        Image frame = dumped(program, at, shown ? small : width, quality)[0];
+        Image frame = dumpFrames(program, at, shown ? small : width, quality)[0];
         if (!shown) {
             page.width = width + 2 * gap;
             page.height = frame.height + 2 * high + 4 * gap + band;
@@ -107,13 +110,13 @@ Image poster(const std::string &program, int width, const std::string &quality) 
         ++shown;
     }
     static constexpr uint8_t kCopper[3] = {236, 158, 92}, kGrey[3] = {170, 170, 176};
-    Area title = {gap, page.height - gap / 2 - band, page.width - 2 * gap, band};
-    write(page, title, FILM_NAME, (float)band * 0.42f, 0.1f, 3, Align::Left, kCopper, 1);
-    write(page, title, FILM_ABOUT, (float)band * 0.19f, 0.1f, 2, Align::Right, kGrey, 1);
+    PixelBox title = {gap, page.height - gap / 2 - band, page.width - 2 * gap, band};
+    writeText(page, title, FILM_NAME, {(float)band * 0.42f, 0.1f, Align::Left, {1, 1, 1}, 1, 3}, kCopper);
+    writeText(page, title, FILM_ABOUT, {(float)band * 0.19f, 0.1f, Align::Right, {1, 1, 1}, 1, 2}, kGrey);
     return page;
 }
 
-// Lays out frames of one size, row by row.
+// Lays out frames of equal size, row by row.
 Image layOut(const std::vector<Image> &frames) {
     constexpr int kColumns = 5, kGap = 6;
     const int width = frames[0].width, height = frames[0].height;
@@ -133,16 +136,16 @@ int run(common::CommandLine &line) {
     std::optional<int> width;
     int every = 5;
     bool asPoster = false;
-    line.about("Runs the program FILM, which dumps a frame every few seconds, and lays the frames out on one "
-               "page. A\n"
-               "poster is one large moment, two rows of three below it, and the title.");
-    line.argument("FILM", program, "the program of the film");
+    line.about(
+        "Runs FILM, which dumps a frame every few seconds, and lays the frames out on one page. A poster "
+        "has a large\nframe, two rows of three small frames, and the title.");
+    line.argument("FILM", program, "the film's program");
     line.argument("OUT.png", out, "the page to write");
-    line.option("--every", "SECONDS", every, {1, 4000}, "the time between frames");
+    line.option("--every", "SECONDS", every, {1, 4000}, "time between frames");
     line.option("--width", "PIXELS", width, {1, 4000},
-                "a frame's width (default 384), or the poster's (default 1600)");
-    line.option("--quality", "NAME", quality, "the film's quality (default play, for a poster film)");
-    line.flag("--poster", asPoster, "make a poster");
+                "width of a frame (default 384), or of the poster (default 1600)");
+    line.option("--quality", "NAME", quality, "quality of the frames (default play; film for a poster)");
+    line.flag("--poster", asPoster, "draw a poster");
     line.parse();
     common::noteInput(program);
     common::claimOutput(out);

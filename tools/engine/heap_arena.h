@@ -1,4 +1,5 @@
-// Memory for the engine's arena: filled with zeros, allocated lazily, freed with the object.
+// Memory for the engine's arena. The system fills it with zeros and allocates it on first use; the destructor
+// frees it.
 #pragma once
 
 #include "base/arena.h"
@@ -14,13 +15,12 @@ struct HeapArena {
     // Throws std::runtime_error if there is not enough memory.
     explicit HeapArena(size_t bytes) : memory((unsigned char *)std::calloc(1, bytes + kLine), std::free) {
         if (!memory)
-            throw std::runtime_error("there is not enough memory: " + std::to_string(bytes >> 20) +
-                                     " MB are needed");
+            throw std::runtime_error("not enough memory: " + std::to_string(bytes >> 20) + " MB are needed");
         arena = {memory.get() + (kLine - (uintptr_t)memory.get() % kLine), bytes, 0};
     }
 
 private:
-    static constexpr size_t kLine = 64; // bytes of a cache line: what Arena::take() aligns to
+    static constexpr size_t kLine = 64; // bytes of a cache line, the alignment of Arena::take()
     std::unique_ptr<unsigned char, void (*)(void *)> memory;
 
 public:

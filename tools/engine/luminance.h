@@ -1,4 +1,4 @@
-// The luminance of linear light (Rec. 709): its brightness as one number.
+// The luminance of linear light (Rec. 709).
 #pragma once
 
 #include "base/vec3.h"

@@ -10,7 +10,7 @@
 namespace odraz {
 
 Workers allProcessors() {
-    // A process has one set of threads
+    // A process can start only one set of threads
     static const Workers kAll = [] {
         Workers workers = serialWorkers();
         if (const char *missing = startWorkers(workers, (int)sysconf(_SC_NPROCESSORS_ONLN), &kNever))

@@ -1,4 +1,4 @@
-// What the tools run the engine on: OpenGL without a display, and threads.
+// OpenGL without a display, and threads, on which tools run the engine.
 #pragma once
 
 #include "base/gl.h"
@@ -6,14 +6,14 @@
 
 namespace odraz {
 
-// For Workers::abort and other flags that stop work early; it is never set.
+// A flag that is never set, for Workers::abort and other flags that stop work early.
 inline constexpr int kNever = 0;
 
-// A thread for every processor; they end with the process. Throws std::runtime_error with what is
-// missing.
+// Returns workers with a thread for every processor. The threads end with the process. Throws
+// std::runtime_error with a line that names the cause.
 Workers allProcessors();
 
-// OpenGL without a display, current on this thread. Throws like allProcessors().
+// Opens OpenGL without a display, current on this thread. Throws like allProcessors().
 Gl openGl();
 
 } // namespace odraz

@@ -1,4 +1,4 @@
-// Vectors in double precision, for models as they are read and for oracles that check the engine's floats.
+// Vectors of doubles, for reading models and for references that check the engine's floats.
 #pragma once
 
 #include "base/vec3.h"
