@@ -9,23 +9,24 @@ struct Border {
     bool upright;
     float sign, limit;
 
-    float inside(const Corner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
+    float inside(const FaceCorner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
 };
 
-// Cuts a convex polygon. A new corner is computed from the end of its side that lies nearer to the border:
-// that is precise, and neighbours that share the side compute the same corner. Then it is put exactly onto
-// the border: for a wall that passes very close to the eye, rounding might leave it many pixels away.
-int clip(const Corner *in, int count, Corner *out, const Border &border) {
+// Cuts a convex polygon. A new corner is computed from that end of its side that is nearer to the border.
+// This is precise, and neighbours that share the side compute the same corner. The corner is then moved
+// exactly onto the border, because rounding might leave it many pixels away if a wall is very close to the
+// eye.
+int clip(const FaceCorner *in, int count, FaceCorner *out, const Border &border) {
     int n = 0;
     for (int i = 0; i < count; ++i) {
-        const Corner &p = in[i], &q = in[i + 1 < count ? i + 1 : 0];
+        const FaceCorner &p = in[i], &q = in[i + 1 < count ? i + 1 : 0];
         float dp = border.inside(p), dq = border.inside(q);
         if (dp >= 0) out[n++] = p;
         if ((dp >= 0) == (dq >= 0)) continue;
         bool fromP = abs(dp) < abs(dq) || (abs(dp) == abs(dq) && dp >= 0);
-        const Corner &near = fromP ? p : q, &far = fromP ? q : p;
+        const FaceCorner &near = fromP ? p : q, &far = fromP ? q : p;
         float dn = fromP ? dp : dq, t = dn / (dn - (fromP ? dq : dp));
-        Corner &c = out[n++];
+        FaceCorner &c = out[n++];
         c = {lerp(near.x, far.x, t), lerp(near.y, far.y, t), lerp(near.w, far.w, t), lerp(near.s, far.s, t),
              lerp(near.t, far.t, t)};
         (border.upright ? c.y : c.x) = -border.sign * border.limit * c.w;
@@ -46,8 +47,8 @@ uint32_t outsideFaces(const Vec3 &p) {
            face(d, a, low, front) << 8 | face(b, d, low, left) << 12 | face(c, b, low, back) << 16;
 }
 
-const Corner *clipToFace(const Corner *polygon, int &count, bool top, uint32_t crossed,
-                         Corner (&buffers)[2][8]) {
+const FaceCorner *clipToFace(const FaceCorner *polygon, int &count, bool top, uint32_t crossed,
+                             FaceCorner (&buffers)[2][8]) {
     const Border borders[4] = {{false, 1, 1}, {false, -1, 1}, {true, 1, top ? 1.f : 0.f}, {true, -1, 1}};
     int turn = 0;
     for (int k = 0; k < 4; ++k) {

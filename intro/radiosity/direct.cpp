@@ -8,22 +8,22 @@ namespace odraz {
 
 namespace {
 
-// Eight texels, seen from one of their places each.
-struct Places {
+// One sample point of each of eight texels.
+struct Receivers {
     Vec3x8 p, n; // just off the surface
     Int8 active;
-    int round; // 0 .. 3: which parts of a shining area they sample from afar
+    int round; // 0 .. 3: the parts of a distant source that they sample
 };
 
-// A part of a shining area, a parallelogram. The corners are clockwise as seen from the side that shines.
-struct Part {
-    Vec3 corner[4], middle;
-    int round; // of the places that sample it from afar
+// A part of a light source's area, a parallelogram. The corners are clockwise as seen from the emitting side.
+struct SourcePart {
+    Vec3 corner[4], centre;
+    int round; // the round of receivers that sample it from a distance
 };
 
-// Lambert's formula, a sum over the edges. What is below the horizon counts as negative, so little of the
-// part should be there.
-Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const Part &part) {
+// Returns a part's form factor by Lambert's formula, a sum over the edges. Area below the horizon counts as
+// negative, so little of the part should be there.
+Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const SourcePart &part) {
     Float8 sum = {};
     Vec3x8 a = normalize(part.corner[3] - p);
     for (Vec3 corner : part.corner) {
@@ -34,18 +34,18 @@ Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const Part &part) {
     }
     return max(sum, 0.f) * (0.5f / kPi);
 }
-constexpr float kNear = 16; // distance^2 over a part's area below which a disc is too inexact
+constexpr float kNear = 16; // distance^2 / area of a part, below which a disc is too inexact
 
-constexpr int kWindowParts = 32, kLampParts = 16; // of a chart
+constexpr int kWindowParts = 32, kLampParts = 16; // for each facet of a chart
 
-// A part, as seen from eight places.
-struct Seen {
+// The direction to a part from eight receivers, and its visible form factor.
+struct PartSample {
     Vec3x8 d;
     Float8 factor;
 };
 
-// Divides a facet into parts that are as square as possible. Returns how many.
-int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
+// Divides a facet into parts that are as square as possible. Returns their number.
+int divideFacet(const Chart &c, const Facet &f, int most, SourcePart *parts) {
     Vec3 q = f.corner(c, 0), u = f.corner(c, 1) - q, v = f.corner(c, 3) - q;
     float ratio = length(u) / length(v);
     int across = 1;
@@ -60,24 +60,24 @@ int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
     return across * down;
 }
 
-struct Context {
+struct DirectSampler {
     const Model &model;
     const Scene &scene;
     const LightBases &bases;
     int partCount;
-    Part parts[kWindowParts];
+    SourcePart parts[kWindowParts];
 
-    // The share of light that passes between the places and `to`; `d` gets the directions to `to`.
-    Float8 clear(const Places &at, Vec3x8 to, Int8 active, Vec3x8 &d) {
+    // Returns the share of light that passes between the receivers and `to`. `d` gets the directions to `to`.
+    Float8 visibility(const Receivers &at, Vec3x8 to, Int8 active, Vec3x8 &d) {
         to = to - at.p;
         Float8 distance = max(length(to), 1e-20f);
         d = to * (1.f / distance);
         return transmittance(scene, {at.p, d}, distance * 0.9999f, active, broadcast(-1)).y;
     }
 
-    // Finds the directions and form factors of the parts of a facet that these places sample: every fourth
-    // part, or all parts if the facet is near. Returns how many.
-    int look(const Places &at, int facet, int most, Seen *seen) {
+    // Finds the directions and form factors of those parts of a facet that the receivers sample: every fourth
+    // part, or all parts if the facet is near. Returns their number.
+    int sampleFacet(const Receivers &at, int facet, int most, PartSample *samples) {
         const Facet &f = model.facets[facet];
         const Chart &c = model.charts[f.chart];
         Vec3x8 from = at.p - c.corner;
@@ -90,7 +90,7 @@ struct Context {
             u0 = min(u0, f.u[k]), u1 = max(u1, f.u[k]), v0 = min(v0, f.v[k]), v1 = max(v1, f.v[k]);
             twice += f.u[k] * f.v[next] - f.u[next] * f.v[k];
         }
-        partCount = dissect(c, f, most, parts);
+        partCount = divideFacet(c, f, most, parts);
         float area = 0.5f * twice / (float)partCount;
         Float8 ds = s - clamp(s, u0, u1), dt = t - clamp(t, v0, v1);
         bool near =
@@ -98,13 +98,13 @@ struct Context {
         int every = near || partCount < 16 ? 1 : 4, count = 0;
         for (int k = 0; k < partCount; ++k) {
             if (every == 4 && parts[k].round != at.round) continue;
-            Vec3 q = parts[k].middle;
+            Vec3 q = parts[k].centre;
             Vec3x8 to = q - at.p;
             Float8 square = dot(to, to), cosines = max(dot(to, at.n), 0.f) * height;
             Int8 faces = at.active & (cosines > 0.f);
             if (!any(faces)) continue;
-            Seen &part = seen[count++];
-            Float8 share = clear(at, broadcast(q), faces, part.d);
+            PartSample &part = samples[count++];
+            Float8 share = visibility(at, broadcast(q), faces, part.d);
             Float8 factor =
                 near ? polygonFormFactor(at.p, at.n, parts[k])
                      : cosines / square * ((float)every * area) / fmadd(square, kPi, broadcast(area));
@@ -113,20 +113,21 @@ struct Context {
         return count;
     }
 
-    // Calls `take` for all parts that a shining chart has.
-    template <class Take> void lookAtChart(const Places &at, int chart, int most, Seen *seen, Take &&take) {
+    // Calls `take` for each part of a chart that emits.
+    template <class Take>
+    void sampleChart(const Receivers &at, int chart, int most, PartSample *samples, Take &&take) {
         const Chart &c = model.charts[chart];
         for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
-            for (int i = look(at, f, most, seen) - 1; i >= 0; --i) take(seen[i]);
+            for (int i = sampleFacet(at, f, most, samples) - 1; i >= 0; --i) take(samples[i]);
     }
-    void add(const Places &at, Float8 *sums);
+    void add(const Receivers &at, Float8 *sums);
 };
 
-void Context::add(const Places &at, Float8 *sums) {
-    Seen seen[kWindowParts];
+void DirectSampler::add(const Receivers &at, Float8 *sums) {
+    PartSample samples[kWindowParts];
     for (int w = 0; w < model.chartCount && bases.skyCount; ++w)
         if (model.charts[w].open)
-            lookAtChart(at, w, kWindowParts, seen, [&](const Seen &s) {
+            sampleChart(at, w, kWindowParts, samples, [&](const PartSample &s) {
                 if (!any(s.factor > 0.f)) return;
                 Float8 sky[kMaxSkies];
                 bases.sky(bases.skies, s.d, sky);
@@ -137,27 +138,28 @@ void Context::add(const Places &at, Float8 *sums) {
         Vec3 sun = bases.suns[k];
         Int8 faces = at.active & (dot(sun - at.p, at.n) > 0.f);
         if (!any(faces)) continue;
-        Float8 share = clear(at, broadcast(sun), faces, d);
+        Float8 share = visibility(at, broadcast(sun), faces, d);
         sums[bases.firstSun() + k] += select(faces, share * dot(d, at.n), 0.f);
     }
     for (int k = 0; k < bases.lampCount; ++k) {
         const Lamp &lamp = bases.lamps[k];
         Float8 &sum = sums[bases.firstLamp() + k];
         if (lamp.radius == 0) {
-            lookAtChart(at, lamp.chart, kLampParts, seen, [&](const Seen &s) { sum += s.factor; });
+            sampleChart(at, lamp.chart, kLampParts, samples, [&](const PartSample &s) { sum += s.factor; });
             continue;
         }
-        // Aim at a point of the ball's disc, a different one from every place
+        // Aim at a point of the ball's disc, different for each round
         Vec3x8 to = lamp.centre - at.p;
-        Float8 far = max(length(to), 1e-20f);
-        Float8 factor = ballFormFactor(dot(to, at.n) / far, lamp.radius * lamp.radius / (far * far));
+        Float8 distance = max(length(to), 1e-20f);
+        Float8 factor =
+            ballFormFactor(dot(to, at.n) / distance, lamp.radius * lamp.radius / (distance * distance));
         Int8 lit = at.active & (factor > 0.f);
         if (!any(lit)) continue;
         Vec3x8 side = normalize(cross(to, Vec3x8{to.y, to.z, -to.x}));
         Vec3x8 up = normalize(cross(to, side));
         float x = at.round & 1 ? 0.5f : -0.5f, y = at.round & 2 ? 0.5f : -0.5f;
         Vec3x8 target = (side * broadcast(x) + up * broadcast(y)) * broadcast(lamp.radius) + lamp.centre;
-        sum += select(lit, factor * clear(at, target, lit, d), 0.f);
+        sum += select(lit, factor * visibility(at, target, lit, d), 0.f);
     }
 }
 
@@ -167,20 +169,20 @@ void findDirectLight(const Model &model, const Scene &scene, const LightBases &b
                      float *const *direct, const Progress &progress) {
     int done = 0; // texels
     parallelRanges(workers, model.texelCount, 64, [&](int first, int end, int worker) {
-        Context context = {model, scene, bases, 0, {}};
+        DirectSampler sampler = {model, scene, bases, 0, {}};
         for (int i = first; i < end; i += 8) {
-            int count = min(end - i, 8), seen[8] = {};
+            int count = min(end - i, 8), visible[8] = {};
             Texels8 t = loadTexels(model, i, count);
-            for (int k = 0; k < count; ++k) seen[k] = model.texels[i + k].visible;
+            for (int k = 0; k < count; ++k) visible[k] = model.texels[i + k].visible;
             Float8 sums[kMaxBases] = {};
-            Float8 looked = {};
+            Float8 pointCount = {};
             for (int round = 0; round < 4; ++round) {
-                Places8 places = placesOf(seen, round);
-                if (!any(places.active)) break;
-                looked += select(places.active, 1.f, 0.f);
-                context.add({t.at(places.x, places.y), t.n, places.active, round}, sums);
+                TexelPoints8 points = pointsOf(visible, round);
+                if (!any(points.active)) break;
+                pointCount += select(points.active, 1.f, 0.f);
+                sampler.add({t.at(points.x, points.y), t.n, points.active, round}, sums);
             }
-            Float8 inverse = 1.f / max(looked, 1.f);
+            Float8 inverse = 1.f / max(pointCount, 1.f);
             for (int k = 0; k < bases.count(); ++k) {
                 Float8 sum = sums[k] * inverse;
                 for (int t = 0; t < count; ++t) direct[k][i + t] = sum[t];

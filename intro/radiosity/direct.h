@@ -1,12 +1,12 @@
-// Direct light on texels: from the sky through windows, from the sun, from lamps. The tracer traces the
-// shadow rays.
+// Direct light on texels, from the sky through windows, the suns and the lamps. The tracer traces the shadow
+// rays.
 //
-// Each texel is sampled at up to four places, those that are visible. Shining areas are divided into cells.
-// Far from an area, each place uses every fourth cell, so penumbrae are even without random numbers, and a
-// cell counts as a disc, cos cos' A / (pi r^2 + A) (Wallace, Elmquist and Haines, "A Ray Tracing Algorithm
-// for Progressive Radiosity", SIGGRAPH 1989). Near an area, each place uses all cells, by Lambert's exact
-// formula. Balls count by their exact form factor. For visibility there is one shadow ray to each cell, and
-// one from each place to a ball.
+// Each texel is sampled at its visible points, up to four. Light sources with an area are divided into parts.
+// Far from a source, each point uses every fourth part, so penumbrae are even without random numbers, and a
+// part counts as a disc, cos cos' A / (pi r^2 + A) (Wallace, Elmquist and Haines, "A Ray Tracing Algorithm
+// for Progressive Radiosity", SIGGRAPH 1989). Near a source, each point uses all parts, by Lambert's exact
+// formula. Balls count by their exact form factor. One shadow ray to each part, and one from each point to a
+// ball, decide visibility.
 #pragma once
 
 #include "base/parallel.h"
@@ -17,7 +17,7 @@
 namespace odraz {
 
 // Finds the direct light of all texels: direct[k] is a plane with the share of basis k that arrives. The
-// scene must hold the posed, finished model.
+// scene must contain the posed, finished model.
 void findDirectLight(const Model &model, const Scene &scene, const LightBases &bases, Workers &workers,
                      float *const *direct, const Progress &progress);
 

@@ -4,8 +4,9 @@
 
 namespace odraz {
 
-// A pixel's form factor is the integral of 1 / (pi (1 + a^2 + b^2)^2) over it on the top face, and of b times
-// that on a side. Gauss's rule with two points takes it over squares, at least 64 along a face.
+// A pixel's form factor is the integral of 1 / (pi (1 + a^2 + b^2)^2) over the pixel on the top face, and the
+// integral of b times this on a side face. Gauss's rule with two points integrates over squares, at least 64
+// along a face.
 void deltaFormFactors(int px, float *delta) {
     int squares = 64 / px + 1; // along a pixel's side
     float size = 2 / (float)(px * squares);
@@ -19,8 +20,8 @@ void deltaFormFactors(int px, float *delta) {
             for (int k = 0; k < 2 * squares; ++k)
                 for (int l = 0; l < 2 * squares; ++l) {
                     float a = at(x, k) - 1, b = top ? at(y, l) - 1 : at((y - px) % (px / 2), l);
-                    float far = 1 + a * a + b * b;
-                    sum += (top ? 1 : b) / (far * far);
+                    float square = 1 + a * a + b * b;
+                    sum += (top ? 1 : b) / (square * square);
                 }
             *delta++ = sum * (size * size / (4 * kPi));
         }
@@ -40,10 +41,10 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row) 
     float dark = 0;
     for (int y = 0; y < 3 * px; ++y, ids += stride, sums += px + 1) {
         int start = 0;
-        auto end = [&](int x) { // ends a run of one number
+        auto end = [&](int x) { // ends a run of equal ids
             uint32_t id = ids[start];
             if (id == kNothing) {
-                // A crack counts as one of its neighbours, if something is seen on both sides of it
+                // Count a crack as one of its neighbours, if there is something on both sides of it
                 for (int k = start; k < x; ++k) {
                     uint32_t left = k > 0 ? ids[k - 1] : 0, right = k + 1 < px ? ids[k + 1] : 0;
                     uint32_t above = y > 0 ? ids[k - stride] : 0,
@@ -62,7 +63,7 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row) 
             }
             start = x;
         };
-        // Find where one number ends and the next begins, for eight pixels at once
+        // Find the ends of runs, eight pixels at a time
         int x = 1;
         for (; x + 8 <= px; x += 8)
             for (int ends = laneBits(loadInts((const int *)ids + x - 1) != loadInts((const int *)ids + x));
@@ -81,7 +82,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &
     float *delta = arena.take<float>((size_t)(3 * h.px * h.px));
     float *sums = arena.take<float>((size_t)(3 * h.px * (h.px + 1)));
     float *rows = arena.take<float>((size_t)rowFloats * (size_t)h.batch);
-    factors.rows = arena.take<Row>((size_t)count);
+    factors.rows = arena.take<FormFactorRow>((size_t)count);
     factors.used = 0;
     if (arena.full) return false;
     deltaFormFactors(h.px, delta);
@@ -104,10 +105,10 @@ bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &
             sumHemicube(h, k, sums, row);
         });
         if (workers.aborted()) return false;
-        // Keep what is not zero
+        // Store the form factors above zero
         for (int k = 0; k < batch; ++k) {
             const float *row = rows + (size_t)k * (size_t)rowFloats;
-            Row &to = factors.rows[patchOf[k]];
+            FormFactorRow &to = factors.rows[patchOf[k]];
             Link *link = factors.links + factors.used, *end = factors.links + factors.capacity;
             to.links = link;
             for (int first = 0; first < rowFloats; first += 8)

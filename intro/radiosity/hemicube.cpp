@@ -8,25 +8,24 @@ namespace odraz {
 
 namespace {
 
-constexpr int kVertices = 1 << 16; // that are laid out before a draw call
-// A vertex: x, y, w in the atlas; place on the chart, in patches; first patch + 1; patches across and down
+constexpr int kVertices = 1 << 16; // the most in a draw call
+// A vertex: x, y, w in the atlas; position on the chart, in patches; first patch + 1; patches across and down
 constexpr int kFloats = 7;
 
-// Backs are drawn slightly deeper than they are: along a silhouette, where a front shares their edge, the
-// front wins
+// Backs are drawn slightly deeper than they are, so that a front with the same edge wins along a silhouette
 constexpr char kVertexShader[] = "layout(location=0)in vec3 p;"
                                  "layout(location=1)in vec2 q;"
                                  "layout(location=2)in uvec2 c;"
                                  "out vec2 s;flat out uvec2 f;flat out float d;"
                                  "uniform float n;"
                                  "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy,0.,p.z);s=q;f=c;}";
-// Depth is 1/w: OpenGL's own would lose what tells far things apart
+// Depth is 1/w: OpenGL's own is too coarse far away
 constexpr char kFragmentShader[] =
     "in vec2 s;flat in uvec2 f;flat in float d;out uint o;"
     "void main(){gl_FragDepth=d*gl_FragCoord.w;uint a=f.y&65535u;"
     "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
 
-struct Writer {
+struct VertexWriter {
     Hemicubes &h;
     float scaleX, scaleY; // half a face in the atlas, in clip units
     int vertices;
@@ -39,19 +38,20 @@ struct Writer {
     }
 };
 
-// Puts one facet onto one face, cut at the borders that it crosses. The middle (top face) or horizon (other
-// faces) lies at (x, y) of the atlas.
-void layOut(Writer &out, const Corner *polygon, int count, bool top, uint32_t crossed, float x, float y,
-            uint32_t first, uint32_t shape) {
-    Corner buffers[2][8];
+// Lays out one facet on one face, cut at the borders that it crosses. The face's centre (top face) or the
+// centre of its horizon (other faces) is at (x, y) in the atlas.
+void layOut(VertexWriter &out, const FaceCorner *polygon, int count, bool top, uint32_t crossed, float x,
+            float y, uint32_t first, uint32_t shape) {
+    FaceCorner buffers[2][8];
     polygon = clipToFace(polygon, count, top, crossed, buffers);
-    // As a fan of triangles
+    // Write a fan of triangles
     if (out.vertices + 3 * (count - 2) > kVertices) out.flush();
     for (int i = 2; i < count; ++i)
         for (int k = 0; k < 3; ++k) {
-            const Corner &c = polygon[k ? i - 2 + k : 0];
+            const FaceCorner &c = polygon[k ? i - 2 + k : 0];
             float *v = out.h.vertices + (size_t)out.vertices++ * kFloats;
-            // Keep rounding from leaving the picture: OpenGL would then clip all triangles, which is slow
+            // Clamp rounding errors to the picture: outside of it OpenGL would clip all triangles, which is
+            // slow
             v[0] = clamp(fmadd(c.x, out.scaleX, x * c.w), -c.w, c.w);
             v[1] = clamp(fmadd(c.y, out.scaleY, y * c.w), -c.w, c.w);
             v[2] = c.w;
@@ -62,17 +62,16 @@ void layOut(Writer &out, const Corner *polygon, int count, bool top, uint32_t cr
         }
 }
 
-void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, float y0, float scale) {
+void layOutHemicube(VertexWriter &out, const Model &model, const Eye &eye, float x0, float y0, float scale) {
     for (int i = 0; i < model.facetCount; ++i) {
         const Facet &f = model.facets[i];
         const Chart &c = model.charts[f.chart];
         float height = dot(eye.p - c.corner, c.n);
-        // Leave out what lies in the patch's own plane. Walls next to the patch are seen, however near they
-        // are
+        // Skip facets in the patch's plane. Walls next to the patch are visible, however near they are
         if (abs(height) <= scale && abs(dot(c.n, eye.frame.w)) > 0.9999f) continue;
         bool back = height < -scale;
         if (back && !model.open) continue;
-        // Into the hemicube's frame; what lies beyond one border of a face is not on it
+        // Transform to the hemicube's frame. A facet that is outside one border of a face is not on the face
         Vec3 local[4];
         uint32_t all = ~0u, some = 0;
         for (int k = 0; k < 4; ++k) {
@@ -84,11 +83,11 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         uint32_t shape = (uint32_t)c.patchesAcross | (uint32_t)c.patchesDown << 16;
         float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
         for (int side = -1; side < 4; ++side, all >>= 4, some >>= 4) {
-            Corner corners[4];
+            FaceCorner corners[4];
             for (int k = 0; k < 4; ++k) {
                 Vec3 &p = local[k];
                 corners[k] = {p.x, p.y, p.z, f.u[k] * perU, f.v[k] * perV};
-                p = side == -1 ? Vec3{p.y, p.z, p.x} : Vec3{-p.z, p.y, p.x}; // into the next face's frame
+                p = side == -1 ? Vec3{p.y, p.z, p.x} : Vec3{-p.z, p.y, p.x}; // to the next face's frame
             }
             if (all & 15) continue;
             float y = side == -1 ? 1 : (float)(2 + side);
@@ -106,7 +105,7 @@ Eye hemicubeEye(const Vec3 &p, const Vec3 &n, uint32_t number) {
     return {p, {a * c + b * s, b * c - a * s, n}};
 }
 
-// A batch has about three quarters of a million pixels, or one hemicube if that is more.
+// Sets the atlas's size: about 750,000 pixels, or one hemicube if that is more.
 static void shapeAtlas(Hemicubes &h, int px) {
     h.px = px;
     h.columns = clamp(1024 / px, 1, kHemicubeBatch / 4);
@@ -129,7 +128,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h.ids = arena.take<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
     if (arena.full) return false;
 
-    // An atlas of numbers and depths
+    // Create an atlas of ids and depths
     int width = h.columns * px, height = h.lines * 3 * px;
     gl.glGenFramebuffers(1, &h.framebuffer);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, h.framebuffer);
@@ -167,7 +166,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
 }
 
 void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count) {
-    // The scene's size decides what counts as lying in a plane
+    // The scene's size sets the tolerance for facets in the patch's plane
     float size = 0;
     for (int i = 0; i < model.chartCount; ++i) {
         const Chart &c = model.charts[i];
@@ -188,7 +187,7 @@ void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
     gl.glUniform1fv(gl.glGetUniformLocation(h.program, "n"), 1, &near);
     gl.glBindVertexArray(h.vertexArray);
     gl.glBindBuffer(GL_ARRAY_BUFFER, h.buffer);
-    Writer out = {h, 1.f / (float)h.columns, 1.f / (float)(3 * h.lines), 0};
+    VertexWriter out = {h, 1.f / (float)h.columns, 1.f / (float)(3 * h.lines), 0};
     for (int i = 0; i < count; ++i)
         layOutHemicube(out, model, eyes[i], -1 + 2 * out.scaleX * (float)(i % h.columns),
                        -1 + 6 * out.scaleY * (float)(i / h.columns), size * 4e-7f);

@@ -1,7 +1,7 @@
-// Light bases: a model is solved for each of these lights alone. Light is linear, so the light of any moment
-// is a weighted sum of them.
+// Light bases: a model is solved for each of these lights alone. Light is linear, so the light at any time is
+// a weighted sum of them.
 //
-// Their order is the same everywhere: skies, then suns, then lamps. BasisOrder gives the number of a basis.
+// Their order is the same everywhere: skies, suns, lamps. BasisOrder has the index of each.
 #pragma once
 
 #include "base/vec3.h"
@@ -11,7 +11,7 @@ namespace odraz {
 inline constexpr int kMaxSkies = 32, kMaxSuns = 32, kMaxLamps = 16,
                      kMaxBases = kMaxSkies + kMaxSuns + kMaxLamps;
 
-// How many bases there are of each kind; the number of each basis follows from that.
+// The number of bases of each kind, from which each basis's index follows.
 struct BasisOrder {
     int skyCount, sunCount, lampCount;
 
@@ -23,22 +23,22 @@ struct BasisOrder {
     }
 };
 
-// Something that shines with radiance 1: a ball, or if radius is 0 the lit side of a chart.
+// A light source with radiance 1: a ball, or a chart's front if the radius is 0.
 struct Lamp {
     Vec3 centre;
     float radius;
     int chart;
 };
 
-// Bases have one colour; the picture multiplies in the colour later. Callers that set the counts must check
-// that they fit().
+// Bases are white; their colours are multiplied in for each picture. Callers that set the counts must check
+// fit().
 struct LightBases : BasisOrder {
-    // Skies stand in all windows. They are functions of the unit direction and may be negative, except the
-    // first, whose light decides how far that of the others is extrapolated
+    // Skies shine through all windows. They are functions of the unit direction and may be negative, except
+    // the first, whose light limits the extrapolation of the others (spread.h)
     void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
     const void *skies;
-    Vec3 suns[kMaxSuns]; // directions in world space; their light is parallel; irradiance / pi is 1 on what
-                         // faces them
+    // Positions in world space, far away. Irradiance / pi is 1 on a surface that faces the sun
+    Vec3 suns[kMaxSuns];
     Lamp lamps[kMaxLamps];
 };
 

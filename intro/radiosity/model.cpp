@@ -9,8 +9,8 @@ int Model::addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int materia
     c = {};
     c.corner = corner;
     c.width = length(u), c.height = length(v);
-    // Divide, do not multiply by the inverse: along an axis the result is exactly 1, and neighbours' corners
-    // meet exactly
+    // Divide instead of multiplying by the inverse: along an axis the result is exactly 1, and neighbours'
+    // corners meet exactly
     auto unit = [](Vec3 a, float length) { return Vec3{a.x / length, a.y / length, a.z / length}; };
     c.u = unit(u, c.width), c.v = unit(v, c.height);
     c.n = cross(c.u, c.v);
@@ -45,12 +45,12 @@ void Model::addBox(const Vec3 &lo, const Vec3 &hi, int material, float cell, uns
         if (sides >> i & 1) addRect(all[i].corner, all[i].u, all[i].v, material, cell);
 }
 
-// Finds where the hemicube of a patch stands, and how much of the patch is visible.
-static void place(const Model &model, int index, Patch &patch) {
+// Finds the position of a patch's hemicube and the visible share of the patch.
+static void placePatch(const Model &model, int index, Patch &patch) {
     const Chart &c = model.charts[patch.chart];
     int wide = c.patchAcross(), high = c.patchDown(), firstI = index % c.patchesAcross * wide,
         firstJ = index / c.patchesAcross * high;
-    auto places = [&](auto &&visit) {
+    auto forPoints = [&](auto &&visit) {
         for (int j = firstJ; j < firstJ + high; ++j)
             for (int i = firstI; i < firstI + wide; ++i)
                 for (int k = 0; k < 4; ++k)
@@ -60,17 +60,17 @@ static void place(const Model &model, int index, Patch &patch) {
     };
     int count = 0;
     Vec3 sum = {};
-    places([&](Vec3 p) { sum += p, ++count; });
+    forPoints([&](Vec3 p) { sum += p, ++count; });
     int all = 4 * wide * high;
     patch.share = (float)count / (float)all;
     if (count == 0) return;
-    Vec3 middle = sum * (1.f / (float)count);
-    patch.p = middle;
+    Vec3 centroid = sum * (1.f / (float)count);
+    patch.p = centroid;
     if (count == all) return;
     float least = kInfinity;
-    places([&](Vec3 p) {
-        float distance = length(p - middle);
-        if (distance >= least * 0.999f) return; // of equals take the first, so that rounding does not decide
+    forPoints([&](Vec3 p) {
+        float distance = length(p - centroid);
+        if (distance >= least * 0.999f) return; // of equals take the first, so that rounding does not matter
         least = distance;
         patch.p = p;
     });
@@ -79,7 +79,7 @@ static void place(const Model &model, int index, Patch &patch) {
 bool Model::divide(Arena &arena, int block) {
     texelCount = cellCount = patchCount = 0;
     for (int i = 0; i < chartCount; ++i) {
-        // Charts hold whole patches: take the number of blocks nearest to the requested size, and the
+        // Charts have whole patches: choose the number of blocks nearest to the requested size, and the
         // number of cells that fills them
         Chart &c = charts[i];
         auto divideSide = [&](int16_t &cells, int16_t &patches) {
@@ -123,7 +123,7 @@ void Model::placePatches() {
         for (int k = 0; k < charts[i].patchesAcross * charts[i].patchesDown; ++k) {
             Patch &p = patches[charts[i].firstPatch + k];
             p = {{}, charts[i].n, {}, 0, 0, i};
-            place(*this, k, p);
+            placePatch(*this, k, p);
         }
     for (int i = 0; i < cellCount; ++i) {
         int quarters = 0;

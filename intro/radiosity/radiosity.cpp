@@ -14,8 +14,8 @@ static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
     return !arena.full;
 }
 
-// Makes a system for bases of white light: the direct light of a patch is the mean of its texels. False when
-// the arena is full.
+// Makes the system for bases of white light. The direct light of a patch is the mean of its texels. Returns
+// false if the arena is full.
 static bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers) {
     System &s = r.system;
     int bases = r.bases.count();
@@ -43,14 +43,14 @@ static void spreadLight(Radiosity &r, const Model &model, Workers &workers) {
                 3 * r.bases.skyCount);
 }
 
-// Adds direct light of the skies to their bounced light, and moves all planes as the ties say.
-static void settleLight(Radiosity &r, const Model &model, Workers &workers) {
+// Adds direct light of the skies to their bounced light, and applies the ties to all planes.
+static void finishLight(Radiosity &r, const Model &model, Workers &workers) {
     parallelFor(workers, r.bases.count(), [&](int k, int) {
         for (float *plane : r.bounced[k]) {
             for (int t = 0; t < model.texelCount && k < r.bases.skyCount; ++t) plane[t] += r.direct[k][t];
-            settle(model, plane);
+            applyTies(model, plane);
         }
-        settle(model, r.direct[k]);
+        applyTies(model, r.direct[k]);
     });
 }
 
@@ -80,7 +80,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     progress(0.965f);
     findIndirect(r.system, workers);
     spreadLight(r, model, workers);
-    settleLight(r, model, workers);
+    finishLight(r, model, workers);
     progress(1);
     return !workers.aborted();
 }

@@ -10,7 +10,7 @@ struct Pair {
     Float8 a, b;
 };
 
-// F B of one patch, for a block of columns.
+// Returns F B of one patch, for a block of columns.
 Pair multiplyRow(const FormFactors &f, int patch, const float *values, int columns) {
     static_assert(kSolveBlock == 16);
     const Link *link = f.rows[patch].links, *end = link + f.rows[patch].count;
@@ -26,13 +26,13 @@ Pair multiplyRow(const FormFactors &f, int patch, const float *values, int colum
 void solveBlock(System &s, int block, Workers &workers, float residual, int most) {
     int columns = s.columns;
     float *values = s.indirect + (size_t)block * (size_t)s.patches;
-    // The light of the sources
-    Float8 put[2] = {};
+    // Start with the light of the sources
+    Float8 emitted[2] = {};
     for (int i = 0; i < s.patches; ++i)
         for (int k = 0; k < 2; ++k) {
             size_t at = (size_t)i * (size_t)columns + (size_t)(block + 8 * k);
             Float8 source = load(s.reflectance + at) * load(s.direct + at);
-            put[k] += abs(source);
+            emitted[k] += abs(source);
             store(values + i * kSolveBlock + 8 * k, source);
         }
     for (int sweep = 1; sweep <= most; ++sweep) {
@@ -49,7 +49,7 @@ void solveBlock(System &s, int block, Workers &workers, float residual, int most
                 store(value, b);
             }
         }
-        if (all((changed[0] <= put[0] * residual) & (changed[1] <= put[1] * residual))) break;
+        if (all((changed[0] <= emitted[0] * residual) & (changed[1] <= emitted[1] * residual))) break;
     }
     for (int i = 0; i < s.patches; ++i)
         for (int k = 0; k < kSolveBlock; k += 8)
@@ -99,8 +99,8 @@ void fillPatches(const Model &model, const FormFactors &factors, int columns, fl
                 if (!factors.rows[n].known) continue;
                 ++found;
                 for (int k = 0; k < columns; k += 8) {
-                    Float8 has = load(to + k), more = load(valuesOf(n) + k);
-                    store(to + k, fmadd(more - has, broadcast(1.f / (float)found), has));
+                    Float8 mean = load(to + k), next = load(valuesOf(n) + k);
+                    store(to + k, fmadd(next - mean, broadcast(1.f / (float)found), mean));
                 }
             }
     }

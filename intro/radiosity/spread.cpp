@@ -21,16 +21,16 @@ void addToTexels(const Model &m, const float *values, int columns, float *const 
         for (int i = first; i < end; ++i) {
             const Texel &t = m.texels[i];
             const Chart &c = m.charts[t.chart];
-            // The two middles between which it lies, and where it lies there
-            auto place = [](int x, int size, int patches, int &first, int &next) {
+            // Find the two centres around the texel, and its position between them
+            auto locate = [](int x, int size, int patches, int &first, int &next) {
                 float at = (float)x / (float)size - 0.5f;
                 first = clamp((int)(at + 1) - 1, 0, max(patches - 2, 0));
                 next = min(first + 1, patches - 1);
                 return broadcast(patches > 1 ? at - (float)first : 0.f);
             };
             int across = c.patchesAcross, x0, x1, y0, y1;
-            Float8 x = place(t.x, c.patchAcross(), across, x0, x1),
-                   y = place(t.y, c.patchDown(), c.patchesDown, y0, y1);
+            Float8 x = locate(t.x, c.patchAcross(), across, x0, x1),
+                   y = locate(t.y, c.patchDown(), c.patchesDown, y0, y1);
             auto from = [&](int x, int y) {
                 return values + (size_t)(c.firstPatch + y * across + x) * (size_t)columns;
             };

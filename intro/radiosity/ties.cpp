@@ -3,7 +3,7 @@
 namespace odraz {
 
 void tie(Model &m) {
-    // Outwards from what is known, ring by ring. A texel with several ties gets the mean of all
+    // Add ties outwards from the known texels, ring by ring. A texel with several ties gets the mean
     auto unknown = [&](int t) { return !m.texels[t].visible && !m.texels[t].filled; };
     m.tieCount = 0;
     for (int begin = -1; begin != m.tieCount;) {
@@ -19,7 +19,7 @@ void tie(Model &m) {
     }
 }
 
-void settle(const Model &m, float *plane) {
+void applyTies(const Model &m, float *plane) {
     for (int i = 0; i < m.tieCount; ++i) {
         const Tie &t = m.ties[i];
         plane[t.texel] = lerp(plane[t.texel], plane[t.towards], t.share);

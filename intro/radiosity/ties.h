@@ -1,13 +1,13 @@
-// Ties: the light of hidden texels follows from that of others, which prevents dark rims in the light.
+// Ties: hidden texels get light from their neighbours, which prevents dark rims.
 #pragma once
 
 #include "radiosity/model.h"
 
 namespace odraz {
 
-// Ties hidden texels to those around them.
+// Ties hidden texels to their neighbours.
 void tie(Model &model);
 // Applies the ties to the values of a plane.
-void settle(const Model &model, float *plane);
+void applyTies(const Model &model, float *plane);
 
 } // namespace odraz

@@ -9,29 +9,29 @@ namespace {
 
 void put(Vec3x8 &to, int k, Vec3 v) { to.x[k] = v.x, to.y[k] = v.y, to.z[k] = v.z; }
 
-// Whether the nearest surface in a direction from the points is a back: then they lie inside a solid. Rays
-// of the tracer stop only at fronts, light stops at both sides.
+// Returns whether the nearest surface in a direction is a back: then the point is inside a solid. The
+// tracer's rays stop only at fronts, but light stops at both sides.
 Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
     Hit8 front = intersect(scene, {p, d}, active);
     Float8 open = transmittance(scene, {p, d}, min(front.t, kFar) * 0.9999f, active, broadcast(-1)).y;
     return active & (open < 0.5f);
 }
 
-// Rays go in several directions, because one from inside a solid that stands against a wall may run along
-// the wall and hit its front. They start on two sides of the place, so that what touches a solid's edge
-// counts as inside.
-Int8 insideSolid(const Scene &scene, const Texels8 &t, const Places8 &places) {
+// Tests rays in several directions, because one ray from inside a solid next to a wall may run along the wall
+// and hit its front. They start on two sides of the point, so that a point that touches a solid's edge counts
+// as inside.
+Int8 insideSolid(const Scene &scene, const Texels8 &t, const TexelPoints8 &points) {
     Int8 some = {};
     for (int i = 0; i < 4; ++i) {
         float side = i & 1 ? -0.08f : 0.08f, slant = i & 2 ? 0.004f : 1;
         float a = side * 10 * slant, b = side * 8 * slant;
         Vec3x8 d = normalize(t.n + t.u * broadcast(a) + t.v * broadcast(b));
-        some |= seesBack(scene, t.at(places.x + side, places.y + side), d, places.active);
+        some |= seesBack(scene, t.at(points.x + side, points.y + side), d, points.active);
     }
     return some;
 }
 
-// Whether a place lies on a facet of its chart.
+// Returns whether a point is on a facet of its chart.
 bool onFacet(const Model &model, const Chart &c, float u, float v) {
     float slack = (c.width + c.height) * 1e-6f;
     for (int i = c.firstFacet; i < c.firstFacet + c.facetsCount; ++i) {
@@ -64,18 +64,18 @@ Texels8 loadTexels(const Model &model, int first, int count) {
     return t;
 }
 
-Places8 placesOf(const int *masks, int round) {
-    Places8 places = {};
+TexelPoints8 pointsOf(const int *masks, int round) {
+    TexelPoints8 points = {};
     for (int k = 0; k < 8; ++k) {
         int mask = masks[k];
         for (int i = 0; i < round; ++i) mask &= mask - 1;
         if (!mask) continue;
-        int number = __builtin_ctz((unsigned)mask);
-        places.x[k] = number & 1 ? 1 : -1, places.y[k] = number & 2 ? 1 : -1;
-        places.number[k] = number;
-        places.active[k] = -1;
+        int index = __builtin_ctz((unsigned)mask);
+        points.x[k] = index & 1 ? 1 : -1, points.y[k] = index & 2 ? 1 : -1;
+        points.index[k] = index;
+        points.active[k] = -1;
     }
-    return places;
+    return points;
 }
 
 void findVisible(Model &model, const Scene &scene, Workers &workers) {
@@ -91,11 +91,11 @@ void findVisible(Model &model, const Scene &scene, Workers &workers) {
             }
             Texels8 t = loadTexels(model, i, count);
             for (int round = 0; round < 4; ++round) {
-                Places8 places = placesOf(masks, round);
-                if (!any(places.active)) break;
-                Int8 open = places.active & ~insideSolid(scene, t, places);
+                TexelPoints8 points = pointsOf(masks, round);
+                if (!any(points.active)) break;
+                Int8 open = points.active & ~insideSolid(scene, t, points);
                 for (int k = 0; k < 8; ++k)
-                    if (open[k]) visible[k] |= 1 << places.number[k];
+                    if (open[k]) visible[k] |= 1 << points.index[k];
             }
             for (int k = 0; k < count; ++k) model.texels[i + k].visible = (uint8_t)visible[k];
         }

@@ -8,12 +8,11 @@ namespace {
 
 constexpr int kPadded = 32; // 25 coefficients, padded
 
-// What arrives at a patch, for every basis and channel.
-struct Arriving {
+// The light that arrives at a patch, as coefficients for every basis and channel.
+struct IncidentLight {
     float sum[3 * kMaxBases][kPadded];
 
-    // Adds four links: the coefficients of each link, times the radiances that it brings for `columns` bases
-    // and channels.
+    // Adds four links: each link's coefficients times its radiances, for `columns` bases and channels.
     void add(const float (&coefficients)[4][kPadded], const float *const *radiances, int columns) {
         for (int k = 0; k < columns; ++k) {
             Float8 s[4];
@@ -30,15 +29,15 @@ struct Arriving {
     }
 };
 
-// The matrix of one patch, from all the links in its row of form factors.
+// Computes the matrix of one patch, from all links of its row of form factors.
 void findMatrix(const Model &m, const Radiosity &r, int patch, float exponent, float *matrix) {
-    const Row &row = r.factors.rows[patch];
+    const FormFactorRow &row = r.factors.rows[patch];
     Vec3 p = m.patches[patch].p, n = m.patches[patch].n;
     int bases = r.bases.count();
-    Arriving all = {};
+    IncidentLight incident = {};
     static constexpr float kDark[3 * kMaxBases] = {};
     for (int first = 0; first < row.count; first += 8) {
-        // Directions and solid angles of eight patches
+        // Compute the directions and solid angles of eight patches
         int count = min(row.count - first, 8);
         Vec3x8 to;
         Float8 share = {};
@@ -65,13 +64,13 @@ void findMatrix(const Model &m, const Radiosity &r, int patch, float exponent, f
                 for (int i = 0; i < 3 * bases; ++i) sky[l][i] = i < 3 * kSh ? y[i / 3][k] : 0;
                 radiances[l] = sky[l];
             }
-            all.add(coefficients, radiances, 3 * bases);
+            incident.add(coefficients, radiances, 3 * bases);
         }
     }
     for (int j = 0; j < kSh; ++j) {
         float lobe = window((int)sqrt((float)j + 0.5f), exponent);
         for (int i = 0; i < 3 * bases; ++i)
-            matrix[i / 3 * kGlossOutputs + i % 3 * kSh + j] = all.sum[i][j] * lobe;
+            matrix[i / 3 * kGlossOutputs + i % 3 * kSh + j] = incident.sum[i][j] * lobe;
     }
 }
 
@@ -92,7 +91,7 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, float 
     for (float *&plane : g.plane) plane = arena.take<float>((size_t)count);
     if (arena.full) return false;
 
-    // Charts that are lamps also shine directly, in their own basis
+    // Add the emission of charts that are lamps, in their own basis
     for (int k = 0; k < r.bases.lampCount; ++k)
         for (int i = 0; i < m.patchCount; ++i)
             if (r.bases.lamps[k].chart == m.patches[i].chart)
@@ -102,7 +101,7 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, float 
                 [&](int i, int) { findMatrix(m, r, c.firstPatch + i, exponent, each + (size_t)i * width); });
     fillPatches(m, r.factors, columns, each, c.firstPatch, patches);
 
-    // Each square gets the mean of its patches
+    // Give each square the mean of its patches
     for (int i = 0; i < count; ++i) {
         int x = i % g.across, y = i / g.across, u = x * patchesAcross / g.across,
             v = y * patchesDown / g.down, uEnd = (x + 1) * patchesAcross / g.across,
@@ -121,7 +120,7 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, float 
 void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, float reflect,
                    float strength) {
     const Chart &chart = *g.chart;
-    // The strength of each entry
+    // Compute the weight of each entry
     float weights[kMaxBases][kGlossOutputs] = {};
     for (int k = 0; k < g.bases; ++k)
         for (int j = 0; j < kSh; ++j) {
@@ -129,10 +128,10 @@ void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, f
             weights[k][kSh + j] = light.bounced[k].y;
             weights[k][2 * kSh + j] = light.bounced[k].z;
         }
-    // The squares, eight at a time
+    // Light the squares, eight at a time
     int count = g.across * g.down;
     for (int first = 0; first < count; first += 8) {
-        float arriving[8][kGlossOutputs] = {};
+        float incident[8][kGlossOutputs] = {};
         Int8 square = {};
         for (int l = 0; l < 8; ++l) {
             square[l] = min(first + l, count - 1);
@@ -140,8 +139,8 @@ void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, f
             for (int k = 0; k < g.bases; ++k, entry += kGlossOutputs) {
                 if (maxComponent(light.bounced[k]) == 0) continue;
                 for (int j = 0; j < kGlossOutputs; j += 8)
-                    store(arriving[l] + j,
-                          fmadd(load(entry + j), load(weights[k] + j), load(arriving[l] + j)));
+                    store(incident[l] + j,
+                          fmadd(load(entry + j), load(weights[k] + j), load(incident[l] + j)));
             }
         }
         Float8 line = floor((toFloat(square) + 0.5f) / (float)g.across);
@@ -155,7 +154,7 @@ void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, f
         for (int channel = 0; channel < 3; ++channel) {
             Float8 sum = {};
             for (int j = 0; j < kSh; ++j)
-                sum = fmadd(gather(arriving[0] + channel * kSh + j, kLanes * kGlossOutputs), y[j], sum);
+                sum = fmadd(gather(incident[0] + channel * kSh + j, kLanes * kGlossOutputs), y[j], sum);
             sum = max(sum, 0.f) * mirrored;
             for (int k = 0; k < 8; ++k) g.plane[channel][square[k]] = sum[k];
         }

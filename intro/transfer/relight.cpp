@@ -4,8 +4,7 @@ namespace odraz {
 
 void relight(const Radiosity &r, const Model &model, const LightVector &light, float *const plane[3]) {
     for (int c = 0; c < 3; ++c) {
-        // The bases that are lit, taken four at a time: each sum is then loaded and stored once for four
-        // bases
+        // Take the lit bases four at a time, so that each sum is loaded and stored once for four bases
         const float *from[2 * kMaxBases + 3];
         float weight[2 * kMaxBases + 3];
         int count = 0;
@@ -19,7 +18,7 @@ void relight(const Radiosity &r, const Model &model, const LightVector &light, f
         }
         for (int k = 0; k < 3; ++k) from[count + k] = plane[c], weight[count + k] = 0;
 
-        constexpr int kPiece = 512; // texels; their sums stay in the nearest cache
+        constexpr int kPiece = 512; // texels; their sums stay in the L1 cache
         for (int first = 0; first < model.texelCount; first += kPiece) {
             int end = min(first + kPiece, model.texelCount);
             for (int t = first; t < end; t += 8) store(plane[c] + t, Float8{});

@@ -4,7 +4,7 @@ namespace odraz {
 
 namespace {
 
-// Keeps each bounce of one light.
+// Stores the light of `followed` after each bounce.
 bool followBounces(Room &room, const LightVector &followed, Arena &arena, Workers &workers) {
     const Radiosity &r = room.radiosity;
     const Model &m = room.model;
@@ -30,12 +30,12 @@ bool followBounces(Room &room, const LightVector &followed, Arena &arena, Worker
     return true;
 }
 
-// Finds the patch nearest to a place, and keeps what it sees.
-bool visit(Room &room, const Vec3 &place, const Gl &gl, Arena &arena) {
+// Finds the patch nearest to a point, and stores its hemicube.
+bool visit(Room &room, const Vec3 &point, const Gl &gl, Arena &arena) {
     const Model &m = room.model;
     float least = kInfinity;
     for (int i = 0; i < m.patchCount; ++i) {
-        float distance = length(m.patches[i].p - place);
+        float distance = length(m.patches[i].p - point);
         if (distance >= least) continue;
         least = distance;
         room.visited = i;
@@ -51,8 +51,8 @@ bool visit(Room &room, const Vec3 &place, const Gl &gl, Arena &arena) {
     return true;
 }
 
-// Points the lightmap at the room's planes and gloss.
-bool wire(Room &room, Arena &arena) {
+// Sets the lightmap's pointers to the room's planes and gloss.
+bool fillLightmap(Room &room, Arena &arena) {
     const Model &m = room.model;
     for (int k = 0; k < 3; ++k) {
         room.light[k] = arena.take<float>((size_t)m.texelCount + 8);
@@ -77,7 +77,7 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Gl 
         solveRadiosity(room.radiosity, room.model, scene, s.radiosity, gl, arena, workers, progress) &&
         findGlossy(room.gloss, room.model, room.radiosity, s.polished, s.exponent, arena, workers) &&
         followBounces(room, s.followed, arena, workers) && visit(room, s.visited, gl, arena) &&
-        wire(room, arena);
+        fillLightmap(room, arena);
     if (!solved) return "the hall cannot be lit: OpenGL 3.3 draws no integers here, or memory is short";
     closeHemicubes(room.radiosity.hemicubes);
     return nullptr;

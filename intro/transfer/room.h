@@ -1,69 +1,68 @@
-// A room: a model that is solved once for all its lights and relit in every picture, with bounces and gloss.
+// A room: a model that is solved once for all its lights and relit for every picture, with bounces and gloss.
 //
 //   start-up: patches -> hemicubes (GL) -> form factors -> solution for every light basis -> gloss, bounces
-//   a picture: strength of every basis -> light on every texel -> what the tracer reads
+//   a picture: strength of every basis -> light on every texel -> lightmap of the tracer
 #pragma once
 
 #include "transfer/glossy.h"
 
 namespace odraz {
 
-inline constexpr int kBounces = 4; // how many bounces are kept
-inline constexpr int kSeen =
-    160; // width in pixels of the hemicube that is kept; finer than those used for solving
+inline constexpr int kBounces = 4; // the number of bounces that are stored
+// Width in pixels of the stored hemicube, which is finer than those for solving.
+inline constexpr int kSeen = 160;
 
 struct RoomSettings {
     RadiositySettings radiosity;
-    float exponent;       // of the gloss's lobe: see window()
+    float exponent;       // exponent of the gloss's lobe (see window())
     int polished;         // the chart that has gloss
-    LightVector followed; // the light whose bounces are kept; only `bounced` counts
-    Vec3 visited;         // a place; the hemicube of the nearest patch is kept
+    LightVector followed; // the light whose bounces are stored; only `bounced` counts
+    Vec3 visited;         // a point; the hemicube of the patch nearest to it is stored
 };
 
 struct Room {
     Glossy gloss;
-    Lightmap map;            // what the tracer reads: the planes below and those of gloss
+    Lightmap map;            // for the tracer: points to the planes below and to the gloss
     float *light[3];         // planes of texels for this picture: irradiance / pi
-    float *mosaic[3];        // colours of patches, for pictures that show those instead
+    float *mosaic[3];        // colours of patches, for pictures that show these instead
     Rgb mean[kMaxMaterials]; // each material's reflectance
     // Irradiance / pi on every patch after each bounce of the followed light; [0] is direct light
     Rgb *bounce[kBounces + 1];
-    // The visited patch and what it sees: a hemicube, 3 kSeen rows of kSeen pixels in the layout of
-    // hemicube.h, and an empty row
+    // The visited patch and its hemicube: 3 kSeen rows of kSeen pixels in the layout of hemicube.h, and an
+    // empty row
     int visited;
     uint32_t *seen;
     Radiosity radiosity;
     Model model;
 };
 
-// Size of the arena for solving. It is enough for a room of 26,000 texels, 5,300 patches and 64 bases, with
-// a quarter to spare.
+// Size of the arena for solving: enough for a room of 26,000 texels, 5,300 patches and 64 bases, with a
+// quarter to spare.
 inline constexpr size_t kRoomBytes = (size_t)192 << 20;
 
-// Solves room.model, lit by room.radiosity.bases. The scene must hold the posed, finished model; solving
-// traces rays in it. Returns null, or a line that says what is missing and what to do.
+// Solves room.model, lit by room.radiosity.bases. The scene must contain the posed, finished model; solving
+// traces rays in it. Returns null, or an error line.
 const char *solveRoom(Room &room, Scene &scene, const RoomSettings &settings, const Gl &gl, Arena &arena,
                       Workers &workers, const Progress &progress);
 
-// Adds the model to a scene, with the room's light on it. The charts use the materials of that scene.
+// Adds the model to a scene, with the room's light. The charts use the scene's materials.
 inline void poseRoom(Room &room, Scene &scene) {
     room.model.pose(scene);
     scene.lightmap = &room.map;
     room.map.mosaic = 0;
 }
 
-// Updates the light on the texels, and the gloss for an eye; `reflect` and `strength` are those of
-// relightGlossy().
+// Updates the light on the texels, and the gloss for an eye. `reflect` and `strength`: see relightGlossy().
 inline void relightRoom(Room &room, const LightVector &light, const Vec3 &eye, float reflect,
                         float strength) {
     relight(room.radiosity, room.model, light, room.light);
     relightGlossy(room.gloss, light, eye, reflect, strength);
 }
 
-// The average over the texels of a chart.
+// Returns the mean light on the texels of a chart.
 Rgb meanLight(const Room &room, int chart);
 
-// Clears what a solved room needed for solving alone, so that copies of its memory pack well.
+// Zeroes the memory that only solving needs, so that copies of a solved room pack well.
 void clearScratch(Room &room);
 
 } // namespace odraz

@@ -1,4 +1,4 @@
-// Form factors by hemicubes against closed forms.
+// Compares form factors from hemicubes with closed forms.
 #include "tests/support/hemicube_bench.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/squares.h"
@@ -10,7 +10,7 @@ using namespace odraz;
 
 namespace {
 
-// The form factor from chart 0 to chart 1 by hemicubes with a given rotation.
+// Returns the form factor from chart 0 to chart 1, by hemicubes with a given rotation.
 double between(HemicubeBench &b, int turn) {
     const Model &m = *b.model;
     const Chart &from = m.charts[0], &to = m.charts[1];
@@ -41,7 +41,7 @@ TEST(DeltaFormFactors, SumToOneAndAreTheIntegralOfTheKernel) {
         double sum = 0;
         for (float d : delta) sum += (double)d;
         EXPECT_NEAR(sum, 1, 1e-6) << px;
-        // A fine midpoint sum over a few pixels
+        // Compare a few pixels with a fine midpoint sum
         for (int k = 0; k < 24; ++k) {
             int row = k * 5 % (3 * px), column = k * 7 % px;
             bool top = row < px;
@@ -74,7 +74,7 @@ static double rmsError(const Squares &squares, int px, int turns) {
     return rms;
 }
 
-// Coaxial discs, approximated by regular polygons of many sides. Howell, C-41.
+// Coaxial discs, as regular polygons of many sides. Howell, C-41.
 TEST(FormFactor, CoaxialDiscs) {
     HemicubeBench b;
     auto disc = [&](float y, bool up) {
@@ -100,7 +100,7 @@ TEST(FormFactor, CoaxialDiscs) {
     b.scene->finish(); // nothing is hidden
     b.divide(1);
     b.hemicube = std::make_unique<SingleHemicube>(64);
-    // The rim cuts patches: each counts by the part of it that exists
+    // The rim cuts patches: weight each by its existing share
     const Model &m = *b.model;
     double area = 0, sum = 0;
     for (int i = 0; i < m.patchCount / 2; ++i) {
@@ -145,7 +145,7 @@ TEST(FormFactor, FromAPointToARectangle) {
     }
 }
 
-// The error falls with the pixels: at most one per cent at 64.
+// The error falls with the number of pixels: at most one per cent at 64.
 TEST(FormFactor, OfUnitSquaresFallsWithResolution) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (const Squares &squares : kSquares) {
@@ -170,7 +170,7 @@ TEST(FormFactor, OneSided) {
     for (int i = 0; i < above.patchesAcross * above.patchesDown; ++i)
         EXPECT_EQ(row[(size_t)(above.firstPatch + i)], 0);
     EXPECT_GT(dark, 0.2); // the back hides what is behind it
-    // From its own place, the upper square sees the ceiling, but neither itself nor the lower square
+    // The upper square sees the ceiling, but neither itself nor the lower square
     auto ids = b.visibleIds(hemicubeEye({0.5f, 1, 0.5f}, {0, 1, 0}, 2));
     for (uint32_t id : ids)
         if (id != kNothing) {

@@ -1,4 +1,4 @@
-// Hemicubes: what they must not see, sums and energy in closed rooms, and cleaning up.
+// Hemicubes: visibility, sums and energy in closed rooms, and cleaning up.
 #include "tests/support/hemicube_bench.h"
 #include "tests/support/room.h"
 
@@ -23,14 +23,14 @@ TEST(ClosedRoom, RowsSumToOne) {
     }
 }
 
-// A hemicube sees only the room, however near to the walls it stands: no near plane cuts it off, and it sees
-// nothing in its own plane or behind the walls.
+// A hemicube sees only the room, however near to the walls it is: no near plane clips it, and it sees nothing
+// in its plane or behind the walls.
 TEST(ClosedRoom, NothingIsSeenFromOutsideAtAnyOffset) {
     for (float scale : {1e-3f, 1.f, 1e3f}) {
         HemicubeBench b;
         Vec3 half = {1, 1, 1};
         addRoom(*b.model, -half * scale, half * scale, 0.5f * scale);
-        // Larger rooms around it, and squares beneath and beside the floor, some of them in its plane
+        // Add larger rooms around it, and squares below and next to the floor, some of them in its plane
         addRoom(*b.model, -half * (1.0001f * scale), half * (1.0001f * scale), 0.5f * scale);
         addRoom(*b.model, -half * (2 * scale), half * (2 * scale), 0.5f * scale);
         for (float x : {1.f, -3.f})
@@ -44,14 +44,14 @@ TEST(ClosedRoom, NothingIsSeenFromOutsideAtAnyOffset) {
                     ASSERT_NE(id, kNothing) << d << " scale " << scale;
                     int patch = (int)id - 1;
                     ASSERT_LT(patch, outside.firstPatch) << d << " scale " << scale;
-                    // The patches of the floor, which are the first, lie in the plane of the hemicube
+                    // The patches of the floor, which are the first, are in the hemicube's plane
                     ASSERT_GE(patch, floor.patchesAcross * floor.patchesDown) << d << " scale " << scale;
                 }
             }
     }
 }
 
-// Two far walls are a hair apart: the nearer one must win in every pixel.
+// Two distant walls are very close to each other: the nearer one must win in every pixel.
 TEST(Depth, SeparatesNearFromFarAtADistance) {
     HemicubeBench b;
     b.model->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1);
@@ -65,7 +65,7 @@ TEST(Depth, SeparatesNearFromFarAtADistance) {
 }
 
 // Closing hemicubes frees everything that openHemicubes() made.
-TEST(Hemicubes, LeaveNothingBehind) {
+TEST(Hemicubes, FreeAllObjects) {
     void *egl = dlopen("libEGL.so.1", RTLD_LAZY);
     ASSERT_TRUE(egl);
     auto find = (void *(*)(const char *))dlsym(egl, "eglGetProcAddress");
@@ -79,18 +79,18 @@ TEST(Hemicubes, LeaveNothingBehind) {
     Hemicubes h = b.hemicubes();
     Eye eye = hemicubeEye(b.model->patches[0].p, b.model->patches[0].n, 0);
     drawHemicubes(h, *b.model, &eye, 1);
-    auto there = [&] {
+    auto existing = [&] {
         return is("glIsProgram", h.program) + is("glIsVertexArray", h.vertexArray) +
                is("glIsBuffer", h.buffer) + is("glIsFramebuffer", h.framebuffer) +
                is("glIsRenderbuffer", h.images[0]) + is("glIsRenderbuffer", h.images[1]);
     };
-    EXPECT_EQ(there(), 6);
+    EXPECT_EQ(existing(), 6);
     b.hemicube.reset();
-    EXPECT_EQ(there(), 0);
+    EXPECT_EQ(existing(), 0);
     for (GLuint shader = 1; shader < 100; ++shader) EXPECT_FALSE(is("glIsShader", shader)) << shader;
 }
 
-// In a room where everything emits 1 and reflects rho, every radiosity is 1 / (1 - rho).
+// In a room where every surface emits 1 and reflects rho, every radiosity is 1 / (1 - rho).
 TEST(Furnace, ComesOutEven) {
     for (float rho : {0.f, 0.3f, 0.9f, 0.99f}) {
         HemicubeBench b;

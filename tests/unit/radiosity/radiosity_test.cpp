@@ -1,4 +1,4 @@
-// Direct light against closed forms, whole rooms solved, and the extremes of reflectance, power and size.
+// Direct light against closed forms, solved rooms, and extremes of reflectance, power and size.
 #include "radiosity/radiosity.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/model_bench.h"
@@ -16,14 +16,14 @@ namespace {
 
 // A room of 4 x 3 x 6 with a block on the floor, solved. Materials: 0 walls, 1 a floor that may be coloured,
 // 2 lamps.
-struct Room : ModelBench {
+struct TestRoom : ModelBench {
     std::unique_ptr<Radiosity> r = std::make_unique<Radiosity>();
 
     Rgb walls, floor;
 
-    explicit Room(float grey = 0.5f) : walls{grey, grey, grey}, floor(walls) {}
-    // The room as described, with a ball that emits.
-    explicit Room(Vec3 ball, float grey = 0.5f, float radius = 0.1f) : Room(grey) {
+    explicit TestRoom(float grey = 0.5f) : walls{grey, grey, grey}, floor(walls) {}
+    // The room as described, with a glowing ball.
+    explicit TestRoom(Vec3 ball, float grey = 0.5f, float radius = 0.1f) : TestRoom(grey) {
         addRoom(*model, {-2, 0, -3}, {2, 3, 3}, 0.25f, 0, 1);
         addBlock();
         addBall(ball, radius);
@@ -44,11 +44,11 @@ struct Room : ModelBench {
         pose();
         return solveRadiosity(*r, *model, *scene, settings, headlessGl(), memory.arena, workers, progress);
     }
-    // The value of a texel in one of the planes
+    // Returns the value of a texel in a plane.
     float at(const float *plane, int chart, int i, int j) const {
         return plane[model->charts[chart].texel(i, j)];
     }
-    // Visits the texels of a chart that do not lie on its border
+    // Visits the texels of a chart, except those on its border.
     void forTexels(int chart, const std::function<void(int, Vec3)> &visit) const {
         const Chart &c = model->charts[chart];
         for (int j = 1; j < c.down; ++j)
@@ -59,12 +59,14 @@ struct Room : ModelBench {
     bool visible(int texel) const { return model->texels[texel].visible; }
 };
 
-// From a point to a parallel rectangle a x b at distance c, with one corner straight above the point.
+// Returns the form factor from a point to a parallel rectangle a x b at distance c, with one corner straight
+// above the point.
 double cornerFormFactor(double a, double b, double c) {
     double A = a / c, B = b / c, ra = std::sqrt(1 + A * A), rb = std::sqrt(1 + B * B);
     return (A / ra * std::atan(B / ra) + B / rb * std::atan(A / rb)) / (2 * M_PI);
 }
-// From p on a plane below to the rectangle [x0, x1] x [z0, z1] at height c above it.
+// Returns the form factor from the point (x, z) on a plane to the rectangle [x0, x1] x [z0, z1] at height c
+// above it.
 double parallelFormFactor(double x, double z, double x0, double x1, double z0, double z1, double c) {
     auto corner = [&](double u, double v) {
         double sign = (u < 0) != (v < 0) ? -1 : 1;
@@ -77,14 +79,14 @@ double parallelFormFactor(double x, double z, double x0, double x1, double z0, d
 
 TEST(Direct, ARectangularLampIsItsFormFactor) {
     for (float height : {0.1f, 0.5f, 2.5f}) {
-        Room room(0);
+        TestRoom room(0);
         room.addFloor();
         int lamp = room.model->addRect({-0.5f, height, -1}, {1, 0, 0}, {0, 0, 2}, 2, 0.5f);
         room.r->bases.lamps[room.r->bases.lampCount++] = {{}, 0, lamp};
         ASSERT_TRUE(room.solve());
         double worst = 0;
         room.forTexels(0, [&](int texel, Vec3 p) {
-            // The mean over the texel's four places
+            // Average over the texel's four sample points
             double exact = 0;
             for (double u : {-0.0625, 0.0625})
                 for (double v : {-0.0625, 0.0625})
@@ -99,7 +101,7 @@ TEST(Direct, ARectangularLampIsItsFormFactor) {
 }
 
 TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
-    Room room({0, 2.5f, 0}, 0);
+    TestRoom room({0, 2.5f, 0}, 0);
     ASSERT_TRUE(room.solve());
     int lit = 0, dark = 0;
     room.forTexels(0, [&](int texel, Vec3 p) {
@@ -121,7 +123,7 @@ TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
 }
 
 TEST(Direct, AnEvenSkyIsTheWindowsFormFactor) {
-    Room room(0);
+    TestRoom room(0);
     room.addFloor();
     room.model->addRect({-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, 0, 1, Model::kOpen);
     // Three skies, one of them negative
@@ -141,7 +143,7 @@ TEST(Direct, AnEvenSkyIsTheWindowsFormFactor) {
 }
 
 TEST(Direct, TheSunComesInThroughTheWindow) {
-    Room room(0);
+    TestRoom room(0);
     room.addFloor();
     room.model->addRect({-2, 2, -3}, {4, 0, 0}, {0, 0, 6}, 0, 0.25f, Model::kPieces);
     room.model->addFacet(0, 0, 4, 2);
@@ -154,11 +156,11 @@ TEST(Direct, TheSunComesInThroughTheWindow) {
     });
 }
 
-// A sealed room stays black to the bit: no light leaks through walls, corners or along floors.
+// A sealed room stays exactly black: no light leaks through walls, corners or along floors.
 TEST(Leaks, ASealedRoomStaysDark) {
-    Room room({0, 2.5f, 0});
+    TestRoom room({0, 2.5f, 0});
     int first = room.model->chartCount;
-    // Another room behind a wall of a tenth
+    // Another room behind a wall 0.1 thick
     addRoom(*room.model, {2.1f, 0, -3}, {6.1f, 3, 3}, 0.25f, 0, 1);
     ASSERT_TRUE(room.solve());
     double leaked = 0;
@@ -171,9 +173,9 @@ TEST(Leaks, ASealedRoomStaysDark) {
     EXPECT_GT(room.at(room.r->bounced[0][0], 0, 2, 2), 1e-4f);
 }
 
-// The floor under the block is hidden and interpolated from its surroundings: no dark rim.
-TEST(Elements, HiddenOnesTakeTheirNeighboursLight) {
-    Room room({0, 2.9f, 0}, 0.5f, 0.05f);
+// The floor under the block is hidden and gets its neighbours' light: no dark rim.
+TEST(Elements, HiddenOnesGetTheirNeighboursLight) {
+    TestRoom room({0, 2.9f, 0}, 0.5f, 0.05f);
     ASSERT_TRUE(room.solve({.block = 4})); // the block ends where elements end
     int hidden = 0;
     float least = 1e9f, most = 0;
@@ -189,16 +191,16 @@ TEST(Elements, HiddenOnesTakeTheirNeighboursLight) {
 }
 
 TEST(Solve, ReflectanceZeroGivesNoBounce) {
-    Room room({0, 2.5f, 0}, 0);
+    TestRoom room({0, 2.5f, 0}, 0);
     ASSERT_TRUE(room.solve());
     for (int i = 0; i < room.model->texelCount; ++i) ASSERT_EQ(room.r->bounced[0][0][i], 0);
 }
 
-// Energy is conserved: the light of the lamp equals the light absorbed, the sum over patches of area (1 -
-// rho) B / rho.
+// Energy is conserved: the lamp's light equals the absorbed light, the sum of area (1 - rho) B / rho over
+// patches.
 TEST(Solve, EnergyIsConserved) {
     for (float rho : {0.2f, 0.7f, 0.95f}) {
-        Room room({0.6f, 2.0f, 1.1f}, rho);
+        TestRoom room({0.6f, 2.0f, 1.1f}, rho);
         ASSERT_TRUE(room.solve({.block = 2, .sweeps = 2000}));
         double arrived = 0, absorbed = 0;
         const System &s = room.r->system;
@@ -208,15 +210,15 @@ TEST(Solve, EnergyIsConserved) {
             arrived += area * (double)s.direct[i * s.columns];
             absorbed += area * (1 / (double)rho - 1) * (double)s.radiosity[i * s.columns];
         }
-        std::printf("rho %.2f: absorbed %.4f of what arrived\n", (double)rho, absorbed / arrived);
+        std::printf("rho %.2f: absorbed %.4f of the arriving light\n", (double)rho, absorbed / arrived);
         EXPECT_NEAR(absorbed / arrived, 1, 0.02) << rho;
-        // A ball emits pi times its radiance times its surface: 4 pi r^2, here in units of irradiance / pi
+        // A ball emits its radiance times pi times its surface 4 pi r^2, here in units of irradiance / pi
         EXPECT_NEAR(arrived, 4 * M_PI * 0.01, 0.02 * 4 * M_PI * 0.01) << rho;
     }
 }
 
 TEST(Solve, ColourBleeds) {
-    Room room({0, 2.9f, 2.5f}, 0.5f, 0.05f);
+    TestRoom room({0, 2.9f, 2.5f}, 0.5f, 0.05f);
     room.floor = {0.8f, 0.2f, 0.05f};
     ASSERT_TRUE(room.solve());
     float red = room.at(room.r->bounced[0][0], 1, 8, 12), blue = room.at(room.r->bounced[0][2], 1, 8, 12);
@@ -226,7 +228,7 @@ TEST(Solve, ColourBleeds) {
 // Light is linear in the lamp's power over twelve orders of magnitude, because the solver's residual is
 // relative.
 TEST(Extremes, LampsFromAMillionthToAMillion) {
-    Room room({0, 2.5f, 1});
+    TestRoom room({0, 2.5f, 1});
     ASSERT_TRUE(room.solve());
     std::vector<float> planes[3];
     for (auto &p : planes) p.resize((size_t)room.model->texelCount + 8);
@@ -243,9 +245,9 @@ TEST(Extremes, LampsFromAMillionthToAMillion) {
 }
 
 TEST(Extremes, AlmostEverythingIsReflected) {
-    Room room({0, 2.5f, 1}, 0.999f);
+    TestRoom room({0, 2.5f, 1}, 0.999f);
     ASSERT_TRUE(room.solve({.block = 4, .residual = 1e-5f, .sweeps = 20000}));
-    // Light is nearly even, and about what the lamp emits divided by what walls absorb
+    // Light is nearly even, and about the lamp's emission divided by the walls' absorption
     double area = 2 * (4 * 3 + 4 * 6 + 3 * 6) + 4, even = 4 * M_PI * 0.01 / (area * 0.001);
     for (int i = 0; i < room.model->texelCount; ++i)
         if (room.visible(i)) {
@@ -256,7 +258,7 @@ TEST(Extremes, AlmostEverythingIsReflected) {
 // A floor with a block, below a roof with a window; lit by the sky, the sun and a ball.
 TEST(Extremes, SizeDoesNotMatter) {
     auto solved = [](float scale) {
-        auto room = std::make_unique<Room>();
+        auto room = std::make_unique<TestRoom>();
         auto rect = [&](Vec3 corner, Vec3 u, Vec3 v, int material, Model::Kind kind) {
             room->model->addRect(corner * scale, u * scale, v * scale, material, 0.25f * scale, kind);
         };
@@ -296,7 +298,7 @@ TEST(Extremes, SizeDoesNotMatter) {
 }
 
 TEST(Extremes, NoLightNoMemoryNoTime) {
-    Room dark({0, 2, 0}), small({0, 2, 0}), left({0, 2, 0});
+    TestRoom dark({0, 2, 0}), small({0, 2, 0}), left({0, 2, 0});
     dark.r->bases.lampCount = 0; // no light basis at all
     ASSERT_TRUE(dark.solve());
     EXPECT_FALSE(small.solve({.links = 1000}));
@@ -314,7 +316,7 @@ TEST(Bases, FitUpToTheirLimits) {
 }
 
 TEST(Solve, ProgressRisesToOne) {
-    Room room({0, 2, 0});
+    TestRoom room({0, 2, 0});
     std::vector<float> shares;
     Progress progress = {[](float done, void *context) { ((std::vector<float> *)context)->push_back(done); },
                          &shares};

@@ -14,7 +14,7 @@ struct Facing {
     HeapArena memory{(size_t)1 << 20};
     Workers workers = serialWorkers();
     Link links[2] = {{1, 1}, {0, 1}};
-    Row rows[2] = {{links, 1, true}, {links + 1, 1, true}};
+    FormFactorRow rows[2] = {{links, 1, true}, {links + 1, 1, true}};
     FormFactors factors = {links, rows, 2, 2};
     System s;
 
@@ -31,7 +31,7 @@ struct Facing {
 } // namespace
 
 // B = rho + rho^2 B' and B' = rho B, for any number of right-hand sides.
-TEST(Solve, AsManyRightHandSidesAsThereIsRoomFor) {
+TEST(Solve, ManyRightHandSidesAtOnce) {
     Facing f;
     solve(f.s, f.workers, 1e-6f, 5000);
     for (int k = 0; k < Facing::kUnknowns; ++k) {

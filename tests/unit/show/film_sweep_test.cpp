@@ -1,5 +1,5 @@
-// The whole film, four pictures a second, in draft and in film. No value is NaN, infinite or negative; no
-// picture is black outside a fade or the last beat, or equals the one before.
+// Tests the whole film, four pictures a second, in draft and in film. No value is NaN, infinite or negative.
+// No picture is black, except in a fade and on the last beat, and none equals the one before.
 #include "inside.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
@@ -21,7 +21,7 @@ using Sweep = testing::TestWithParam<QualityName>;
 
 } // namespace
 
-TEST_P(Sweep, EveryPictureIsOne) {
+TEST_P(Sweep, EveryPictureIsValid) {
     LoadedFilm film(1, kWidth, kHeight, false, &headlessGl());
     Intro *intro = film.intro;
     const char *from = std::getenv("SWEEP_FROM"); // for a part of the film
@@ -34,15 +34,15 @@ TEST_P(Sweep, EveryPictureIsOne) {
             ASSERT_TRUE(v >= 0 && v < 1e6f) << t << " s: " << v;
             sum += (double)v;
         }
-        // As exposed: the hall at night is dark, and its exposure high. Only the cut to black on the last
-        // beat has no exposure
+        // Include the exposure: the hall at night is dark, with a high exposure. Only the black last beat has
+        // no exposure
         double exposure = (double)intro->film.scene->exposure,
                mean = sum / (3. * kWidth * kHeight) * exposure,
                fade = (double)momentAt(kFilm, t * kRowsPerSecond).fade;
         if (fade > 0.05 && (exposure > 0 || t < duration() - 0.5)) {
-            // (The unlit hall is black with thin lines, which go out before the light comes)
+            // (The unlit hall is black with thin lines, which go out before the direct light)
             EXPECT_GT(mean / fade, 0.007) << t << " s is black";
-            EXPECT_NE(mean, before) << t << " s is as the picture before";
+            EXPECT_NE(mean, before) << t << " s equals the picture before";
             darkest = std::fmin(darkest, mean / fade);
         }
         before = mean;
@@ -57,8 +57,8 @@ INSTANTIATE_TEST_SUITE_P(Qualities, Sweep, testing::Values(QualityName::Draft, Q
                              return info.param == QualityName::Draft ? "draft" : "film";
                          });
 
-// The film ends in the word that the last ball mirrors: its strokes are a pixel or two wide, and all of them
-// are there, even in draft.
+// The film ends on the word that the last ball mirrors. Its strokes are one or two pixels wide, and even
+// draft shows all of them.
 TEST(Film, WordInTheBallIsWhole) {
     LoadedFilm film(1, 1280, 720, false, &headlessGl());
     Intro *intro = film.intro;
@@ -67,7 +67,7 @@ TEST(Film, WordInTheBallIsWhole) {
     for (double t : {148.5, 149.5, 150.5}) {
         picture(*intro, 0, t, kQualities[(int)QualityName::Film]);
         std::vector<std::pair<int, int>> word;
-        // The word, above what the floor mirrors of it
+        // Collect the word's pixels, above its reflection in the floor
         for (int y = 360; y < 460; ++y)
             for (int x = 480; x < 800; ++x)
                 if (glows(x, y)) word.push_back({x, y});

@@ -1,4 +1,4 @@
-// The film's hall: its form factors against rays, its light over the day, and its bounces.
+// Tests the film's hall: form factors against rays, light over the day, and bounces.
 #include "show/hall.h"
 #include "show/materials.h"
 #include "tests/support/model_rays.h"
@@ -30,7 +30,7 @@ Solved &solved() {
     static Solved s;
     return s;
 }
-// The hall in its light, to be traced.
+// Returns a scene with the lit hall.
 std::unique_ptr<Scene> posed(const HallLight &light) {
     auto scene = emptyScene();
     poseHall(*solved().hall, light, 0, kEye, *scene);
@@ -39,8 +39,8 @@ std::unique_ptr<Scene> posed(const HallLight &light) {
 
 } // namespace
 
-// The hall fits the memory that every room gets, with a reserve but without waste. It also stays below the
-// limits of a scene, with all its lights on.
+// The hall fits the memory of a room, with a reserve but without waste. With all its lights on, it is below
+// the limits of a scene.
 TEST(Hall, FitsAndWastesNothing) {
     Solved &s = solved();
     double used = (double)s.memory.arena.used / (double)s.memory.arena.size;
@@ -48,11 +48,11 @@ TEST(Hall, FitsAndWastesNothing) {
     EXPECT_LT(used, 0.8);
     EXPECT_GT(used, 0.6);
     auto scene = posed({kNight, {1, 0.7f, 0.3f}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
-    EXPECT_LE(scene->materialCount, kMaxMaterials - 8); // the others are for the balls of a scene in the hall
+    EXPECT_LE(scene->materialCount, kMaxMaterials - 8); // the rest are for the balls of a scene in the hall
     EXPECT_LE(scene->lightCount, kMaxLights - 2);
 }
 
-// The hall is closed as seen from every patch: rows, with windows and lamps, sum to 1.
+// The hall is closed: for every patch, form factors, with windows and lamps, sum to 1.
 TEST(Hall, IsClosed) {
     Solved &s = solved();
     const Model &m = s.hall->model;
@@ -71,10 +71,10 @@ TEST(Hall, IsClosed) {
                               << ' ' << p.p.z;
         worst = std::fmax(worst, dark);
     }
-    std::printf("what sees nothing: at most %.6f of a hemicube\n", worst);
+    std::printf("empty pixels: at most %.6f of a hemicube\n", worst);
 }
 
-// Compares with another method: rays by the cosine law, in double precision.
+// Compares hemicubes with rays by the cosine law, in double precision.
 TEST(Hall, HemicubesAgreeWithRays) {
     const Model &m = solved().hall->model;
     ModelRays bench(m);
@@ -86,13 +86,13 @@ TEST(Hall, HemicubesAgreeWithRays) {
         const Chart &c = m.charts[p.chart];
         if (p.share == 0 || c.open) continue;
         std::vector<float> row = hemicube.row(m, hemicubeEye(p.p, c.n, (uint32_t)i));
-        // Compare by chart, and all windows together: rays that hit nothing leave through one
+        // Compare by chart, with all windows as one: rays that hit nothing leave through a window
         std::vector<double> hemicube((size_t)m.chartCount + 1), rays((size_t)m.chartCount + 1);
         for (int k = 0; k < m.patchCount; ++k) {
             int chart = m.patches[k].chart;
             hemicube[(size_t)(m.charts[chart].open ? m.chartCount : chart)] += (double)row[(size_t)k];
         }
-        constexpr int kSide = 64; // rays: its square
+        constexpr int kSide = 64; // kSide^2 rays
         bench.castFan(c, p.p, kSide, (uint32_t)i, [&](int chart, Vec3, Vec3) {
             rays[(size_t)(chart < 0 ? m.chartCount : chart)] += 1.0 / (kSide * kSide);
         });
@@ -109,7 +109,7 @@ TEST(Hall, HemicubesAgreeWithRays) {
     EXPECT_LT(square, noise);
 }
 
-TEST(Hall, LightIsThereUntilNightAndNeverNegative) {
+TEST(Hall, IsLitUntilNightAndNeverNegative) {
     const Hall &hall = *solved().hall;
     float noon = 0, sunset = 0, night = 0;
     for (float hour = 0; hour <= (float)kNight; hour += kSanitized ? 1 : 0.25f) {
@@ -127,8 +127,8 @@ TEST(Hall, LightIsThereUntilNightAndNeverNegative) {
 }
 
 // The tracer draws the two strongest lanterns, the lightmap the others. When one lantern overtakes another,
-// the light of both together must change as slowly as the lanterns do: nothing pops.
-TEST(Hall, LanternsChangeHandsUnseen) {
+// the sum of both must change as slowly as the lanterns: nothing pops.
+TEST(Hall, LanternsSwapWithoutAJump) {
     const Hall &hall = *solved().hall;
     const Chart &floor = hall.model.charts[hall.floor];
     int texel = floor.texel(floor.across / 2, floor.down / 2);
@@ -152,12 +152,12 @@ TEST(Hall, LanternsChangeHandsUnseen) {
         }
         last = light;
     }
-    EXPECT_LE(most, kLanterns); // those that are changing over; at night there is no sun
+    EXPECT_LE(most, kLanterns); // while two swap; at night there is no sun
     EXPECT_EQ(posed({kNight, {1, 0.7f, 0.3f}, {}, 1})->lightCount, 2);
 }
 
-// Each bounce adds light, less than the one before, and their sum approaches the solution.
-TEST(Hall, BouncesRunUpToTheSolution) {
+// Each bounce adds light, but less than the one before, and their sum approaches the solution.
+TEST(Hall, BouncesConvergeToTheSolution) {
     const Hall &hall = *solved().hall;
     double mean[kBounces + 1] = {}, solution = 0;
     const System &system = hall.radiosity.system;
@@ -187,7 +187,7 @@ TEST(Hall, BouncesRunUpToTheSolution) {
     EXPECT_GT(mean[kBounces], 0.9 * solution);
 }
 
-// Windows let light out and return none, whichever basis lights them.
+// Windows let light out and reflect none, in every basis.
 TEST(Hall, WindowsReflectNothing) {
     const Hall &hall = *solved().hall;
     const System &system = hall.radiosity.system;
@@ -202,9 +202,8 @@ TEST(Hall, WindowsReflectNothing) {
     EXPECT_GT(in, 0);
 }
 
-// A ball that rests on the floor takes from its light exactly the share that it covers of what the floor
-// sees.
-TEST(Hall, ABallDarkensWhatItStandsOn) {
+// A ball on the floor reduces the floor's light exactly by the form factor that it covers.
+TEST(Hall, ABallDarkensTheFloorBelow) {
     const Hall &hall = *solved().hall;
     constexpr float kRadius = 0.5f;
     Vec3 foot = hall.model.patches[hall.visited].p;

@@ -1,4 +1,4 @@
-// Measures the film's music: hits are on time and come out of silence, there is noise, nothing clips.
+// Measures the film's music: hits are on time and follow silence, every scene has noise, and nothing clips.
 #include "tests/support/shots.h"
 #include "tools/measure/detect/hits.h"
 
@@ -14,7 +14,7 @@ using namespace odraz::measure;
 
 namespace {
 
-// All of it, rendered once.
+// The whole music, rendered once.
 const Recording &music() {
     static const Recording all = [] {
         auto m = std::make_unique<Mixer>();
@@ -35,7 +35,7 @@ int64_t sampleOf(double row) { return (int64_t)(row / kRowsPerSecond * kSampleRa
 
 } // namespace
 
-TEST(Music, HasItsHitsOnTime) {
+TEST(Music, HitsAreOnTime) {
     std::vector<int> rows = hitRows();
     int late = 0;
     for (int row : rows) {
@@ -47,7 +47,7 @@ TEST(Music, HasItsHitsOnTime) {
     EXPECT_EQ(late, 0);
 }
 
-// Half a beat before the big hits, but for 30 ms in which the sound ends.
+// The half beat before the big hits is silent, after 30 ms in which the sound fades.
 TEST(Music, IsSilentBeforeTheBigHits) {
     std::vector<int> rows = hitRows();
     for (EventId hit : kHits) {
@@ -55,7 +55,7 @@ TEST(Music, IsSilentBeforeTheBigHits) {
         int64_t at = sampleOf(row);
         EXPECT_LT(level(music(), at - kSampleRate / 4 + kSampleRate * 3 / 100, at), -100) << hit;
         EXPECT_GT(level(music(), at - kSampleRate, at - kSampleRate / 4), -40)
-            << hit << ": sound comes before it";
+            << hit << ": the music plays before it";
         EXPECT_GT(level(music(), at, at + kSampleRate / 20), -20) << hit;
         EXPECT_TRUE(std::count(rows.begin(), rows.end(), row)) << hit << ": a drum is struck";
     }
@@ -76,7 +76,7 @@ TEST(Music, NeitherClipsNorStops) {
         for (float x : side) most = std::max(most, std::fabs(x));
     EXPECT_LT(most, 0.76f);
     EXPECT_LT(level(music(), sampleOf((double)kFilm.endRow - 1), sampleOf((double)kFilm.endRow)), -70)
-        << "it ends in silence";
+        << "the end is silent";
     // No bar before the credits is silent
     for (int bar = 0; bar < 76; ++bar)
         EXPECT_GT(level(music(), sampleOf(bar * 16), sampleOf(bar * 16 + 16)), -45) << bar;

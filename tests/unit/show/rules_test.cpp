@@ -1,5 +1,5 @@
-// Rules for any film made with this engine: cuts fall on bars, cameras have keys for as long as they are
-// shown, neither jump nor hide inside things, events are within their scenes, and no picture has a NaN.
+// Rules for any film made with this engine: cuts are on bars, cameras have keys for their whole shots and
+// neither jump nor run into shapes, events are within their scenes, and no picture has a NaN.
 #include "inside.h"
 #include "show/events.h"
 #include "tests/support/planes.h"
@@ -16,21 +16,21 @@ using namespace odraz;
 
 namespace {
 
-// What a viewer can follow: the eye moves no faster than a run, or, seen from afar, in a second by no more
-// than a share of the way to what it looks at; it turns no faster than a head does.
+// Limits that a viewer can follow: the eye moves no faster than a runner or, far away, by no more than a
+// share of the distance to its target in a second. It turns no faster than a head.
 constexpr double kFastest = 2.5, kFastestTurn = 40, kFastestShare = 0.12; // metres, degrees a second
 constexpr float kShortestShot = 2 * kRowsPerBar;
-constexpr int kDarkSeconds = 3; // it opens on black, and a fade may pass through it
+constexpr int kDarkSeconds = 3; // the film opens on black, and fades may pass through black
 
 } // namespace
 
-TEST(Rules, CutsFallOnBarsAndShotsAreLongEnough) {
+TEST(Rules, CutsAreOnBarsAndShotsAreLongEnough) {
     EXPECT_EQ(kFilm.shots[0].row, 0);
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &s = kFilm.shots[i];
         EXPECT_EQ(std::fmod(s.row, kRowsPerBar), 0) << "shot " << i;
         EXPECT_GE(endOf(i) - s.row, kShortestShot) << "shot " << i;
-        EXPECT_LE(s.fadeIn + s.fadeOut, endOf(i) - s.row) << "shot " << i << " fades longer than it is shown";
+        EXPECT_LE(s.fadeIn + s.fadeOut, endOf(i) - s.row) << "shot " << i << " is shorter than its fades";
     }
 }
 
@@ -38,10 +38,10 @@ TEST(Rules, EveryPathSpansItsShot) {
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &s = kFilm.shots[i];
         ASSERT_GT(s.path.count, 0) << "shot " << i << " has no camera";
-        if (s.path.count == 1) continue; // a camera that stands
+        if (s.path.count == 1) continue; // a still camera
         EXPECT_LE(s.path.keys[0].row, s.row - s.storyRow) << "shot " << i << " begins before its first key";
         EXPECT_GE(s.path.keys[s.path.count - 1].row, endOf(i) - s.storyRow)
-            << "shot " << i << " goes on after its last key";
+            << "shot " << i << " ends after its last key";
         for (int k = 1; k < s.path.count; ++k)
             EXPECT_GT(s.path.keys[k].row, s.path.keys[k - 1].row) << "shot " << i << ", key " << k;
     }
@@ -52,7 +52,7 @@ TEST(Rules, CamerasDoNotJump) {
         double start = kFilm.shots[i].row / kRowsPerSecond, end = endOf(i) / kRowsPerSecond;
         constexpr double kStep = 0.05; // seconds
         for (double t = start + kStep; t + kStep < end; t += kStep) {
-            // Never before the cut, however t is rounded
+            // Stay after the cut, however t is rounded
             CameraKey a = cameraAt(std::fmax(t - kStep, start)), b = cameraAt(t);
             EXPECT_LT(length(b.eye - a.eye) / kStep,
                       std::fmax(kFastest, kFastestShare * (double)length(b.target - b.eye)))
@@ -62,8 +62,8 @@ TEST(Rules, CamerasDoNotJump) {
     }
 }
 
-// After its scene has begun, and before the film ends.
-TEST(Rules, EventsAreWhereTheirSceneIsShown) {
+// Events are after the start of their scene and before its end.
+TEST(Rules, EventsAreInShotsOfTheirScene) {
     for (const Event &e : kEvents) {
         bool seen = false;
         for (int i = 0; i < kFilm.count; ++i) {
@@ -75,7 +75,7 @@ TEST(Rules, EventsAreWhereTheirSceneIsShown) {
     }
 }
 
-TEST(Rules, TheCameraIsNeverInsideAThing) {
+TEST(Rules, CamerasAreNeverInsideShapes) {
     const Scene *scene = smallFilm().film.scene;
     for (double t = 0; t < duration(); t += kSanitized ? 0.5 : 0.1) {
         Posed now = poseAt(smallFilm().film, t);
@@ -86,7 +86,7 @@ TEST(Rules, TheCameraIsNeverInsideAThing) {
     }
 }
 
-TEST(Rules, EveryPictureIsThereWithoutNaN) {
+TEST(Rules, NoPictureHasANaN) {
     int dark = 0;
     for (double t = 0; t < duration(); t += kSanitized ? 5 : 1) {
         picture(smallFilm(), 0, t, kQualities[(int)QualityName::Play]);
@@ -101,7 +101,7 @@ TEST(Rules, EveryPictureIsThereWithoutNaN) {
     EXPECT_LE(dark, kDarkSeconds);
 }
 
-TEST(Rules, APictureDependsOnItsTimeAlone) {
+TEST(Rules, APictureDependsOnlyOnItsTime) {
     auto bytes = [&](double t) {
         Picture p = picture(smallFilm(), 0, t, kQualities[(int)QualityName::Film]);
         return std::vector<uint8_t>(p.rgba, p.rgba + 160 * 90 * 4);

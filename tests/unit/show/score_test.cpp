@@ -15,7 +15,7 @@ using namespace odraz;
 
 namespace {
 
-// The notes that begin on a row of the film.
+// Returns the notes that begin on a row of the film.
 std::vector<Note> notesOf(int row) {
     auto m = std::make_unique<Mixer>();
     playRow(*m, row);
@@ -31,7 +31,7 @@ int barsOf(int scene) {
     return (int)rows / 16;
 }
 
-// The key of a letter of the tune, from D = d' on; `chord` may raise C.
+// Returns the key of a letter of the tune, where D = d'. `chord` A raises C.
 int keyOf(char letter, char chord) {
     const int steps[] = {57, 58, 60, 62, 64, 65, 67}; // A to G, as capitals
     int key = steps[(letter & 31) - 1] + (letter >= 'a' ? 12 : 0);
@@ -43,7 +43,7 @@ char chordAt(int row) {
     return kChords[m.shot->scene][(int)m.storyRow / 16];
 }
 
-// Whether one of some instruments plays a key, in any octave, from a row on.
+// Returns whether one of some instruments plays a key, in any octave, on a row. `least`: minimal length.
 bool isPlayed(int row, int key, std::initializer_list<InstrumentId> by, float least = 0) {
     std::vector<Note> notes = notesOf(row);
     return std::any_of(notes.begin(), notes.end(), [&](const Note &n) {
@@ -52,7 +52,7 @@ bool isPlayed(int row, int key, std::initializer_list<InstrumentId> by, float le
     });
 }
 
-// The number of beats of a tune that are not played from a row on, each of which lasts `beat` rows.
+// Returns the number of a tune's tones that are not played from a row on. `beat`: rows a beat.
 int missing(int row, const char *tune, int beats, int beat = 4) {
     int count = 0;
     for (int i = 0; i < beats; ++i)
@@ -63,7 +63,7 @@ int missing(int row, const char *tune, int beats, int beat = 4) {
 
 } // namespace
 
-TEST(Score, KeepsToItsScale) {
+TEST(Score, StaysInItsScale) {
     int count = 0;
     for (int row = 0; row < (int)kFilm.endRow; ++row)
         for (const Note &n : notesOf(row)) {
@@ -73,7 +73,7 @@ TEST(Score, KeepsToItsScale) {
             if (chordAt(row) == 'A') scale.erase(0), scale.insert(1); // the dominant has the leading tone
             ASSERT_EQ(n.key, std::floor(n.key));
             EXPECT_TRUE(scale.count((int)n.key % 12)) << row << ": " << n.key;
-            EXPECT_GE(n.key, 21) << row; // 27.5 Hz: the lowest of a piano
+            EXPECT_GE(n.key, 21) << row; // 27.5 Hz: the lowest key of a piano
             EXPECT_LE(n.key, 115) << row;
             EXPECT_TRUE(n.velocity > 0 && n.velocity <= 1.15f) << row;
             ++count;
@@ -85,7 +85,7 @@ TEST(Score, KeepsToItsScale) {
 TEST(Score, HasAChordForEveryBarOfEveryScene) {
     for (int scene = 0; scene < kSceneCount; ++scene) {
         EXPECT_GT(barsOf(scene), 0) << kScenes[scene].name << " is in no shot";
-        // Scene 4 may end earlier, and the day, whose chords count from its end, may then begin earlier
+        // Scene 4 may end earlier; then the day, whose chords count from its end, begins earlier
         int bars = (int)std::strlen(kChords[scene]);
         EXPECT_GE(bars, barsOf(scene)) << kScenes[scene].name;
         EXPECT_TRUE(bars == barsOf(scene) || scene == kPatches)
@@ -93,7 +93,7 @@ TEST(Score, HasAChordForEveryBarOfEveryScene) {
     }
 }
 
-TEST(Score, StatesTheTuneWhereItIsPromised) {
+TEST(Score, PlaysTheTuneInItsScenes) {
     EXPECT_EQ(std::strlen(kTune), 32u) << "eight bars";
     int door = firstRow(kHall) + barsOf(kHall) * 16;
     EXPECT_EQ(missing(firstRow(kTable), kTune, 32), 0) << "at the table";
@@ -112,9 +112,9 @@ TEST(Score, StatesTheTuneWhereItIsPromised) {
         EXPECT_TRUE(isPlayed(firstRow(kCredits) + at[i], keyOf("DaG"[i], 'd'), {kGlassDrop})) << i;
 }
 
-// It can be sung: within a tenth, in steps but for thirds and two leaps up. Every bar begins on a tone of its
-// chord; so does every half bar, or it passes to one by a step.
-TEST(Score, HasATuneToSing) {
+// The tune can be sung: it spans a tenth, in steps and thirds, with two leaps up. Bars begin on a tone of
+// their chord. Half bars do too, or they pass to such a tone by a step.
+TEST(Score, HasATuneThatCanBeSung) {
     int low = 200, high = 0, last = 0, leaps = 0;
     for (int i = 0; i < 32; ++i) {
         if (kTune[i] == '-') continue;
@@ -143,8 +143,8 @@ TEST(Score, HasATuneToSing) {
         }
 }
 
-// Tone for tone, about F, but for two that would clash. In the finale, where it follows after two bars, both
-// are consonant on every half bar but one, or are the dominant's root and seventh.
+// The image mirrors each tone about F, except two that would clash. In the finale, where it follows two bars
+// later, both are consonant on every half bar except one, or they are the dominant's root and seventh.
 TEST(Score, MirrorsTheTuneInACanon) {
     int others = 0;
     for (int i = 0; i < 32; ++i) {
@@ -169,8 +169,8 @@ TEST(Score, MirrorsTheTuneInACanon) {
     EXPECT_LE(passing, 1);
 }
 
-// While the flake grows, the piano sings against the tune, which is half as fast: few notes, in steps and
-// thirds, consonant with it on every half bar.
+// While the flake grows, the piano plays against the tune, which is half as fast: few notes, in steps and
+// thirds, consonant with the tune on every half bar.
 TEST(Score, HasACounterTuneInTheGrowth) {
     int from = firstRow(kFlake) + 64, key = 0, low = 200, high = 0, count = 0;
     char upper = 0;
@@ -190,7 +190,7 @@ TEST(Score, HasACounterTuneInTheGrowth) {
     EXPECT_LE(count, 20);
 }
 
-TEST(Score, IsNarrowWhereItIsDryAndWidestInTheFinale) {
+TEST(Score, IsNarrowInDryScenesAndWidestInTheFinale) {
     auto m = std::make_unique<Mixer>();
     std::vector<float> at;
     for (int row = 0; row < (int)kFilm.endRow; ++row) {
@@ -206,7 +206,7 @@ TEST(Score, IsNarrowWhereItIsDryAndWidestInTheFinale) {
     EXPECT_LT(in(kOdraz, 0), 0.08f);
 }
 
-// Each half of the tune swells to its second bar, and is not played evenly.
+// Each half of the tune swells to its second bar, with uneven velocities.
 TEST(Score, IsPhrased) {
     for (int half : {0, 16}) {
         float most = 0, least = 2;
@@ -235,14 +235,14 @@ TEST(Score, ClosesFromTheDominantAndEndsOnTheMajorNinth) {
     EXPECT_EQ(last % 12, 4);
 }
 
-TEST(Score, AddsNoMoreNotesAtOnceThanFit) {
+TEST(Score, NeverBeginsTooManyNotesAtOnce) {
     for (int row = 0; row < (int)kFilm.endRow; ++row)
         EXPECT_LE((int)notesOf(row).size(), kVoicesAtOnce) << row;
     EXPECT_TRUE(notesOf((int)kFilm.endRow).empty());
     EXPECT_TRUE(notesOf((int)kFilm.endRow + 1000).empty());
 }
 
-TEST(Score, HasASoundOnEveryCutAndEveryEventThatIsHeard) {
+TEST(Score, HasASoundOnEveryCutAndEveryHeardEvent) {
     for (int i = 1; i < kFilm.count; ++i) EXPECT_FALSE(notesOf((int)kFilm.shots[i].row).empty()) << i;
     for (const Event &e : kEvents)
         if (e.heard) {
@@ -254,7 +254,7 @@ TEST(Score, ClimbsAScaleWithTheStrips) {
     float last = 0;
     for (int i = kStrip1; i <= kStrip8; ++i) {
         std::vector<Note> notes = notesOf(firstRow(kHall) + kEvents[i].row);
-        float key = 0; // the event's sound is played last
+        float key = 0; // the event's sound is the last one
         for (const Note &n : notes)
             if (n.instrument == &kInstruments[kPiano]) key = n.key;
         if (i < kStrip8) {

@@ -1,5 +1,5 @@
-// This film keeps to its treatment: its cuts, how its cameras move, its levels, its balls. What holds for any
-// film is in rules_test.cpp.
+// Checks this film's treatment: its cuts, camera motion, levels and balls. rules_test.cpp has the rules for
+// any film.
 #include "inside.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
@@ -22,7 +22,7 @@ float medianOf(std::vector<float> values) {
 
 } // namespace
 
-// The number in the treatment.
+// From the treatment.
 constexpr int kLeastCuts = 14;
 
 TEST(Film, HasTheCutsAndTheLengthOfItsTreatment) {
@@ -30,9 +30,9 @@ TEST(Film, HasTheCutsAndTheLengthOfItsTreatment) {
     EXPECT_NEAR(duration(), 160, 5);
 }
 
-// What the eye looks at moves through the picture: in each second, by at least a hundredth of its height.
-// Seen from afar through a long lens a walk may be a standstill.
-TEST(Film, NoCameraStands) {
+// The camera's target moves through the picture, each second by at least a hundredth of its height. (Far
+// away, through a long lens, a walking camera may look still.)
+TEST(Film, NoCameraIsStill) {
     for (int i = 0; i < kFilm.count; ++i) {
         double end = endOf(i) / kRowsPerSecond;
         for (double t = kFilm.shots[i].row / kRowsPerSecond; t + 1 < end; t += 0.25) {
@@ -48,8 +48,8 @@ TEST(Film, EveryEventIsOnABeat) {
     for (const Event &e : kEvents) EXPECT_EQ(e.row % 4, 0) << kScenes[e.scene].name << ' ' << e.row;
 }
 
-// Paths have no kinks, and no shot joins two standstills. While a camera moves, its speed stays within a
-// quarter of its mean in each bar, except where it eases in or out.
+// Paths have no kinks, and no shot begins or ends at rest. In each bar, a camera's speed stays within a
+// quarter of its mean, except while it eases in or out.
 TEST(Film, CamerasMoveEvenly) {
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &shot = kFilm.shots[i];
@@ -65,7 +65,7 @@ TEST(Film, CamerasMoveEvenly) {
             Vec3 v = velocity(row), jump = velocity(row + 0.1) - v;
             fastest = std::fmax(fastest, length(v)), rough = std::fmax(rough, length(jump));
         }
-        EXPECT_LT(rough, 0.08 * fastest + 0.01) << "shot " << i; // a tenth of a row
+        EXPECT_LT(rough, 0.08 * fastest + 0.01) << "shot " << i; // per tenth of a row
         EXPECT_GT(length(velocity(shot.row + 0.1)), 0.02 * fastest) << "shot " << i << " begins at rest";
         EXPECT_GT(length(velocity(end - 0.1)), 0.02 * fastest) << "shot " << i << " ends at rest";
         for (double bar = shot.row; bar + kRowsPerBar <= end; bar += kRowsPerBar) {
@@ -86,9 +86,9 @@ TEST(Film, CamerasMoveEvenly) {
     }
 }
 
-// Levels fit the treatment: pictures are not dark or bright for long, hardly anything is clipped, and colours
+// Levels fit the treatment: no picture is too dark or too bright, hardly any pixel is clipped, and colours
 // are moderate.
-TEST(Film, LevelsAreThoseOfTheTreatment) {
+TEST(Film, LevelsFitTheTreatment) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     std::printf("scene     pictures   mean level      clipped, most   saturation\n");
     for (int scene = 0; scene < kSceneCount; ++scene) {
@@ -118,7 +118,7 @@ TEST(Film, LevelsAreThoseOfTheTreatment) {
         std::printf("%-9s %8zu   %5.1f %5.1f %5.1f   %6.2f %%        %.2f\n", kScenes[scene].name,
                     medians.size(), least, sum / (double)medians.size(), most, clipped, saturation);
         SCOPED_TRACE(kScenes[scene].name);
-        bool black = scene == kPoint || scene == kCredits; // all around
+        bool black = scene == kPoint || scene == kCredits; // the scene is mostly black
         EXPECT_GE(least, black ? 1 : 8);
         EXPECT_LE(most, 130);
         EXPECT_LT(clipped, 0.5);
@@ -126,7 +126,7 @@ TEST(Film, LevelsAreThoseOfTheTreatment) {
     }
 }
 
-TEST(Film, BallsDoNotRollThroughThings) {
+TEST(Film, BallsDoNotRollThroughShapes) {
     const Scene *scene = smallFilm().film.scene;
     for (double t = 0; t < duration(); t += kSanitized ? 1 : 0.25) {
         Posed now = poseAt(smallFilm().film, t);
@@ -134,7 +134,7 @@ TEST(Film, BallsDoNotRollThroughThings) {
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
                 if (!a.isBall() || b.kind == ShapeKind::Plane) continue;
-                // At the door they do pass through its wall
+                // At the door they pass through its wall
                 if (now.scene().id == kOdraz && b.kind == ShapeKind::Rect && b.centre.z < -8.99f) continue;
                 EXPECT_GT(distanceFrom(b, a.centre) - a.half.x, -1e-3f)
                     << "at " << t << " s: shapes " << i << " and " << j << " of " << now.scene().name;
@@ -142,21 +142,21 @@ TEST(Film, BallsDoNotRollThroughThings) {
     }
 }
 
-// Detail, gloss and the light at the camera depend on the camera in use: the script's or a flown one.
+// Detail, gloss and the light at the camera depend on the camera in use, scripted or flown.
 TEST(Film, IsPosedForTheCameraInUse) {
     const Film &f = smallFilm().film;
     auto gloss = [&] {
         const Glossy &g = f.hall->gloss;
         return std::vector<float>(g.plane[1], g.plane[1] + g.across * g.down);
     };
-    CameraKey aside = cameraAt(108);
-    aside.eye += Vec3{1, 0.5f, 0};
+    CameraKey moved = cameraAt(108);
+    moved.eye += Vec3{1, 0.5f, 0};
     poseAt(f, 108);
     auto scripted = gloss();
-    Posed flown = poseAt(f, 108, &aside);
+    Posed flown = poseAt(f, 108, &moved);
     EXPECT_NE(gloss(), scripted);
-    EXPECT_EQ(flown.input.camera.eye.x, aside.eye.x);
-    EXPECT_EQ(flown.view(16, 9).eye.x, aside.eye.x);
+    EXPECT_EQ(flown.input.camera.eye.x, moved.eye.x);
+    EXPECT_EQ(flown.view(16, 9).eye.x, moved.eye.x);
     poseAt(f, 108);
     EXPECT_EQ(gloss(), scripted);
 
@@ -165,5 +165,5 @@ TEST(Film, IsPosedForTheCameraInUse) {
     int shapes = f.scene->shapeCount;
     far.eye = far.eye * 30.f;
     poseAt(f, 60, &far);
-    EXPECT_LT(f.scene->shapeCount, shapes / 2); // from afar balls have no fine detail
+    EXPECT_LT(f.scene->shapeCount, shapes / 2); // distant balls have no fine detail
 }

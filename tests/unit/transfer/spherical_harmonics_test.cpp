@@ -1,5 +1,5 @@
-// Compares spherical harmonics with the recurrence in double precision and with closed forms of windowing,
-// and measures what a sky loses by them.
+// Compares spherical harmonics with the recurrence in double precision, windows with their closed form, and
+// projected skies with the originals.
 #include "transfer/spherical_harmonics.h"
 
 #include "tests/support/random.h"
@@ -14,7 +14,7 @@ using namespace odraz;
 
 namespace {
 
-// Directions all over the sphere, including poles and axes.
+// Returns directions all over the sphere, including poles and axes.
 std::vector<Vec3> directions() {
     std::vector<Vec3> all = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     Random random = {7};
@@ -25,7 +25,8 @@ std::vector<Vec3> directions() {
     return all;
 }
 
-// By the recurrence of the associated Legendre functions (Press et al., "Numerical Recipes", 6.8), in double.
+// Evaluates a function by the recurrence of the associated Legendre functions (Press et al., "Numerical
+// Recipes", 6.8), in double.
 double byRecurrence(int l, int m, Vec3 d) {
     int order = std::abs(m);
     double z = (double)d.y, sine = std::sqrt(std::fmax(0, 1 - z * z)), pmm = 1;
@@ -59,7 +60,7 @@ double value(const float *f, Vec3 d) {
 
 } // namespace
 
-TEST(SphericalHarmonics, AreThoseOfTheRecurrence) {
+TEST(SphericalHarmonics, AgreeWithTheRecurrence) {
     double worst = 0;
     for (Vec3 d : directions()) {
         auto y = at(d);
@@ -85,7 +86,7 @@ TEST(SphericalHarmonics, AreOrthonormal) {
         for (int b = 0; b < kSh; ++b) EXPECT_NEAR(gram[a][b], a == b, 2e-6) << a << ' ' << b;
 }
 
-TEST(SphericalHarmonics, HoldTheGradientAndTheGlowExactly) {
+TEST(SphericalHarmonics, KeepTheGradientAndTheGlowExactly) {
     Sky sky = {};
     sky.low = {0.9f, 0.7f, 0.5f}, sky.slope = {-0.3f, 0.1f, 0.6f}, sky.curve = {-0.2f, 0.1f, 0.3f};
     sky.least = -1;
@@ -102,7 +103,7 @@ TEST(SphericalHarmonics, HoldTheGradientAndTheGlowExactly) {
     }
 }
 
-// Without a window a bright spot rings, far below zero. With one it hardly rings, and keeps its energy.
+// Without a window a bright spot rings, far below zero. With a window it hardly rings, and keeps its energy.
 TEST(SphericalHarmonics, AWindowEndsRinging) {
     auto least = [](float exponent, double &most) {
         auto y = at({0, 1, 0});
@@ -121,7 +122,7 @@ TEST(SphericalHarmonics, AWindowEndsRinging) {
     EXPECT_GT(least(5, most), -0.01 * most);
     EXPECT_EQ(window(0, 16), 1);
     for (int l = 1; l < kBands; ++l) EXPECT_NEAR((double)window(l, 16), std::exp(-l * (l + 1) / 32.), 1e-6);
-    EXPECT_GE(window(4, 1e-6f), 0); // the narrowest: only the mean is left
+    EXPECT_GE(window(4, 1e-6f), 0); // the strongest window: only the mean is left
     EXPECT_NEAR(window(4, 1e6f), 1, 1e-4);
 }
 

@@ -1,5 +1,5 @@
-// Compares the relit hall with solutions made for exactly that light, and its floor's gloss with rays; and
-// tests extremes.
+// Compares the relit hall with solutions for exactly the same light, and its floor's gloss with rays; tests
+// extremes.
 #include "tests/support/headless_gl.h"
 #include "tests/support/model_rays.h"
 #include "tests/support/open_room.h"
@@ -37,10 +37,10 @@ struct Floor {
 
 } // namespace
 
-// The sky, its clouds and the sun at every hour. The error stays below one per cent; it comes from bands
-// beyond the fourth. At dawn most light is the rose glow about the sun, which counts as part of the sun
-// although it is wide: three per cent of a dim light.
-TEST(Day, IsWithinAFewPerCentOfSolutionsForItsLight) {
+// The sky, its clouds and the sun at every hour. The error is below one per cent; it comes from bands above
+// the fourth. At dawn most light is the rose glow around the sun, which counts as part of the sun although it
+// is wide: there the error is three per cent of a dim light.
+TEST(Day, IsWithinAFewPerCentOfExactSolutions) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (const DayError &e : dayErrors({0, 1, 2, 3, 4, 5, 6}, headlessGl(), serial)) {
         std::printf("hour %g: %.2f %% of the lightmap, %.2f %% of all light\n", (double)e.hour, e.lightmap,
@@ -49,9 +49,9 @@ TEST(Day, IsWithinAFewPerCentOfSolutionsForItsLight) {
     }
 }
 
-// Rays from the four patches of a square, by the cosine law, bring the radiosity of the patches that they
-// hit, or the sky's. Their light is blurred by the lobe and mirrored towards an eye, all by hand.
-TEST(Gloss, IsWhatRaysBring) {
+// Rays from the four patches of a square, by the cosine law, have the radiosity of the patches that they hit,
+// or the sky's radiance. Computed directly, their light is blurred by the lobe and mirrored towards an eye.
+TEST(Gloss, AgreesWithRays) {
     Floor floor;
     const Hall &hall = *solved().hall;
     const Model &m = hall.model;
@@ -104,7 +104,7 @@ TEST(Gloss, IsWhatRaysBring) {
     }
 }
 
-// From every height, below the floor and on it; no light; light from a millionth to a million.
+// Eyes at every height, below the floor and on it; no light; light from a millionth to a million.
 TEST(Gloss, AtTheExtremes) {
     Floor floor;
     LightVector noon = lightVector({kNoon, {}, {}, 1});

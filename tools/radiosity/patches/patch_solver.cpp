@@ -176,7 +176,7 @@ private:
     // Spreads light from the patches to the texels. Hidden patches and texels get their neighbours' light.
     void spread() {
         constexpr size_t kColumns = 8;
-        std::vector<Row> known;
+        std::vector<FormFactorRow> known;
         std::vector<float> values;
         for (size_t i = 0; i < arrives.size(); ++i) {
             known.push_back({nullptr, 0, p.rows.known[i] != 0});

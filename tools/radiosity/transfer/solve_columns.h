@@ -72,8 +72,8 @@ public:
     const float *reflected(size_t site) const { return system.radiosity + site * (size_t)system.columns; }
 
     static size_t bytesFor(size_t sites, size_t links, int lights) {
-        return sites * (5 * paddedColumns(lights) * sizeof(float) + sizeof(Row)) + links * sizeof(Link) +
-               4096;
+        return sites * (5 * paddedColumns(lights) * sizeof(float) + sizeof(FormFactorRow)) +
+               links * sizeof(Link) + 4096;
     }
 
 private:
@@ -84,7 +84,7 @@ private:
 
     HeapArena memory;
     std::vector<Link> links;
-    std::vector<Row> rows;
+    std::vector<FormFactorRow> rows;
     FormFactors factors = {};
     System system = {};
     std::vector<float> sources;
