@@ -15,7 +15,7 @@ namespace odraz {
 struct Intro;
 
 struct IntroSettings {
-    int width, height; // of its pictures
+    int width, height; // size of its pictures
     // Size of the executable and name of the processor, for the credits; 0 and null if they must not be in
     // the picture (dumps)
     int64_t bytes = 0;
@@ -77,9 +77,9 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality,
 // do not change, and has the size of the later one.
 Picture between(Intro &intro, int earlier, int later, double share = 0.5, int buffer = 0);
 
-// About the last picture: the number of its samples. And null, or the name of the constant of scene.h that is
-// too small for its scene; the picture is wrong then.
+// Returns the number of samples of the last picture.
 int64_t samplesTaken(const Intro &intro);
+// Returns null, or the constant of scene.h that is too small for the last picture's scene; it is wrong then.
 const char *exceededLimit(const Intro &intro);
 
 // --- Sound: independent of the picture, so that it may run on another thread ---

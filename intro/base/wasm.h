@@ -160,7 +160,7 @@ ODRAZ_W __m256 _mm256_addsub_ps(__m256 a, __m256 b) {
 }
 ODRAZ_W __m256d _mm256_castps_pd(__m256 a) { return (__m256d)a; }
 ODRAZ_W __m256 _mm256_castpd_ps(__m256d a) { return (__m256)a; }
-ODRAZ_W __m256d _mm256_permute4x64_pd(__m256d a, int) { return __builtin_shufflevector(a, a, 0, 2, 1, 3); } // 0xd8
+ODRAZ_W __m256d _mm256_permute4x64_pd(__m256d a, int) { return __builtin_shufflevector(a, a, 0, 2, 1, 3); } // 0xd8 only
 ODRAZ_W __m128 _mm256_castps256_ps128(__m256 a) { return W low(a); }
 ODRAZ_W __m128 _mm256_extractf128_ps(__m256 a, int k) { return k ? W high(a) : W low(a); }
 ODRAZ_W __m256 _mm256_set_m128(__m128 high, __m128 low) { return W join(low, high); }
@@ -198,7 +198,7 @@ ODRAZ_W __m256i _mm256_unpackhi_epi8(__m256i a, __m256i b) {
         return (W F4)__builtin_shufflevector((W B16)a, (W B16)b, 8, 24, 9, 25, 10, 26, 11, 27, 12,
             28, 13, 29, 14, 30, 15, 31); });
 }
-ODRAZ_W __m256i _mm256_srli_si256(__m256i a, int) { // by 8
+ODRAZ_W __m256i _mm256_srli_si256(__m256i a, int) { // by 8 only
     W L4 v = (W L4)a;
     return __builtin_shufflevector(v, W L4{}, 1, 4, 3, 4);
 }
@@ -225,7 +225,7 @@ ODRAZ_W __m128 _mm_max_ps(__m128 a, __m128 b) { return W max4(a, b); }
 ODRAZ_W __m128 _mm_sqrt_ps(__m128 a) { return (__m128)wasm_f32x4_sqrt((v128_t)a); }
 ODRAZ_W __m128 _mm_cmpgt_ps(__m128 a, __m128 b) { return (__m128)(a > b); }
 ODRAZ_W int _mm_movemask_ps(__m128 a) { return W signs(a); }
-ODRAZ_W __m128 _mm_blend_ps(__m128 a, __m128 b, int) { return __builtin_shufflevector(a, b, 0, 1, 2, 7); } // 8
+ODRAZ_W __m128 _mm_blend_ps(__m128 a, __m128 b, int) { return __builtin_shufflevector(a, b, 0, 1, 2, 7); } // 8 only
 ODRAZ_W __m128 _mm_castsi128_ps(__m128i a) { return (__m128)a; }
 ODRAZ_W __m128i _mm_castps_si128(__m128 a) { return (__m128i)a; }
 ODRAZ_W __m128i _mm_setr_epi32(int a, int b, int c, int d) { return (__m128i)W I4{a, b, c, d}; }

@@ -2,7 +2,7 @@
 
 namespace odraz {
 
-const char *findFunctions(void *(*find)(const char *), const char *names, void **table) {
+const char *fillFunctions(void *(*find)(const char *), const char *names, void **table) {
     for (const char *name = names; *name; name = nextName(name))
         if (!(*table++ = find(name))) return name;
     return nullptr;

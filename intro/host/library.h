@@ -21,10 +21,10 @@ inline const char *nextName(const char *name) {
 }
 
 // Fills table[] by `find`, which returns a function by its name. Returns null, or the name that is missing.
-const char *findFunctions(void *(*find)(const char *), const char *names, void **table);
+const char *fillFunctions(void *(*find)(const char *), const char *names, void **table);
 
-// Fills the table of OpenGL with what `find` returns in the current context; returns as findFunctions() does.
-const char *findGl(void *(*find)(const char *), Gl &gl);
+// Fills the table of OpenGL with what `find` returns in the current context; returns as fillFunctions() does.
+const char *fillGl(void *(*find)(const char *), Gl &gl);
 
 // For tables written as lists: #define LIST(F) F(first) F(second)
 #define ODRAZ_MEMBER(name) decltype(&::name) name;

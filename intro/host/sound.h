@@ -6,6 +6,7 @@
 namespace odraz {
 
 inline constexpr int kDeviceRate = 48000;
+inline constexpr int kDeviceBlock = 240; // frames in a block of the film's sound: 5 ms
 
 // An output as a table of functions, so that tests can provide one too.
 struct SoundOutput {

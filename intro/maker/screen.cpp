@@ -17,7 +17,7 @@ const char *open(Screen &s, int width, int height) {
     glfwMakeContextCurrent(s.window);
     s.width = width;
     s.height = height;
-    if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, s.gl))
+    if (fillGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, s.gl))
         return "no OpenGL 3.3 on this display";
     // Make the texture and the framebuffer for show()
     s.gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);

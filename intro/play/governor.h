@@ -99,8 +99,8 @@ template <bool kBetweens> struct GovernorOf {
 
     // --- State ---
 
-    int width = 0, height = 0; // of the pictures shown, in pixels; 0: all pixels are always traced
-    Pace pace = {};            // of the scene
+    int width = 0, height = 0; // size of the pictures shown, in pixels; 0: all pixels are always traced
+    Pace pace = {};            // limits of the scene
 
     Cadence cadence = kPairs;
     float coarseness = kPlay; // kFinest .. coarsest()

@@ -2,7 +2,7 @@
 
 namespace odraz {
 
-static_assert(kSoundRate == kDeviceRate);
+static_assert(kSoundRate == kDeviceRate && kSoundBlock == kDeviceBlock);
 
 namespace {
 

@@ -83,9 +83,9 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     for (double time = from;;) {
         int64_t before = nanoseconds();
         p.music.clock.watch(before, processorNanoseconds());
-        bool stands = __atomic_load_n(&window.paused, __ATOMIC_RELAXED);
-        p.music.playback.pause(stands);
-        if (stands) p.music.clock.start(time, before);
+        bool paused = __atomic_load_n(&window.paused, __ATOMIC_RELAXED);
+        p.music.playback.pause(paused);
+        if (paused) p.music.clock.start(time, before);
         time = p.music.clock.at(before);
         if (time < from) time = from; // the first sound is still on its way
         if (time >= to || p.leaves()) break;

@@ -21,7 +21,7 @@ const char *openHeadlessGl(Gl &gl) {
     static Egl egl;
     // Mesa does not check whether it got the memory that it asked for
     if (!couldAddress(1 << 30)) return "not enough memory for OpenGL: raise ulimit -v";
-    // Software OpenGL compiles code as it runs, and would crash
+    // Software OpenGL generates code, and would crash without this permission
     if (const char *line = jitForbidden()) return line;
     // Render in software, so that pictures are equal on all machines, unless the environment says otherwise
     int (*setenv)(const char *, const char *, int);
@@ -40,7 +40,7 @@ const char *openHeadlessGl(Gl &gl) {
     EGLContext context = egl.eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kVersion);
     if (!context || !egl.eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return kMissing;
     auto find = [](const char *name) { return (void *)egl.eglGetProcAddress(name); };
-    return findGl(find, gl) ? kMissing : nullptr;
+    return fillGl(find, gl) ? kMissing : nullptr;
 }
 
 } // namespace odraz

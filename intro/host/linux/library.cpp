@@ -17,8 +17,8 @@ const char *loadFunctions(const char *soname, const char *names, void **table) {
     return nullptr;
 }
 
-const char *findGl(void *(*find)(const char *), Gl &gl) {
-    return findFunctions(find, ODRAZ_GL(ODRAZ_NAME), (void **)&gl);
+const char *fillGl(void *(*find)(const char *), Gl &gl) {
+    return fillFunctions(find, ODRAZ_GL(ODRAZ_NAME), (void **)&gl);
 }
 
 } // namespace odraz

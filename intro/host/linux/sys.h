@@ -1,7 +1,7 @@
 // System calls, without libc. Results are the kernel's: a negative one is -errno.
 //
 // Everything here is static, because these functions also run before the processor has been checked: the
-// linker must not replace them by copies that were compiled for a newer one.
+// linker must not replace them by copies that were compiled for a newer processor.
 #pragma once
 
 #include <stddef.h>

@@ -193,7 +193,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     auto find = [](const char *name) {
         return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name);
     };
-    if (findGl(find, window.gl)) return kNoGl;
+    if (fillGl(find, window.gl)) return kNoGl;
     // Swap at the display's vertical sync, so that pictures do not tear and follow its rate
     if (auto setInterval = (PFNGLXSWAPINTERVALSGIPROC)find("glXSwapIntervalSGI")) setInterval(1);
     if (startThread(listen, &w))

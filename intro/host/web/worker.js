@@ -5,11 +5,11 @@ const bytes = () => new Uint8Array(x.memory.buffer)
 const page = i => bytes().subarray(i * kPage, (i + 1) * kPage)
 // Returns the numbers of the pages of memory that are not empty
 const used = () => {
-  const all = new Int32Array(x.memory.buffer), each = kPage / 4, which = []
-  for (let i = 0; i < all.length; i += each) {
+  const all = new Int32Array(x.memory.buffer), size = kPage / 4, which = []
+  for (let i = 0; i < all.length; i += size) {
     let k = i
-    while (k < i + each && !all[k]) ++k
-    if (k < i + each) which.push(i / each)
+    while (k < i + size && !all[k]) ++k
+    if (k < i + size) which.push(i / size)
   }
   return which
 }

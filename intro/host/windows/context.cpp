@@ -60,7 +60,7 @@ const char *createContext(Handle dc, Gl &gl) {
                                    0};
     Handle made = create ? create(dc, nullptr, kVersion) : nullptr;
     if (!made || !wglMakeCurrent(dc, made)) return kContext;
-    return findGl(glFunction, gl);
+    return fillGl(glFunction, gl);
 }
 
 } // namespace odraz::windows

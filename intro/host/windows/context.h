@@ -1,4 +1,4 @@
-// Windows with contexts of OpenGL 3.3: the viewer's, and a hidden one.
+// Opens windows with contexts of OpenGL 3.3: the viewer's window, and a hidden one.
 #pragma once
 
 #include "base/gl.h"

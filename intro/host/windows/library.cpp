@@ -12,9 +12,9 @@ const char *loadFunctions(const char *file, const char *names, void **table) {
     return nullptr;
 }
 
-const char *findGl(void *(*find)(const char *), Gl &gl) {
+const char *fillGl(void *(*find)(const char *), Gl &gl) {
     for (int i = 0; i < windows::kGlFunctions; ++i) ((void **)&gl)[i] = odrazGlCalls + 8 * i;
-    return findFunctions(find, ODRAZ_GL(ODRAZ_NAME), odrazFunctions.gl);
+    return fillFunctions(find, ODRAZ_GL(ODRAZ_NAME), odrazFunctions.gl);
 }
 
 } // namespace odraz

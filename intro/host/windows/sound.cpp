@@ -1,5 +1,4 @@
-// Plays through waveOut, which every Windows has, from a ring of small buffers. Each holds one block of the
-// film's sound.
+// Plays through waveOut, which every Windows has, from a ring of buffers of one block each.
 #include "host/sound.h"
 
 #include "host/library.h"
@@ -11,12 +10,12 @@ using namespace windows;
 
 namespace {
 
-constexpr int kBuffers = 36, kFrames = 240; // 180 ms in all: Wine, for one, holds 100 ms itself
+constexpr int kBuffers = 36; // 180 ms in all; Wine holds 100 ms itself
 constexpr uint32_t kDone = 1;
 
 struct Buffer {
     WaveHeader header;
-    int16_t samples[2 * kFrames];
+    int16_t samples[2 * kDeviceBlock];
 };
 
 HANDLE theDevice; // belongs to the host: one process has one sound output
@@ -57,7 +56,7 @@ int write(const int16_t *samples, int frames) {
     while (taken < frames && !theLost) {
         Buffer &b = theBuffers[theNext];
         if (!(__atomic_load_n(&b.header.flags, __ATOMIC_ACQUIRE) & kDone)) break;
-        int n = frames - taken < kFrames ? frames - taken : kFrames;
+        int n = frames - taken < kDeviceBlock ? frames - taken : kDeviceBlock;
         __builtin_memcpy(b.samples, samples + 2 * taken, (size_t)n * 4);
         b.header.size = (uint32_t)n * 4;
         b.header.flags &= ~kDone;
@@ -72,7 +71,7 @@ int write(const int16_t *samples, int frames) {
         close();
         return -1;
     }
-    if ((theTaken += taken) == kBuffers * kFrames) waveOutRestart(theDevice);
+    if ((theTaken += taken) == kBuffers * kDeviceBlock) waveOutRestart(theDevice);
     return taken;
 }
 

@@ -99,7 +99,7 @@ struct FileAttributes {
 
 } // namespace odraz::windows
 
-// As Windows names them
+// By the names of Windows
 extern "C" {
 typedef odraz::windows::Handle HANDLE;
 typedef odraz::windows::Wide WCHAR;

@@ -1,10 +1,9 @@
-// The entry of the shipped program on Windows. It is called like the body of a thread, but without an
-// argument.
+// The entry of the shipped program on Windows. It is called as a thread's body is, but without an argument.
 #include "host/process.h"
 #include "start/windows/command_line.h"
 
-// Our functions expect rsp to be 32-aligned at a call, and the rounding and denormal floats of Linux, which
-// libraries that were loaded with the program may have changed.
+// Our functions expect rsp to be 32-aligned at a call, and mxcsr (rounding, denormal floats) as on Linux.
+// Libraries that were loaded with the program may have changed mxcsr.
 __asm__(".globl _start\n"
         ".type _start, @function\n"
         "_start:\n"

@@ -34,7 +34,7 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
         glfwMakeContextCurrent(window);
         gl.glClipControl = (PFNGLCLIPCONTROLPROC)find("glClipControl");
         missing =
-            findGl(find, gl) || findFunctions(find, ODRAZ_VIEW_GL(ODRAZ_NAME), (void **)&gl.glUniform1i);
+            fillGl(find, gl) || fillFunctions(find, ODRAZ_VIEW_GL(ODRAZ_NAME), (void **)&gl.glUniform1i);
     }
     if (missing) {
         glfwTerminate();
