@@ -37,33 +37,33 @@ struct Curved {
         });
     }
     // A ring that lies flat.
-    void ring(const char *mtl, Vec3d centre, double radius, double thick, int around) {
+    void ring(const char *mtl, Vec3d centre, double radius, double thickness, int around) {
         w.surface(mtl, steps(around), steps(around / 2), true, [&](double u, double v) {
-            double r = radius + thick * std::cos(v * kTurn);
+            double r = radius + thickness * std::cos(v * kTurn);
             return centre +
-                   Vec3d{r * std::cos(-u * kTurn), thick * std::sin(v * kTurn), r * std::sin(-u * kTurn)};
+                   Vec3d{r * std::cos(-u * kTurn), thickness * std::sin(v * kTurn), r * std::sin(-u * kTurn)};
         });
     }
-    void vase(const char *mtl, Vec3d foot, double tall, int around) {
+    void vase(const char *mtl, Vec3d foot, double height, int around) {
         lathe(mtl, foot, around, around, [=](double v) {
-            return std::pair{tall * (0.18 + 0.2 * std::sin(v * 5) * (1 - v * 0.4)) * std::min(1., 12 * v),
-                             tall * v};
+            return std::pair{height * (0.18 + 0.2 * std::sin(v * 5) * (1 - v * 0.4)) * std::min(1., 12 * v),
+                             height * v};
         });
     }
     // A cloth that hangs in a plane of constant z, two centimetres thick.
-    void cloth(const char *mtl, Vec3d top, double wide, double tall) {
+    void cloth(const char *mtl, Vec3d top, double width, double height) {
         for (int side = 0; side < 2; ++side)
             w.surface(mtl, steps(16), steps(14), false, [&](double u, double v) {
                 double x = side ? 1 - u : u;
-                return top + Vec3d{wide * (x - 0.5), -tall * (1 - v),
+                return top + Vec3d{width * (x - 0.5), -height * (1 - v),
                                    0.25 * std::sin(x * 25) * (1 - v * 0.7) + (side ? -0.01 : 0.01)};
             });
     }
-    // A wall in the plane of this x, from z0 to z1 and from 0 to `high`, with a round-headed window, whose
-    // jambs are `deep`. It is seen from inside: from larger x if `inside` is 1, from smaller x if it is -1.
-    void wallWithWindow(const char *mtl, double x, double z0, double z1, double high, double inside,
-                        double deep) {
-        double zm = (z0 + z1) / 2, r = (z1 - z0) * 0.22, low = high * 0.35, spring = high * 0.62;
+    // A wall in the plane of this x, from z0 to z1 and from 0 to `height`, with a round-headed window, whose
+    // jambs have this depth. It is seen from larger x if `inside` is 1, from smaller x if it is -1.
+    void wallWithWindow(const char *mtl, double x, double z0, double z1, double height, double inside,
+                        double depth) {
+        double zm = (z0 + z1) / 2, r = (z1 - z0) * 0.22, low = height * 0.35, spring = height * 0.62;
         // Divide the wall along straight lines from the window's outline to the wall's border
         auto outline = [&](double u) {
             double a = u * kTurn, c = std::cos(a), s = std::sin(a), half = (spring - low) / 2, y;
@@ -74,7 +74,7 @@ struct Curved {
         };
         auto border = [&](double u) {
             double a = u * kTurn, c = std::cos(a), s = std::sin(a), m = std::max(std::fabs(c), std::fabs(s));
-            return std::pair{(z1 - z0) / 2 * c / m, high / 2 + high / 2 * s / m};
+            return std::pair{(z1 - z0) / 2 * c / m, height / 2 + height / 2 * s / m};
         };
         int around = steps(24) / 4 * 4;
         w.surface(mtl, around, steps(3), true, [&](double u, double v) {
@@ -84,7 +84,7 @@ struct Curved {
         });
         w.surface(mtl, around, steps(2), true, [&](double u, double v) {
             auto [z, y] = outline(-u * inside);
-            return Vec3d{x - inside * deep * (1 - v), y, zm - z};
+            return Vec3d{x - inside * depth * (1 - v), y, zm - z};
         });
     }
 };
@@ -93,24 +93,24 @@ struct Curved {
 
 void makeVault(ObjWriter &w) {
     Curved c(w, 0.06);
-    const double wide = 6, high = 6, far = 15; // half the width, the walls' height, half the length
+    const double half = 6, height = 6, depth = 15; // half the width, height of the walls, half the length
     c.w.surface("floor", c.steps(12), c.steps(30), false, [&](double u, double v) {
-        return Vec3d{-wide + 2 * wide * u, 0, far - 2 * far * v};
+        return Vec3d{-half + 2 * half * u, 0, depth - 2 * depth * v};
     });
     c.w.surface("white", c.steps(32), c.steps(44), false, [&](double u, double v) {
         double a = M_PI * u;
-        return Vec3d{-wide * std::cos(a), high + 0.7 * wide * std::sin(a) + 0.08 * std::cos(v * kTurn * 11),
-                     -far + 2 * far * v};
+        return Vec3d{-half * std::cos(a), height + 0.7 * half * std::sin(a) + 0.08 * std::cos(v * kTurn * 11),
+                     -depth + 2 * depth * v};
     });
     for (int i = 0; i < 6; ++i)
         for (int side = -1; side <= 1; side += 2)
-            c.wallWithWindow(i % 2 ? "red" : "stone", side * wide, -far + 5 * i, -far + 5 * i + 5, high,
+            c.wallWithWindow(i % 2 ? "red" : "stone", side * half, -depth + 5 * i, -depth + 5 * i + 5, height,
                              -side, 0.5);
     for (int end = -1; end <= 1; end += 2) {
         c.w.surface("stone", c.steps(24), c.steps(10), false, [&](double u, double v) {
-            double x = (2 * u - 1) * wide * -end,
-                   top = high + 0.7 * wide * std::sqrt(std::max(0., 1 - x * x / (wide * wide))) + 0.08;
-            return Vec3d{x, top * v, end * far};
+            double x = (2 * u - 1) * half * -end,
+                   top = height + 0.7 * half * std::sqrt(std::max(0., 1 - x * x / (half * half))) + 0.08;
+            return Vec3d{x, top * v, end * depth};
         });
     }
     for (int i = 0; i < 5; ++i)
@@ -130,8 +130,8 @@ void makeVault(ObjWriter &w) {
             double r = c.random(0.25, 0.6);
             c.ball(mtl, at + Vec3d{0, r, 0}, r, 18);
         } else {
-            double thick = c.random(0.08, 0.16);
-            c.ring(mtl, at + Vec3d{0, thick, 0}, c.random(0.4, 0.7), thick, 20);
+            double thickness = c.random(0.08, 0.16);
+            c.ring(mtl, at + Vec3d{0, thickness, 0}, c.random(0.4, 0.7), thickness, 20);
         }
     }
 }

@@ -1,5 +1,5 @@
-// The settings for solving a model, which are options of `solve` and `view`, and the functions that are
-// called meanwhile. Areas are in squared units of the model.
+// The settings for solving a model, most of them options of `solve` and `view`, and callbacks for progress,
+// light and saved rows. Areas are in squared units of the model.
 #pragma once
 
 #include "radiosity/hemicube.h"

@@ -1,4 +1,4 @@
-// The solving of one model: the input and the results that both methods share.
+// A model while it is solved: the input and the results that both methods share.
 #pragma once
 
 #include "tools/radiosity/divide/element_reflectance.h"
@@ -15,7 +15,7 @@ static_assert(std::size(kStepNames) == kSolveSteps && (int)SolveStep::kFinalRays
 
 // All results except light.
 struct SolveReport {
-    bool whole = false;               // all rows and sweeps were done; false: it was stopped before
+    bool whole = false;               // all rows and sweeps were done; false: stopped early
     int rows = 0;                     // number of sites' or patches' rows found
     int sweeps = 0;                   // number of sweeps or bounces
     float residual = 0;               // after the last sweep

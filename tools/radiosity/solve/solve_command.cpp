@@ -62,8 +62,8 @@ std::unique_ptr<SolveJob> readSolveJob(const std::vector<std::string> &words) {
     return job;
 }
 
-// Whether the even sky, which is added if nothing else emits, reaches no polygon's front, because the model
-// is closed and the fronts face inwards.
+// Whether no light reaches the polygons' fronts: the only light is an even sky, and the model is closed with
+// its fronts inwards.
 bool staysDark(const Solution &b) {
     double light = 0;
     for (const Rgb &c : b.emits)

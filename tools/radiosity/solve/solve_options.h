@@ -11,7 +11,7 @@
 
 namespace odraz::radiosity {
 
-// The radiance of an even sky if the value of --sky is R,G,B. Throws Refused if it is out of range.
+// The radiance of an even sky if the value of --sky is R,G,B. Throws Refused if that is out of range.
 std::optional<Rgb> evenRadiance(const std::string &sky);
 
 class SolveOptions {

@@ -44,7 +44,7 @@ public:
         fresh.push_back(folder / file);
         return fresh.back();
     }
-    // Ends a chapter.
+    // Ends a chapter: drop() keeps everything added so far.
     void keep() { kept = body.size(), fresh.clear(); }
     // Removes everything added since keep(), files too.
     void drop();

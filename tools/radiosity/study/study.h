@@ -108,7 +108,7 @@ private:
 };
 
 // The chapters. Each writes to the page.
-void studyTable(Study &study, bool ofThesis); // sizes by rasters; `ofThesis`: those of its Table 4.1
+void studyTable(Study &study, bool ofThesis); // sizes by rasters; `ofThesis`: the thesis's Table 4.1
 void studyRasters(Study &study);              // pixels, anti-aliasing, corners
 void studyMethods(Study &study);              // gathering, shooting, Gauss-Seidel; passes
 void studyDisplay(Study &study);              // flat and interpolated; mappings

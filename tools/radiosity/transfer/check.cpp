@@ -94,8 +94,8 @@ public:
         for (const TriedSky &sky : skies) {
             exact.push_back(solveSky(sky, rays));
             relight(sky.light);
-            std::vector<Rgb>
-                others; // by the number of rays that this light needs: slow, so not for all skies
+            // Also solve by the number of rays that the light needs; not for all skies, because it is slow
+            std::vector<Rgb> others;
             if (exact.size() % 2) others = solveSky(sky, 0);
             if (stopped()) return false;
             printErrors(sky.name, exact.back(), others);
@@ -128,8 +128,8 @@ public:
         }
         return true;
     }
-    // Call it after printSkies(). As in the lecture, compares the same number of stored floats in one
-    // subspace and in one subspace per cluster.
+    // Compares one subspace with one subspace per cluster, at the same number of stored floats, as in the
+    // lecture. Call it after printSkies().
     bool printSubspaces() {
         std::vector<float> rows = room.rows(), scale = columnScale(room, rows);
         std::vector<int> ranks;

@@ -99,7 +99,8 @@ struct Clustering {
         }
     }
 
-    // Assigns a row to the cluster with the nearest subspace, of its present one and the nearest means.
+    // Assigns a row to the cluster with the nearest subspace. The candidates are its present cluster and
+    // those with the nearest means.
     void assign(int r) {
         int candidates[8], count = 0, best = p.cluster[r];
         float distances[8], weights[kMaxDimensions], least = project(r, best, weightsOf(r));
@@ -128,7 +129,7 @@ struct Clustering {
         for (int r = 0; r < p.rows; ++r) ++p.first[p.cluster[r] + 1];
         for (int c = 0; c < p.clusters; ++c) p.first[c + 1] += p.first[c];
         for (int r = 0; r < p.rows; ++r) p.members[p.first[p.cluster[r]]++] = r;
-        // Move each cluster's begin back, which the last line moved to the cluster's end
+        // Move each cluster's first index back, which the line above has moved to the cluster's end
         for (int c = p.clusters; c > 0; --c) p.first[c] = p.first[c - 1];
         p.first[0] = 0;
     }

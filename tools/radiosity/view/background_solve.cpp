@@ -67,7 +67,7 @@ void BackgroundSolve::receive(const Solution &soFar) {
     else
         solution->light = soFar.light;
     publish(first, false);
-    // Spend at most a fifth of the time on computing light; small models show every sweep
+    // Spend at most a fifth of the time on computing light. Small models show every sweep
     double end = common::wallSeconds();
     next = end + 4 * (end - began);
     computing = false;

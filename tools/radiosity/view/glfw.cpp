@@ -2,8 +2,7 @@
 
 #include "host/library.h"
 
-// The functions that the window calls. <GLFW/glfw3.h>, which declares them with parameters, is not included
-// here.
+// The functions that the window calls. This file does not include <GLFW/glfw3.h>, which declares them.
 // clang-format off
 #define ODRAZ_GLFW(F) \
     F(glfwCreateWindow) F(glfwDestroyWindow) F(glfwGetCursorPos) F(glfwGetFramebufferSize) \

@@ -9,9 +9,8 @@ namespace odraz::radiosity {
 
 struct ViewPoint {
     Vec3 p;
-    int16_t n[4]; // normal; 32767 stands for 1
-    uint32_t
-        patch; // number of the patch from 1 on, in the order of their first elements; 0: a polygon's edge
+    int16_t n[4];   // normal; 32767 stands for 1
+    uint32_t patch; // patch number from 1 on, in the order of first elements; 0: a polygon's edge
 };
 
 struct ViewPatch {

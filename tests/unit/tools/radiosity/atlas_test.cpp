@@ -1,4 +1,4 @@
-// Lightmaps: they give other programs the solution, and polygons share no texels.
+// Lightmaps: they show the solution in other programs, and polygons share no texels.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
 #include "tools/common/folders.h"
@@ -42,7 +42,7 @@ const Solution &room() {
 struct Element {
     int chart, cell;
     Vec3 middle;
-    Rgb radiosity; // from the CSV: its mean over triangles
+    Rgb radiosity; // mean over its triangles, as in the CSV
     float area;
 };
 std::vector<Element> elementsOf(const Solution &b) {
@@ -63,8 +63,8 @@ std::vector<Element> elementsOf(const Solution &b) {
 
 float most(const Rgb &c) { return std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}); }
 
-// The differences of a folder's pages from the solution, at the middles of elements, and from the CSV. The
-// worst differences are shares of the largest of red, green and blue, because a page stores eight bits.
+// Differences between a folder's pages and the solution, in the middles of elements, and the CSV. The worst
+// difference is a share of the largest of red, green and blue, because a page stores eight bits.
 struct Difference {
     float worst = 0;
     double squareOfTable = 0;
@@ -112,7 +112,7 @@ TEST(Atlas, ShowsTheSolution) {
         Difference d = compare(room(), out);
         EXPECT_GT(d.count, 2000);
         EXPECT_LT(d.lost, d.count / 100);
-        EXPECT_LT(d.worst, 1 / 150.f); // light is redder than surfaces: over one step
+        EXPECT_LT(d.worst, 1 / 150.f); // above one step of eight bits, because light is redder than surfaces
         EXPECT_LT(d.squareOfTable, 0.01);
     }
 }

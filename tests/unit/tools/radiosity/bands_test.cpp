@@ -1,5 +1,5 @@
-// Spherical harmonics of six bands, and environments projected onto them: against the addition theorem,
-// Parseval's, and closed forms.
+// Spherical harmonics of six bands, and environments projected onto them, compared with the addition theorem,
+// Parseval's theorem and closed forms.
 #include "tests/support/open_room.h"
 #include "tools/radiosity/transfer/environment.h"
 
@@ -8,8 +8,8 @@
 using namespace odraz;
 using namespace odraz::radiosity;
 
-// The sum over a band's orders is (2 l + 1) / 4 pi times Legendre's polynomial of the angle,
-// which holds for orthonormal functions alone.
+// The sum over a band's orders is (2 l + 1) / 4 pi times the Legendre polynomial of the angle's cosine. This
+// holds only for orthonormal functions.
 TEST(Bands, ObeyTheAdditionTheorem) {
     Dice dice(1);
     double worst = 0;
@@ -46,8 +46,8 @@ TEST(Bands, TurnWithTheirLight) {
     }
 }
 
-// A picture of a band-limited light has its coefficients and all of its energy; a small bright spot has
-// little in the bands, by Parseval.
+// A picture of a band-limited light has the light's coefficients and all of its energy. A small bright spot
+// has little energy in the bands, by Parseval's theorem.
 TEST(Environment, IsProjected) {
     for (bool upIsZ : {false, true}) {
         Dice dice(3);
@@ -67,8 +67,8 @@ TEST(Environment, IsProjected) {
         }
         EXPECT_NEAR(p.held[1], first / energy, 1e-4);
     }
-    // A row of pixels around the zenith is a disc, whose part in a band is an integral of Legendre's
-    // polynomial
+    // A row of pixels around the zenith is a disc. Its energy in a band follows from an integral of the
+    // Legendre polynomial
     pictures::Picture disc = {64, 32};
     disc.light.resize(disc.pixels() * 3);
     std::fill(disc.light.begin(), disc.light.begin() + (ptrdiff_t)64 * 3, 100.f);

@@ -1,4 +1,4 @@
-// Clustered PCA on data of known singular values or structure, and at extremes.
+// Clustered PCA on data with known singular values or structure, and on extreme data.
 #include "tools/radiosity/transfer/clustered_pca.h"
 
 #include "tests/support/random.h"
@@ -31,7 +31,7 @@ struct Data {
 struct Result {
     HeapArena memory{(size_t)16 << 20};
     ClusteredPca p = {};
-    double error = 0, size = 0; // Frobenius, squared
+    double error = 0, size = 0; // squared Frobenius norms
     std::vector<int> cluster;
 
     Result(
@@ -56,12 +56,12 @@ struct Result {
     double percent() const { return 100 * std::sqrt(error / size); }
 };
 
-// The singular values of falling(), of which there are 40 at most; they halve every `half`.
+// The number and the values of the singular values of falling(): at most 40, halved every `half`.
 int countOf(int rows, int columns) { return std::min({40, rows - 1, columns - 1}); }
 double valueOf(int k, double half) { return 12 * std::exp2(-k / half); }
 
-// Rows about a mean. Along rows and columns the k-th part is a cosine; these are orthonormal, and their sum
-// is 0.
+// Rows about a mean. Singular vector k is a cosine, along rows and along columns. The cosines are
+// orthonormal, and each sums to 0.
 Data falling(int rows, int columns, double half) {
     auto wave = [](int k, int i, int size) {
         return std::sqrt(2. / size) * std::cos(M_PI * (k + 1) * (i + 0.5) / size);
@@ -74,15 +74,14 @@ Data falling(int rows, int columns, double half) {
             }};
 }
 
-// What the best mean and subspace leave of it, squared.
+// The squared error of the best mean and subspace.
 double bestLeft(const Data &d, double half, int dimensions) {
     double left = 0;
     for (int k = dimensions; k < countOf(d.rows, d.columns); ++k) left += std::pow(valueOf(k, half), 2);
     return left;
 }
 
-// Several flats (affine subspaces) of four dimensions each, with means far apart; rows alternate between
-// them.
+// Several flats (affine subspaces) with four dimensions each and distant means. Rows alternate between them.
 Data flats(int count, int rows, int columns) {
     Data d(rows, columns);
     Random random = {9};
@@ -108,15 +107,15 @@ TEST(Pca, LeavesNoMoreThanTheBestSubspace) {
         for (int dimensions : {8, 16, 24}) {
             Data d = falling(300, 64, half);
             Result r(d, {.clusters = 1, .dimensions = dimensions, .rounds = 0, .iterations = 12});
-            double best = bestLeft(d, half, dimensions), noise = r.size * 1e-13; // of floats
+            double best = bestLeft(d, half, dimensions), noise = r.size * 1e-13; // rounding
             std::printf("%d axes of values that halve every %g: %.4f %% left, the best %.4f %%\n", dimensions,
                         half, r.percent(), 100 * std::sqrt(best / r.size));
-            EXPECT_LT(r.error, best * 1.05 + noise); // the error itself is 2.5 % more
+            EXPECT_LT(r.error, best * 1.05 + noise); // so the rms error is at most 2.5 % more
             EXPECT_GT(r.error, best * 0.999 - noise);
         }
 }
 
-TEST(Pca, WideRowsToo) { // more columns than rows, as the floor's matrices
+TEST(Pca, WideRowsToo) { // more columns than rows, like the floor's matrices
     Data d = falling(60, 2000, 4);
     Result r(d, {.clusters = 1, .dimensions = 16, .rounds = 0, .iterations = 12});
     EXPECT_LT(r.error, bestLeft(d, 4, 16) * 1.05);
@@ -135,8 +134,8 @@ TEST(Pca, AxesAreOrthonormal) {
             }
 }
 
-// A third of the rows have wrong seeds. Clustering still finds the flats, which one subspace of the same
-// number of dimensions cannot represent.
+// Clustering finds the flats although a third of the rows have wrong seeds. One subspace with equal
+// dimensions cannot represent them.
 TEST(Clustering, FindsTheFlats) {
     Data d = flats(4, 400, 48);
     PcaSettings settings = {.clusters = 4, .dimensions = 8, .rounds = 8, .iterations = 4, .tried = 4};

@@ -17,8 +17,8 @@ double sumOf(const std::vector<Rgb> &light) {
     return sum;
 }
 
-// The largest difference of a channel, as a share of the brightest channel of b.
-double apart(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
+// The largest difference between channels, as a share of the brightest channel of b.
+double largestDifference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     EXPECT_EQ(a.size(), b.size());
     float most = 0, off = 0;
     for (size_t i = 0; i < a.size() && i < b.size(); ++i) {
@@ -30,7 +30,7 @@ double apart(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
 }
 
 struct Watched {
-    std::vector<std::vector<Rgb>> light; // in the order in which it was shown
+    std::vector<std::vector<Rgb>> light; // the light of each call, in order
     std::vector<Rgb> end;
     int directs = 0;
 };
@@ -60,8 +60,8 @@ TEST(LightSoFar, BeginsDirectAndEndsAsTheSolution) {
         }
     }
     EXPECT_LT(sumOf(g.light[0]), 0.8 * sumOf(g.end));
-    EXPECT_LT(apart(g.light.back(), g.end), 1e-3);
-    EXPECT_GT(apart(g.light[1], g.end), 1e-2);
+    EXPECT_LT(largestDifference(g.light.back(), g.end), 1e-3);
+    EXPECT_GT(largestDifference(g.light[1], g.end), 1e-2);
 }
 
 TEST(LightSoFar, ShowsDirectLightAloneFirst) {
@@ -72,6 +72,6 @@ TEST(LightSoFar, ShowsDirectLightAloneFirst) {
     Watched three = watch("corner", s);
     ASSERT_EQ(three.light.size(), 4u);
     // Without a bounce, direct light remains
-    EXPECT_LT(apart(three.light[0], none.end), 1e-6);
-    EXPECT_LT(apart(three.light[3], three.end), 1e-6);
+    EXPECT_LT(largestDifference(three.light[0], none.end), 1e-6);
+    EXPECT_LT(largestDifference(three.light[3], three.end), 1e-6);
 }

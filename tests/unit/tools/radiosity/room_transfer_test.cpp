@@ -1,6 +1,6 @@
-// Transfer of any model: closed forms (an open plane, a white corner, a furnace), a model that is turned,
-// compression and gloss. (radiosity_transfer compares rooms with solutions made for one light, by `transfer
-// --check`.)
+// Transfer of any model: closed forms (an open plane, a white corner, a furnace), a rotated model,
+// compression and gloss. (The test radiosity_transfer compares rooms with solutions for one light by
+// `transfer --check`.)
 #include "tests/support/open_room.h"
 #include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/transfer/environment.h"
@@ -14,7 +14,7 @@ using namespace odraz::radiosity;
 
 static Workers serial = serialWorkers();
 
-// An open plane gets A(l) Y / pi of every function, where A is pi, 2 pi / 3, pi / 4, 0, -pi / 24, 0
+// On an open plane, a function Y of band l gives A(l) Y / pi, where A is pi, 2 pi / 3, pi / 4, 0, -pi / 24, 0
 // (Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001).
 TEST(Transfer, OfAnOpenPlaneIsTheCosineLobe) {
     const double lobe[kMostBands] = {M_PI, 2 * M_PI / 3, M_PI / 4, 0, -M_PI / 24, 0};
@@ -62,7 +62,7 @@ TEST(Transfer, OfAFurnaceIsItsClosedForm) {
     }
 }
 
-// Turning the environment equals turning the model the other way.
+// Rotating the environment has the same effect as rotating the model the other direction.
 TEST(Transfer, TurnsWithTheModel) {
     Mesh mesh = openRoom(), other = mesh;
     const double angle = 30;
@@ -80,21 +80,21 @@ TEST(Transfer, TurnsWithTheModel) {
     EXPECT_LT(worst, 1e-4);
 }
 
-// All axes reproduce the rows; each axis reduces the error.
+// All axes together reproduce the rows, and each axis reduces the error.
 TEST(Clusters, HoldTheRows) {
     TransferSettings settings = settingsOf(3, 64, 0.03);
     settings.clusters = 16, settings.rank = 28;
     TransferRoom room = transferOf(openRoom(), settings);
     std::vector<float> rows = room.rows(), scale = columnScale(room, rows);
     const Clusters &many = room.clusters;
-    EXPECT_LT(compressionError(many, rows, scale, 28), 2e-3); // of 28 lights, most of them grey
+    EXPECT_LT(compressionError(many, rows, scale, 28), 2e-3); // 28 lights, most of them grey
     double last = 1;
     for (int rank = 0; rank <= many.rank; ++rank) {
         double loss = compressionError(many, rows, scale, rank);
         EXPECT_LE(loss, last * 1.0001) << rank;
         last = loss;
     }
-    // The axes of a cluster are in descending order of what they explain
+    // A cluster's axes are in descending order of the variance that they explain
     for (int c = 0; c < many.count; ++c) {
         std::vector<double> squares((size_t)many.rank);
         for (size_t t = 0; t < many.of.size(); ++t)
@@ -104,7 +104,7 @@ TEST(Clusters, HoldTheRows) {
     }
 }
 
-// The exact rows, summed in double precision by hand.
+// Relighting by exact rows equals a sum in double precision.
 TEST(Relighting, IsASumOfRows) {
     TransferRoom room = transferOf(openRoom(), settingsOf(4, 32, 0.1));
     Dice dice(7);
@@ -122,8 +122,8 @@ TEST(Relighting, IsASumOfRows) {
     EXPECT_LT(difference(compressed, light), 0.01);
 }
 
-// A mirror blurred by a lobe, over a floor without walls: the sky's own coefficients, in the half-space
-// above, by dense quadrature. Then in the open room, by random rays through the solution for this light.
+// Gloss is a mirror image blurred by a lobe. Dense rays over the upper half-space give the same: on a floor
+// without walls, which sees only sky, and in the open room, through the solution for this light.
 TEST(Gloss, IsTheLobeOfWhatArrives) {
     auto shown = [&](const Mesh &mesh, const Vec3 &eye, bool lamps, const char *what, double limit) {
         TransferSettings settings = settingsOf(kBands, 256, 0.15);
@@ -149,25 +149,25 @@ TEST(Gloss, IsTheLobeOfWhatArrives) {
                 double sum = 0;
                 const int around = 128, count = 64 * around;
                 for (int k = 0; k < count; ++k) {
-                    // Rings about the normal, of equal height
+                    // Take directions on rings about the normal, at equal intervals of height
                     float high = ((float)(k / around) + 0.5f) / (count / around),
                           wide = std::sqrt(1 - high * high);
                     float angle =
                         ((float)(k % around) + 0.25f * (float)(k / around % 4)) * (float)(2 * M_PI / around);
-                    Vec3 way = floor.u * (wide * std::cos(angle)) + floor.v * (wide * std::sin(angle)) +
-                               floor.n * high;
-                    RayHit hit = tree.nearest(from, way);
+                    Vec3 direction = floor.u * (wide * std::cos(angle)) + floor.v * (wide * std::sin(angle)) +
+                                     floor.n * high;
+                    RayHit hit = tree.nearest(from, direction);
                     double light = 0;
                     if (hit.triangle < 0)
-                        light = (double)radiance(sky, kBands, way).y;
+                        light = (double)radiance(sky, kBands, direction).y;
                     else if (!hit.back) {
                         int chart = regions.chartOf[(size_t)hit.triangle];
-                        Vec3 at = from + way * hit.t;
+                        Vec3 at = from + direction * hit.t;
                         light = (double)(lit.lightAt(chart, at) * lit.reflects[(size_t)chart] +
                                          lit.emits[(size_t)chart])
                                     .y;
                     }
-                    sum += light * lobeAt((double)dot(way, mirror), 20) * 2 * M_PI / count;
+                    sum += light * lobeAt((double)dot(direction, mirror), 20) * 2 * M_PI / count;
                 }
                 double grazing = 1 - (double)-dot(d, floor.n), schlick = 0.3 + 0.7 * std::pow(grazing, 5),
                        exact = std::fmax(sum, 0) * schlick,

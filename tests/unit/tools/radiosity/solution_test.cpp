@@ -1,4 +1,4 @@
-// Reading solutions: files that `radiosity solve` did not write are refused, even if the checksum fits.
+// Solution files that `radiosity solve` did not write are refused, even if the checksum is right.
 #include "tests/support/headless_gl.h"
 #include "tests/support/thrown.h"
 #include "tools/common/folders.h"
@@ -92,7 +92,7 @@ TEST_F(SolutionFile, OfOthersIsRefused) {
         [](Solution &b) { b.cells[0].corner[0] = -1; },
         [](Solution &b) { b.cells[1].corner[3] = 12; },
         [](Solution &b) { b.cells[1].corner[3] = b.cells[1].corner[0]; },
-        [](Solution &b) { b.cells[2].corner[1] = 1; }, // of another chart
+        [](Solution &b) { b.cells[2].corner[1] = 1; }, // a texel of another chart
         [](Solution &b) { b.cells[3].chart = -1; },
         [](Solution &b) { b.texels[3].chart = 9; },
         [](Solution &b) { b.texels[3].x = 1 << 30; },
@@ -127,7 +127,7 @@ TEST(SavedState, IsReadAsItWasWritten) {
     EXPECT_EQ(b.model, a.model);
     EXPECT_EQ(b.rows, a.rows);
     EXPECT_EQ((uintptr_t)b.rows.data() % 8, 0u);
-    // A wrong byte or a missing end is always detected
+    // Every wrong byte and every missing end is detected
     std::string all = common::readWhole(folder / "a.state");
     auto expectRefused = [&](const std::string &wrong) {
         common::writeWhole(folder / "b.state", wrong);

@@ -1,4 +1,4 @@
-// Files of rooms: a round trip, and damaged files.
+// Room files: a round trip, and damaged files.
 #include "tests/support/open_room.h"
 #include "tests/support/thrown.h"
 #include "tools/common/folders.h"
@@ -52,7 +52,7 @@ TEST(File, KeepsTheRoom) {
 }
 
 // The checksum detects damage. A file with a forged checksum is refused or safe to use. (The fuzzer tries
-// many more.)
+// many more files.)
 TEST(File, SurvivesDamage) {
     TransferSettings settings = settingsOf(1, 8, 4);
     settings.glossy = "grey", settings.glossRays = 64, settings.rank = 1, settings.clusters = 2;
