@@ -1,4 +1,4 @@
-// Encoding a program's bytes, with the decoder's own model.
+// The encoder: it runs the decoder's own model.
 #pragma once
 
 #include "packer/model/decoder.h"
@@ -23,32 +23,32 @@ private:
     std::unique_ptr<void, Free> memory;
 };
 
-// The bytes as they are coded: in x86-64, relative operands made absolute.
-template <class Around = Surroundings>
+// Returns the bytes as they are coded: in x86-64, relative operands become absolute.
+template <class Tracker = X86Tracker>
 std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &layout);
 
 struct Encoded {
     std::vector<uint8_t> payload;
     std::vector<float> bits; // cost of each byte of the image
 };
-template <class Around = Surroundings>
+template <class Tracker = X86Tracker>
 Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const ModelParameters &parameters,
                Workspace &workspace);
 
-// The payload's size in bytes, without making the payload. Stops when the size exceeds `enough`, and returns
-// `enough` then.
-template <class Around = Surroundings>
+// Returns the payload's size in bytes, without making the payload. Returns `limit` as soon as the size
+// exceeds it.
+template <class Tracker = X86Tracker>
 double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const ModelParameters &parameters,
-               Workspace &workspace, double enough = 1e30);
+               Workspace &workspace, double limit = 1e30);
 
 // Decodes with the C++ model. Never reads beyond the payload: missing bytes count as zeros.
-template <class Around = Surroundings>
+template <class Tracker = X86Tracker>
 std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
                             const ModelParameters &parameters, Workspace &workspace);
 
-// --- What does it ---
+// --- Implementation ---
 
-// The bits of the bytes to encode, one by one.
+// Reads the bits of the bytes to encode.
 struct KnownBits {
     const uint8_t *bytes;
     uint32_t position = 0;
@@ -65,7 +65,7 @@ inline double cost(uint32_t bit, uint32_t share) {
     return -std::log2((bit ? share : kAll - share) / kAll);
 }
 
-// The inverse of Decoder. `low` is where the range starts, without the bytes already written; it may carry
+// The inverse of Decoder. `low` is the start of the range, without the bytes already written. It may carry
 // into these.
 struct Encoder {
     KnownBits known;
@@ -87,8 +87,7 @@ struct Encoder {
         }
         return bit;
     }
-    // Writes the highest of low's four bytes, and its carry. The very first byte is always zero and is not
-    // written.
+    // Writes the highest byte of `low`, and its carry. The very first byte is always zero and is not written.
     void shift() {
         if (low >> 32)
             for (auto byte = to.payload.rbegin(); ++*byte == 0; ++byte) {
@@ -97,8 +96,8 @@ struct Encoder {
         started = true;
         low = (low & 0xffffff) << 8;
     }
-    // Writes two bytes such that any bytes after them decode within the range; more bytes if the range is too
-    // small for two
+    // Writes two bytes, or more if the range is too small for two, so that the last bits decode correctly
+    // whatever bytes follow.
     void finish() {
         for (; range < 1 << 17; range <<= 8) shift();
         low += 0xffff;
@@ -107,16 +106,17 @@ struct Encoder {
     }
 };
 
-struct TooMuch {};
+struct LimitExceeded {};
 
+// Counts bits and writes nothing.
 struct Meter {
     KnownBits known;
-    double enough, bits = 0;
+    double limit, bits = 0;
 
     uint32_t bit(uint32_t share) {
         uint32_t bit = known.next();
         bits += cost(bit, share);
-        if (bits > enough) throw TooMuch{};
+        if (bits > limit) throw LimitExceeded{};
         return bit;
     }
 };
@@ -137,49 +137,49 @@ struct CarefulDecoder {
     }
 };
 
-template <class Around>
+template <class Tracker>
 Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const ModelParameters &parameters,
                Workspace &workspace) {
     Encoded encoded;
     encoded.bits.resize(image.size());
-    std::vector<uint8_t> bytes = filter<Around>(image, layout), back(image.size());
+    std::vector<uint8_t> bytes = filter<Tracker>(image, layout), back(image.size());
     Encoder encoder{{bytes.data()}, encoded};
-    run<Around>(encoder, layout, parameters, workspace.zeroed(modelMemory<Around>(parameters, layout.size)),
-                back.data());
+    codeImage<Tracker>(encoder, layout, parameters,
+                       workspace.zeroed(modelMemory<Tracker>(parameters, layout.size)), back.data());
     encoder.finish();
     return encoded;
 }
 
-template <class Around>
+template <class Tracker>
 double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const ModelParameters &parameters,
-               Workspace &workspace, double enough) {
+               Workspace &workspace, double limit) {
     std::vector<uint8_t> back(filtered.size());
-    Meter meter{{filtered.data()}, enough * 8};
+    Meter meter{{filtered.data()}, limit * 8};
     try {
-        run<Around>(meter, layout, parameters, workspace.zeroed(modelMemory<Around>(parameters, layout.size)),
-                    back.data());
-    } catch (const TooMuch &) {
-        return enough;
+        codeImage<Tracker>(meter, layout, parameters,
+                           workspace.zeroed(modelMemory<Tracker>(parameters, layout.size)), back.data());
+    } catch (const LimitExceeded &) {
+        return limit;
     }
     return meter.bits / 8;
 }
 
-template <class Around>
+template <class Tracker>
 std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
                             const ModelParameters &parameters, Workspace &workspace) {
     std::vector<uint8_t> image(layout.size);
     CarefulDecoder decoder{payload, payload + payloadSize};
-    run<Around>(decoder, layout, parameters, workspace.zeroed(modelMemory<Around>(parameters, layout.size)),
-                image.data());
+    codeImage<Tracker>(decoder, layout, parameters,
+                       workspace.zeroed(modelMemory<Tracker>(parameters, layout.size)), image.data());
     return image;
 }
 
-// Those for x86-64 are in encoder.cpp, since arithmetic depends on how it is compiled
-extern template Encoded encode<Surroundings>(const std::vector<uint8_t> &, const Layout &,
-                                             const ModelParameters &, Workspace &);
-extern template double measure<Surroundings>(const std::vector<uint8_t> &, const Layout &,
-                                             const ModelParameters &, Workspace &, double);
-extern template std::vector<uint8_t> decode<Surroundings>(const uint8_t *, size_t, const Layout &,
-                                                          const ModelParameters &, Workspace &);
+// Compiled in encoder.cpp alone: the results of the arithmetic depend on the compiler's options
+extern template Encoded encode<X86Tracker>(const std::vector<uint8_t> &, const Layout &,
+                                           const ModelParameters &, Workspace &);
+extern template double measure<X86Tracker>(const std::vector<uint8_t> &, const Layout &,
+                                           const ModelParameters &, Workspace &, double);
+extern template std::vector<uint8_t> decode<X86Tracker>(const uint8_t *, size_t, const Layout &,
+                                                        const ModelParameters &, Workspace &);
 
 } // namespace pack

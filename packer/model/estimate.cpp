@@ -13,35 +13,36 @@ typedef float Float8 __attribute__((vector_size(32)));
 typedef int32_t Int8 __attribute__((vector_size(32)));
 typedef int16_t Short8 __attribute__((vector_size(16)));
 
-constexpr uint32_t kLanes = 4;                              // floats of a context: its inputs
-constexpr uint32_t kMost8 = kMostContexts * kLanes / 8 + 1; // the last has the odds, and counts uses
-constexpr uint32_t kStretch = 2048; // bytes between two comparisons with another estimate
+constexpr uint32_t kLanes = 4;                              // inputs of a context
+constexpr uint32_t kMost8 = kMostContexts * kLanes / 8 + 1; // the last vector: odds, constant, count of uses
+constexpr uint32_t kCompareStep = 2048; // bytes between two comparisons with another estimate
 constexpr float kRate = kLearning * kInputUnit, kEarlyRate = kEarlyLearning * kInputUnit,
-                kFinalRate = kFinalLearning * kInputUnit;
+                kFinalRate = kFinalLearning * kInputUnit, kMostResult = kMostSum / kInputUnit;
 
-// The mixer's state, and the payload's bits so far.
+// The mixer's state, and the size of the payload so far in bits.
 struct alignas(64) Mixer {
     Counter corrections[1 << kCorrectionRowBits][1 << kCorrectionBits];
     Float8 finalWeights[kPhases], weights[kSets][kRows][kMost8];
     double bits;
 };
 
-// The contexts' inputs and the selectors' hashes of all bytes.
+// The inputs of each context and the hashes of each selector, for all bytes.
 struct Sources {
     const int16_t *inputs[kMostContexts];
     const uint32_t *selectors[kSets - 1];
     uint32_t contexts;
+    const ByteRecord *records;
 };
 
-// The rows that a bit selects. All bits are known beforehand, so the next bit's rows can be prefetched;
-// without that, the time would go into waiting for memory.
-struct Rows {
+// The rows that a bit selects. All bits are known, so the next bit's rows are prefetched. Otherwise most of
+// the time would be spent waiting for memory.
+struct SelectedRows {
     Float8 *weights[kSets];
     Counter *corrections;
 
-    [[gnu::always_inline]] Rows(Mixer &m, const Sources &from, const Known *all, uint32_t at, uint32_t bits,
-                                uint32_t count) {
-        uint32_t phase = phaseOf(all[at].fields);
+    [[gnu::always_inline]] SelectedRows(Mixer &m, const Sources &from, uint32_t at, uint32_t bits,
+                                        uint32_t count) {
+        uint32_t phase = phaseOf(from.records[at].fields);
         for (uint32_t s = 0; s < kSets; ++s) {
             weights[s] = m.weights[s][rowOf(s, s ? from.selectors[s - 1][at] : 0, phase, bits)];
             for (uint32_t i = 0; i < count; i += 2) __builtin_prefetch(weights[s] + i, 1);
@@ -56,116 +57,128 @@ struct Rows {
     return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
 }
 
-// predict() and learn() for the bytes from `at` to `end`; `count` vectors of inputs.
-[[gnu::always_inline]] inline void mixBytes(Mixer &m, const Sources &from, const Known *all, uint32_t at,
-                                            uint32_t end, uint32_t count) {
-    constexpr float kMost = kMostSum / kInputUnit;
-    Rows next(m, from, all, at, 1, count);
+// Converts the inputs of a bit to floats.
+[[gnu::always_inline]] inline void loadInputs(Float8 *x, const Sources &from, size_t offset, float odds,
+                                              uint32_t count) {
+#pragma GCC unroll 8
+    for (uint32_t i = 0; i + 1 < count; ++i) {
+        union {
+            int64_t pair[2];
+            Short8 all;
+        } in;
+        std::memcpy(&in.pair[0], from.inputs[2 * i] + offset, 8);
+        std::memcpy(&in.pair[1], from.inputs[2 * i + 1] + offset, 8);
+        x[i] = __builtin_convertvector(__builtin_convertvector(in.all, Int8), Float8);
+    }
+    x[count - 1] = Float8{odds, kConstant / kInputUnit};
+}
+
+// Computes the result of each set: the sum of its weighted inputs.
+[[gnu::always_inline]] inline void mixSets(Float8 &results, const SelectedRows &rows, const Float8 *x,
+                                           uint32_t count) {
+#pragma GCC unroll 8
+    for (uint32_t s = 0; s < kSets; ++s) {
+        const Float8 *w = rows.weights[s];
+        Float8 sum = w[0] * x[0], sum2 = w[1] * x[1];
+#pragma GCC unroll 8
+        for (uint32_t i = 2; i + 1 < count; i += 2) {
+            sum += w[i] * x[i];
+            sum2 += w[i + 1] * x[i + 1];
+        }
+        results[s] = sumOf(sum + sum2 + w[count - 1] * x[count - 1]);
+    }
+    results = results > kMostResult ? kMostResult : results;
+    results = results < -kMostResult ? -kMostResult : results;
+}
+
+// Returns the corrected probability of a one, and trains the correction.
+[[gnu::always_inline]] inline float correct(const SelectedRows &rows, float sum, float mixed, uint32_t bit) {
+    Counter &correction = rows.corrections[(int32_t)(sum * (kSteepness * kInputUnit) + kMiddle)];
+    int32_t p = (int32_t)(mixed * (1 << kProbabilityBits));
+    if (!correction) correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
+    float one =
+        (float)((((int32_t)correction >> kSeenBits) + kHalf + 3 * p) | 1) * (0.25f / (1 << kProbabilityBits));
+    adapt(correction, bit, kSettled[0]);
+    return one;
+}
+
+// Trains the selected rows of all sets for the bit y.
+[[gnu::always_inline]] inline void trainSets(const SelectedRows &rows, const Float8 *x, const Float8 &results,
+                                             float y, uint32_t count) {
+    Int8 odds = __builtin_convertvector(results * kInputUnit, Int8) + std::bit_cast<int32_t>(1.0f);
+    Float8 squashed = (Float8)odds / ((Float8)odds + 1), used, by;
+    for (uint32_t s = 0; s < kSets; ++s) used[s] = rows.weights[s][count - 1][kLanes - 1]++;
+    by = (y - squashed) * (kEarlyRate / (used + kEarlyUses) + kRate);
+#pragma GCC unroll 8
+    for (uint32_t s = 0; s < kSets; ++s)
+#pragma GCC unroll 9
+        for (uint32_t i = 0; i < count; ++i) rows.weights[s][i] += x[i] * by[s];
+}
+
+// Predicts and learns the bytes from `at` to `end`. `count`: vectors of inputs.
+[[gnu::always_inline]] inline void mixBytes(Mixer &m, const Sources &from, uint32_t at, uint32_t end,
+                                            uint32_t count) {
+    SelectedRows next(m, from, at, 1, count);
     for (; at < end; ++at) {
         uint32_t bits = 1;
-        double likely = 1;
-        Float8 &last = m.finalWeights[phaseOf(all[at].fields)];
+        double likelihood = 1;
+        Float8 &last = m.finalWeights[phaseOf(from.records[at].fields)];
         for (int shift = 7; shift >= 0; --shift) {
-            uint32_t bit = all[at].byte >> shift & 1;
-            Rows rows = next;
+            uint32_t bit = from.records[at].byte >> shift & 1;
+            SelectedRows rows = next;
             if (shift)
-                next = Rows(m, from, all, at, bits * 2 + bit, count);
+                next = SelectedRows(m, from, at, bits * 2 + bit, count);
             else if (at + 1 < end)
-                next = Rows(m, from, all, at + 1, 1, count);
+                next = SelectedRows(m, from, at + 1, 1, count);
             Float8 x[kMost8] = {}, results;
             size_t offset = (size_t)at * (8 * kLanes) + (7 - (size_t)shift) * kLanes;
-#pragma GCC unroll 8
-            for (uint32_t i = 0; i + 1 < count; ++i) {
-                union {
-                    int64_t pair[2];
-                    Short8 all;
-                } in;
-                std::memcpy(&in.pair[0], from.inputs[2 * i] + offset, 8);
-                std::memcpy(&in.pair[1], from.inputs[2 * i + 1] + offset, 8);
-                x[i] = __builtin_convertvector(__builtin_convertvector(in.all, Int8), Float8);
-            }
-            x[count - 1] = Float8{all[at].odds[7 - shift], kConstant / kInputUnit};
-#pragma GCC unroll 8
-            for (uint32_t s = 0; s < kSets; ++s) {
-                const Float8 *w = rows.weights[s];
-                Float8 sum = w[0] * x[0], sum2 = w[1] * x[1];
-#pragma GCC unroll 8
-                for (uint32_t i = 2; i + 1 < count; i += 2) {
-                    sum += w[i] * x[i];
-                    sum2 += w[i + 1] * x[i + 1];
-                }
-                results[s] = sumOf(sum + sum2 + w[count - 1] * x[count - 1]);
-            }
-            results = results > kMost ? kMost : results;
-            results = results < -kMost ? -kMost : results;
-            float sum = std::clamp(sumOf(last * results), -kMost, kMost), mixed = squash(sum * kInputUnit);
-
-            // Correct
-            Counter &correction = rows.corrections[(int32_t)(sum * (kSteepness * kInputUnit) + kMiddle)];
-            int32_t p = (int32_t)(mixed * (1 << kProbabilityBits));
-            if (!correction) correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
-            float one = (float)((((int32_t)correction >> kSeenBits) + kHalf + 3 * p) | 1) *
-                        (0.25f / (1 << kProbabilityBits));
-            likely *= bit ? one : 1 - one;
-            adapt(correction, bit, kSettled[0]);
-
-            // Learn
-            float y = (float)(int32_t)bit;
-            Int8 odds = __builtin_convertvector(results * kInputUnit, Int8) + std::bit_cast<int32_t>(1.0f);
-            Float8 squashed = (Float8)odds / ((Float8)odds + 1), used, by;
-            for (uint32_t s = 0; s < kSets; ++s) used[s] = rows.weights[s][count - 1][kLanes - 1]++;
-            by = (y - squashed) * (kEarlyRate / (used + kEarlyUses) + kRate);
-#pragma GCC unroll 8
-            for (uint32_t s = 0; s < kSets; ++s)
-#pragma GCC unroll 9
-                for (uint32_t i = 0; i < count; ++i) rows.weights[s][i] += x[i] * by[s];
+            loadInputs(x, from, offset, from.records[at].odds[7 - shift], count);
+            mixSets(results, rows, x, count);
+            float sum = std::clamp(sumOf(last * results), -kMostResult, kMostResult),
+                  mixed = squash(sum * kInputUnit), one = correct(rows, sum, mixed, bit),
+                  y = (float)(int32_t)bit;
+            likelihood *= bit ? one : 1 - one;
+            trainSets(rows, x, results, y, count);
             last += results * ((y - mixed) * kFinalRate);
             bits = bits * 2 + bit;
         }
-        m.bits -= std::log2(likely);
+        m.bits -= std::log2(likelihood);
     }
 }
 
-[[gnu::always_inline]] inline void mixAny(Mixer &m, const Sources &from, const Known *all, uint32_t at,
-                                          uint32_t end) {
+[[gnu::always_inline]] inline void mixAny(Mixer &m, const Sources &from, uint32_t at, uint32_t end) {
     if (from.contexts == 16)
-        mixBytes(m, from, all, at, end, 9); // the default number, with all loops unrolled
+        mixBytes(m, from, at, end, 9); // the default number of contexts, with all loops unrolled
     else
-        mixBytes(m, from, all, at, end, from.contexts * kLanes / 8 + 1);
+        mixBytes(m, from, at, end, from.contexts * kLanes / 8 + 1);
 }
-void mixPlain(Mixer &m, const Sources &from, const Known *all, uint32_t at, uint32_t end) {
-    mixAny(m, from, all, at, end);
-}
-__attribute__((target("avx2,fma"))) void mixAvx2(Mixer &m, const Sources &from, const Known *all, uint32_t at,
-                                                 uint32_t end) {
-    mixAny(m, from, all, at, end);
+void mixPlain(Mixer &m, const Sources &from, uint32_t at, uint32_t end) { mixAny(m, from, at, end); }
+__attribute__((target("avx2,fma"))) void mixAvx2(Mixer &m, const Sources &from, uint32_t at, uint32_t end) {
+    mixAny(m, from, at, end);
 }
 const auto mix8 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? mixAvx2 : mixPlain;
 
 } // namespace
 
-struct Estimator::Work {
-    Layout layout;
-    std::vector<Known> all;
+struct Estimator::Impl {
+    std::vector<ByteRecord> records;
     std::unique_ptr<Mixer> mixer{new Mixer()};
     std::unique_ptr<Context> context{new Context()};
-    std::vector<Slot> slots;
-    std::vector<int16_t> nothing;
+    std::vector<Slot> slots = {};
 
-    // A context's inputs for the bytes from `at` to `end`.
+    // Computes the inputs of context i for the bytes from `at` to `end`.
     void computeInputs(const ModelParameters &parameters, uint32_t i, uint32_t slotBits, uint32_t at,
                        uint32_t end, int16_t *to) {
         if (at == 0) {
             slots.assign(1u << slotBits, Slot{});
             std::memset((void *)context.get(), 0, sizeof *context);
         }
-        // Prefetches the slots of the next byte
-        auto next = [&](const Known &known) {
-            uint32_t hash = hashOf(parameters, known.type, i, known.fields);
-            uint32_t nibble = hash;
-            for (uint32_t start : {1u, 16u + (known.byte >> 4)}) {
+        // Returns the hash of the byte's context, and prefetches its slots
+        auto hashAndPrefetch = [&](const ByteRecord &byte) {
+            uint32_t hash = hashOf(parameters, byte.type, i, byte.fields), nibble = hash;
+            for (uint32_t start : {1u, 16u + (byte.byte >> 4)}) {
                 nibble = mixIn(nibble, start);
-                Slot *first = &slots[nibble >> (32 - slotBits) & ~(kWays * kNibbleSlots - 1)];
+                const Slot *first = nibbleSlots(slots.data(), slotBits, nibble);
                 for (uint32_t k = 0; k < kWays * kNibbleSlots; k += 64 / sizeof(Slot))
                     __builtin_prefetch(first + k, 1);
             }
@@ -173,38 +186,34 @@ struct Estimator::Work {
         };
         Context &c = *context;
         to += (size_t)at * (8 * kLanes);
-        uint32_t coming = next(all[at]);
+        uint32_t nextHash = hashAndPrefetch(records[at]);
         for (; at < end; ++at) {
-            const Known &known = all[at];
-            uint32_t hash = coming, phase = phaseOf(known.fields), bits = 1;
-            if (at + 1 < end) coming = next(all[at + 1]);
+            const ByteRecord &byte = records[at];
+            uint32_t hash = nextHash, phase = phaseOf(byte.fields), bits = 1;
+            if (at + 1 < end) nextHash = hashAndPrefetch(records[at + 1]);
             for (int shift = 7; shift >= 0; --shift, to += kLanes) {
-                uint32_t bit = known.byte >> shift & 1;
+                uint32_t bit = byte.byte >> shift & 1;
                 Nibble nibble = nibbleOf(bits);
                 if (nibble.step == 1) hash = mixIn(hash, nibble.start);
-                find(c, slots.data(), slotBits, hash, phase, nibble);
+                findCounters(c, slots.data(), slotBits, hash, phase, nibble);
                 Float4 inputs = inputsOf(c.counter) * (1 / kInputUnit);
                 for (uint32_t k = 0; k < kLanes; ++k) to[k] = (int16_t)inputs[k];
                 learn(c, bit);
                 bits = bits * 2 + bit;
             }
-            c.byteSlot->lastByte = known.byte;
+            c.byteSlot->lastByte = byte.byte;
         }
     }
 };
 
-template std::vector<Known> knownOf<Surroundings>(const std::vector<uint8_t> &, const Layout &);
+template std::vector<ByteRecord> byteRecords<X86Tracker>(const std::vector<uint8_t> &, const Layout &);
 
-Estimator::Estimator(std::vector<Known> all, const Layout &layout) : work(new Work) {
-    work->layout = layout;
-    work->all = std::move(all);
-}
-
+Estimator::Estimator(std::vector<ByteRecord> records) : impl(new Impl{std::move(records)}) {}
 Estimator::~Estimator() = default;
 
 Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate *like, double slack) {
-    Work &w = *work;
-    uint32_t size = (uint32_t)w.all.size();
+    Impl &w = *impl;
+    uint32_t size = (uint32_t)w.records.size();
     Estimate e;
     e.parameters = parameters;
     auto same = [&](uint32_t i) {
@@ -213,10 +222,10 @@ Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate
                parameters.masks[1][i] == like->parameters.masks[1][i];
     };
 
-    // Each context has its share of the slots
+    // Compute the inputs that `like` does not have. Each context has its share of the slots
     uint32_t slotBits = parameters.slotBits - (uint32_t)std::bit_width(parameters.contexts - 1);
-    Sources from = {{}, {}, parameters.contexts};
-    std::vector<int16_t> *late = nullptr; // inputs that are computed stretch by stretch, as far as needed
+    Sources from = {{}, {}, parameters.contexts, w.records.data()};
+    std::vector<int16_t> *late = nullptr; // the last ones are computed step by step, as far as needed
     uint32_t lateContext = 0;
     for (uint32_t i = 0; i < parameters.contexts; ++i) {
         if (same(i))
@@ -230,27 +239,30 @@ Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate
         }
         from.inputs[i] = e.inputs[i]->data();
     }
+    // Compute the hashes of the selectors
     for (uint32_t i = 0; i < kSets - 1; ++i) {
         if (same(parameters.contexts + i))
             e.selectors.push_back(like->selectors[i]);
         else {
             auto hashes = std::make_shared<std::vector<uint32_t>>(size);
             for (uint32_t at = 0; at < size; ++at)
-                (*hashes)[at] = hashOf(parameters, w.all[at].type, parameters.contexts + i, w.all[at].fields);
+                (*hashes)[at] =
+                    hashOf(parameters, w.records[at].type, parameters.contexts + i, w.records[at].fields);
             e.selectors.push_back(hashes);
         }
         from.selectors[i] = e.selectors[i]->data();
     }
 
+    // Mix until the end, or until the estimate is too large
     Mixer &m = *w.mixer;
     std::memset((void *)m.corrections, 0, sizeof m.corrections);
     float *weights = (float *)m.finalWeights;
     std::fill(weights, weights + (sizeof m.finalWeights + sizeof m.weights) / sizeof(float), kFirstWeight);
     m.bits = 0;
-    for (uint32_t at = 0; at < size; at += kStretch) {
-        uint32_t end = std::min(size, at + kStretch);
+    for (uint32_t at = 0; at < size; at += kCompareStep) {
+        uint32_t end = std::min(size, at + kCompareStep);
         if (late) w.computeInputs(parameters, lateContext, slotBits, at, end, late->data());
-        mix8(m, from, w.all.data(), at, end);
+        mix8(m, from, at, end);
         e.curve.push_back((float)(m.bits / 8));
         if (like && slack < kTooMany && e.curve.back() > like->curve[e.curve.size() - 1] + slack) {
             e.bytes = kTooMany;

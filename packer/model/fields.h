@@ -1,10 +1,11 @@
-// What the model asks of every kind of code: x86-64 (surroundings.h), or WebAssembly
-// (packer/web/surroundings.h).
+// What the model needs from every kind of code: x86-64 (x86_tracker.h) or WebAssembly
+// (packer/web/wasm_tracker.h).
 //
-// The model is a template of a class `Around`, which knows what surrounds a place. It has fields, numbered
-// from the two below on, and says which of them contexts may use (mayUse); the places of the program, with
-// kPast before them and kFuture behind; begin() and end() of a byte; and the odds of a bit. Its filter()
-// makes the bytes that are coded.
+// The model is a template of a class `Tracker`, which follows the program byte by byte. A tracker has
+// - fields, numbered from the two below on, and mayUse, the fields that contexts may use;
+// - the coded bytes, with kPast zero bytes before the first and kFuture after the last;
+// - begin(), which computes the fields of a byte, end(), which parses that byte, and odds() of its next bit.
+// The specialisation filter<Tracker>() returns the bytes that are coded.
 #pragma once
 
 #include <stddef.h>
@@ -12,14 +13,14 @@
 
 namespace pack {
 
-// used by every context: what the next byte is part of, `... << kPhaseBits | phase`; the address modulo
-// kColumns
-constexpr uint32_t kWhere = 0, kColumn = 1;
+// The two fields of every kind of code. kParserState is part of every context: the parser's count of bytes
+// and its phase, count << kPhaseBits | phase. kColumn is the offset modulo kColumns
+constexpr uint32_t kParserState = 0, kColumn = 1;
 constexpr uint32_t kPhases = 7, kPhaseBits = 3, kColumns = 4;
 constexpr uint32_t kMostFields = 32;
 
-constexpr uint32_t kPast = 128;   // zeros that stand for the places before the first one
-constexpr uint32_t kFuture = 256; // ... and for those after the last one
+constexpr uint32_t kPast = 128;   // zero bytes before the first coded byte
+constexpr uint32_t kFuture = 256; // zero bytes after the last one
 
 constexpr uint32_t kHash = 0x2c9277b5, kHashShift = 15;
 
@@ -33,8 +34,7 @@ struct Odds {
     uint32_t ones, zeros;
 };
 
-// Which fields contexts may use: in code (0) and in data (1). The bits of a mask are fields from kColumn on;
-// in code those above `shift`.
+// Masks of the fields that contexts may use, [0] in code and [1] in data. Bit 0 stands for kColumn.
 struct MayUse {
     uint32_t codeShift, codeBits, dataBits;
     constexpr uint32_t operator[](int type) const {

@@ -1,22 +1,24 @@
 // The model: it predicts the next bit from the bits that followed the same contexts before.
 //
-// A context is a choice of fields (x86.h); their values are hashed. Together with the bits of the byte so
-// far, the hash selects a slot, which gives three adaptive probabilities: the slot's own; one selected by the
-// last bits seen in the slot; and one selected by the last byte seen there. The latter two are shared by all
-// slots of the context in one phase of the parser. Each probability p is an input as ln(p / (1 - p)), and the
-// slot's own also as p - 1/2. One more input comes from the marked places that an operand may name
-// (surroundings.h), and one is constant. Eight sets of weights mix all inputs. Each set has many rows; for
-// each set, other fields and bits select one. A ninth set, whose row the phase selects, mixes the eight
-// results. A last table, selected by fields and bits too, corrects the mixed probability. The weights are
-// trained by the error (as in Mahoney's PAQ), a row that was used often more slowly.
+// Context mixing, as in Mahoney's PAQ. A context is a choice of fields (x86.h), whose values are hashed.
+// Together with the bits of the byte so far, the hash selects a slot. A slot gives three adaptive
+// probabilities: its own, one selected by the last bits seen in the slot, and one selected by the last byte
+// seen there. All slots of a context share the tables of the last two, one table for each phase of the
+// parser.
 //
-// This is the definition; stub.S does the same in fewer bytes, and the packer runs both before it writes
+// The inputs are ln(p / (1 - p)) of each probability p, and p - 1/2 of the slot's own. One more input comes
+// from the marks at the possible targets of an operand (x86_tracker.h), and one is constant. Eight sets of
+// weights mix all inputs. Each set has many rows, and its own fields and bits select one. A ninth set, whose
+// row the phase selects, mixes the eight results. A last table, also selected by fields and bits, corrects
+// the mixed probability. The error trains the weights; the more often a row was used, the more slowly.
+//
+// This is the definition. stub.S does the same in fewer bytes, and the packer runs both before it writes
 // anything. They must agree to the last bit: single-precision floats, one operation at a time in the order
 // written, sums in four lanes. Compile without contraction. The order of contexts and counters matters too,
 // because slots may collide.
 #pragma once
 
-#include "packer/model/surroundings.h"
+#include "packer/model/x86_tracker.h"
 
 namespace pack {
 
@@ -30,8 +32,8 @@ constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
 struct ModelParameters {
     uint32_t contexts; // a multiple of four, 4 .. kMostContexts
     uint32_t slotBits; // 2^slotBits slots of eight bytes
-    // Which fields each context uses, one bit for each field from kColumn on; then the same for the selectors
-    // of all sets but the first. [0] is for code, [1] for data
+    // The fields of each context, a bit for each field from kColumn on; then the fields of the selectors of
+    // all sets but the first. [0] is for code, [1] for data
     uint32_t masks[2][kMostContexts + kSets - 1];
 
     bool operator==(const ModelParameters &other) const {
@@ -41,9 +43,9 @@ struct ModelParameters {
         return same;
     }
     uint32_t hashes() const { return contexts + kSets - 1; }
-    uint32_t inputs4() const { return 1 + contexts; } // in vectors of four: see Model
+    uint32_t inputs4() const { return 1 + contexts; } // vectors of four inputs: see Model
     bool sane(const MayUse &mayUse = kMayUse) const {
-        uint32_t unknown = 0; // bits of fields that cannot be used
+        uint32_t unknown = 0; // fields that contexts may not use
         for (int type = 0; type < 2; ++type)
             for (uint32_t mask : masks[type]) unknown |= mask & ~mayUse[type];
         return contexts >= 4 && contexts <= kMostContexts && contexts % 4 == 0 &&
@@ -51,21 +53,21 @@ struct ModelParameters {
     }
 };
 
-// The upper 24 bits are a probability, signed: -kHalf .. kHalf for 0 .. 1. The lower 8 bits count the bits
-// that it has seen, up to 255. Zeroed memory is a counter that has seen nothing.
+// The upper 24 bits are a signed probability: -kHalf .. kHalf stands for 0 .. 1. The lower 8 bits count the
+// bits that the counter has seen, up to 255. Zeroed memory is a counter that has seen nothing.
 typedef uint32_t Counter;
 constexpr int32_t kSeenBits = 8, kProbabilityBits = 24;
 constexpr int32_t kHalf = 1 << (kProbabilityBits - 1), kCertain = kHalf - 1;
-// A counter moves by 1 / (seen + settled) of its error. Of a context's three counters, the one selected by
-// the last byte is the most cautious
+// A counter moves by 1 / (seen + settled) of its error. The third of a context's three counters, which the
+// last byte selects, moves least
 constexpr float kSettled[kContextCounters] = {1.05f, 1.3f, 1.4f};
-constexpr int32_t kShareBits = 20; // of the probability that predict() returns
+constexpr int32_t kShareBits = 20; // bits of the probability that predict() returns
 
 struct Slot {
     Counter counter;
-    uint8_t history;  // a leading one and the last bits seen, at most seven; the lowest bit is stored flipped
-    uint8_t lastByte; // only in the slot of a byte's first bit: the last byte seen here
-    uint16_t check;   // low bits of the hash that owns the slot
+    uint8_t history;  // a leading one, then up to seven bits seen last; the lowest bit is stored flipped
+    uint8_t lastByte; // the last byte seen here; only in the slot of a byte's first bit
+    uint16_t check;   // the low bits of the hash that the slot belongs to
 };
 
 constexpr uint32_t kHistoryFull = 128; // the leading one of a history of seven bits
@@ -74,26 +76,27 @@ typedef float Float4 __attribute__((vector_size(16)));
 typedef int32_t Int4 __attribute__((vector_size(16)));
 // Logarithms are in units of a float's last bit: 2^23 for a factor of 2.
 constexpr float kLogUnit = 0.69314718f / (1 << 23);
-constexpr float kConstant = 1 << 25; // an input that is always the same
+constexpr float kConstant = 1 << 25; // the constant input
 constexpr float kFirstWeight = 1.0f / 25, kFinalLearning = 1.0f / 1250 * kLogUnit;
 // The rate of a row that was used n times: kLearning + kEarlyLearning / (n + kEarlyUses)
 constexpr float kLearning = 0.0035f * kLogUnit, kEarlyUses = 75,
                 kEarlyLearning = 0.019f * kLogUnit * kEarlyUses;
-constexpr int32_t kLinearShift = 2;       // of the input p - 1/2: kHalf << kLinearShift for 1/2
-constexpr int32_t kOddsShift = 2;         // the same for the logarithm of Odds
-constexpr float kMostSum = 11 / kLogUnit; // limit of a weighted sum, on either side of 0
-// Corrections: a hash selects one of 16,384 rows, and the weighted sum one of its 32 counters, 1.25 of them
-// for a factor of e
+constexpr int32_t kLinearShift = 2;       // scales the input p - 1/2: 1/2 is kHalf << kLinearShift
+constexpr int32_t kOddsShift = 2;         // scales the logarithm of Odds
+constexpr float kMostSum = 11 / kLogUnit; // a weighted sum is limited to -kMostSum .. kMostSum
+// Corrections: a hash selects one of 16,384 rows, and the weighted sum selects one of the row's 32 counters.
+// A factor of e in the odds is 1.25 counters
 constexpr uint32_t kCorrectionRowBits = 14, kCorrectionBits = 5;
 constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits - 1);
-constexpr uint32_t kFirstTrust = 14; // bits that a new correction counts as seen
+constexpr uint32_t kFirstTrust = 14; // a new correction starts as if it had seen this many bits
 
-// The hash of a nibble selects 64 adjacent slots: four for each of its fifteen steps, and four that are not
-// used. The bits coded of the nibble so far select the step; a context's slot may be any of its four. (In
-// the stub, the slots of one way are adjacent.)
+// The hash of a nibble selects 64 adjacent slots: four for each of its fifteen steps, and four unused ones.
+// The nibble's bits so far select the step; a context's slot may be any of the four. (In the stub, all
+// slots of one way are adjacent.)
 struct Nibble {
-    uint32_t start, step; // a leading one and the byte's bits before the nibble; which of its slots: 1 .. 15
-    uint32_t number() const { return start ^ 16; } // 0 .. 15 for the second one, 17 for the first
+    uint32_t start;                                // a leading one, then the byte's bits before the nibble
+    uint32_t step;                                 // a leading one, then the nibble's bits so far: 1 .. 15
+    uint32_t number() const { return start ^ 16; } // the second nibble: 0 .. 15, the first: 17
 };
 inline Nibble nibbleOf(uint32_t bits) {
     uint32_t coded = (uint32_t)(31 - __builtin_clz(bits)) & 3, start = bits >> coded;
@@ -101,30 +104,29 @@ inline Nibble nibbleOf(uint32_t bits) {
 }
 constexpr uint32_t kNibbles = 18, kNibbleSlots = 16, kWays = 4;
 
-// The counters that all slots of a context share. Each phase of the parser has a table: first those that the
-// history selects, then those that nibble, last byte and step select. To save memory, each table begins
-// before the one in front of it ends. Places that two tables have in common are used by both. The histories,
-// which are busy, fall on a rare place of the other table: last bytes of 0x70 to 0x7f where the byte begins
-// with a 9.
+// The counters that all slots of a context share. Each phase of the parser has a table: first the counters
+// that the history selects, then the counters that nibble, last byte and step select. To save memory, each
+// table begins before the previous one ends, and both use the counters in common. The histories are used
+// often, so they overlap a part that is rarely used: last bytes of 0x70 to 0x7f where the byte begins with
+// a 9.
 constexpr uint32_t kHistories = 256, kAfterByte = 256 * kNibbleSlots;
 constexpr uint32_t kPhaseCounters = kHistories + 9 * kAfterByte + 0x70 * kNibbleSlots;
 constexpr uint32_t kSharedCounters = (kPhases - 1) * kPhaseCounters + kHistories + kNibbles * kAfterByte;
 
 struct Context {
-    Slot *slot, *byteSlot; // of this bit, and of this byte's first bit
+    Slot *slot, *byteSlot; // the slots of this bit and of this byte's first bit
     Counter *counter[kContextCounters];
-    Counter shared[kSharedCounters]; // by all slots
+    Counter shared[kSharedCounters]; // shared by all slots
 };
 
 struct alignas(64) Model {
-    // The odds, the constant and two zeros; then those of each context: its three counters' and the slot's p
-    // - 1/2. In the rows of weights, the last of the first four is not a weight: it counts how often the row
-    // was used
+    // Inputs: the odds, the constant and two zeros; then four of each context: three of its counters, and the
+    // slot's p - 1/2. In a row of weights, [0][3] is not a weight but counts how often the row was used
     Float4 inputs[1 + kMostContexts], results[kSets / 4];
     Float4 *rows[kSets];
     Counter *correction;
     float mixed;
-    uint32_t phase; // of the parser, at this byte
+    uint32_t phase; // the parser's phase at this byte
     uint32_t hashes[kMostContexts + kSets - 1];
     Context contexts[kMostContexts];
     uint8_t opcodes[kOpcodes];
@@ -137,10 +139,10 @@ union FloatBits {
     int32_t bits;
 };
 
-// ln(x), piecewise linear: a float's bits are its logarithm, nearly.
+// ln(x), piecewise linear: the bits of a float are nearly its logarithm.
 inline Int4 logBits(Int4 x) { return (Int4) __builtin_convertvector(x, Float4); }
 
-// A context's inputs: ln(p / (1 - p)) of its counters, and p - 1/2 of the first one.
+// Returns a context's inputs: ln(p / (1 - p)) of its counters, and p - 1/2 of the first one.
 inline Float4 inputsOf(Counter *const *c) {
     Int4 p = Int4{(int32_t)*c[0], (int32_t)*c[1], (int32_t)*c[2], 0} >> kSeenBits;
     Int4 inputs = logBits(kCertain + 2 + p) - logBits(kCertain + 2 - p);
@@ -151,7 +153,7 @@ inline float logOf(Odds odds) {
     Int4 logs = logBits(Int4{(int32_t)odds.ones, (int32_t)odds.zeros});
     return (float)((logs[0] - logs[1]) * (1 << kOddsShift));
 }
-// p of ln(p / (1 - p)), by the same kind of curve.
+// The inverse: returns p for x = ln(p / (1 - p)), with the same piecewise linear curve.
 inline float squash(float x) {
     FloatBits odds;
     odds.bits = (int32_t)x + FloatBits{1}.bits;
@@ -179,30 +181,32 @@ inline void adapt(Counter &c, uint32_t bit, float settled) {
     c = (uint32_t)p << kSeenBits | (seen + (seen < kMostSeen));
 }
 
-// Hash of the fields that context i uses, in code (type 0) or data (1). After the contexts, i counts the
-// selectors of all sets but the first.
+// Returns the hash of the fields that context i uses, in code (type 0) or data (1). An i after the last
+// context stands for a selector, of the second set and so on.
 inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_t i, const uint32_t *fields) {
-    uint32_t hash = mixIn(parameters.hashes() - i + type, fields[kWhere]), mask = parameters.masks[type][i];
+    uint32_t hash = mixIn(parameters.hashes() - i + type, fields[kParserState]),
+             mask = parameters.masks[type][i];
     for (uint32_t j = kColumn; mask; mask >>= 1, ++j)
         if (mask & 1) hash = mixIn(hash, fields[j]);
     return hash;
 }
 
-inline uint32_t phaseOf(const uint32_t *fields) { return fields[kWhere] & ((1 << kPhaseBits) - 1); }
+inline uint32_t phaseOf(const uint32_t *fields) { return fields[kParserState] & ((1 << kPhaseBits) - 1); }
 
 inline Slot *nibbleSlots(Slot *slots, uint32_t slotBits, uint32_t hash) {
     return slots + (hash >> (32 - slotBits) & ~(kWays * kNibbleSlots - 1));
 }
 
-// Finds a context's counters. `hash` is that of the nibble.
-inline void find(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint32_t phase, Nibble nibble) {
+// Finds a context's counters. `hash`: the hash of the nibble.
+inline void findCounters(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint32_t phase,
+                         Nibble nibble) {
     uint16_t check = (uint16_t)hash;
     Slot *ways = nibbleSlots(slots, slotBits, hash);
     ways += (hash >> (32 - slotBits) ^ nibble.step) % kNibbleSlots * kWays;
     Slot *s = ways, *worst = s;
     for (; s < ways + kWays && s->check != check; ++s)
         if (seenBy(s->counter) < seenBy(worst->counter)) worst = s;
-    if (s == ways + kWays) *(s = worst) = Slot{0, 0, 0, check}; // forgets the one that has seen least
+    if (s == ways + kWays) *(s = worst) = Slot{0, 0, 0, check}; // replaces the slot that has seen least
     c.slot = s;
     if (nibble.start == 1 && nibble.step == 1) c.byteSlot = s;
     Counter *shared = c.shared + phase * kPhaseCounters;
@@ -216,42 +220,42 @@ inline void learn(Context &c, uint32_t bit) {
     for (uint32_t k = 0; k < kContextCounters; ++k) adapt(*c.counter[k], bit, kSettled[k]);
     uint8_t &history = c.slot->history;
     uint32_t h = history ^ 1u;
-    if (h & kHistoryFull) h = (h & (kHistoryFull / 2 - 1)) | kHistoryFull / 2; // forgets the oldest
+    if (h & kHistoryFull) h = (h & (kHistoryFull / 2 - 1)) | kHistoryFull / 2; // drops the oldest bit
     history = (uint8_t)((h * 2 + bit) ^ 1);
 }
 
-// The row of a set's weights, selected by the hash of its selector and by some of the byte's bits so far; in
-// the first set by the phase and all bits so far.
+// Returns the row of a set's weights. The hash of its selector and some of the byte's bits so far select it;
+// in the first set, the phase and all bits so far.
 inline uint32_t rowOf(uint32_t set, uint32_t hash, uint32_t phase, uint32_t bits) {
     return set ? hash >> (32 - kRowBits) ^ bits >> ((kSets + 1 - set) | 4) : phase << 8 | bits;
 }
 
-// A new byte begins, in code (0) or data (1).
-inline void begin(Model &m, const ModelParameters &parameters, const uint32_t *fields, uint32_t type) {
+// Begins a byte in code (type 0) or data (1).
+inline void beginByte(Model &m, const ModelParameters &parameters, const uint32_t *fields, uint32_t type) {
     for (uint32_t i = 0; i < parameters.hashes(); ++i) m.hashes[i] = hashOf(parameters, type, i, fields);
     m.phase = phaseOf(fields);
 }
 
-// The probability that the next bit is a one, in units of 2^-kShareBits: 1 .. 2^kShareBits - 1. `bits`: a
-// leading one, then the byte's bits so far.
+// Returns the probability that the next bit is a one, in units of 2^-kShareBits: 1 .. 2^kShareBits - 1.
+// `bits`: a leading one, then the byte's bits so far.
 inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits, Odds odds) {
     Nibble nibble = nibbleOf(bits);
     if (nibble.step == 1)
         for (uint32_t i = 0; i < parameters.contexts; ++i) {
-            m.hashes[i] = mixIn(m.hashes[i], nibble.start); // those of the nibble, from here on
-            // Most of the time is spent waiting for memory, so all of a nibble's is loaded at once. This is
-            // how to prefetch in WebAssembly
+            m.hashes[i] = mixIn(m.hashes[i], nibble.start); // from here on the hash of the nibble
+            // Most of the time is spent waiting for memory, so load all slots of a nibble at once.
+            // WebAssembly has no prefetch: an unused load has the same effect
             const Slot *s = nibbleSlots(slots, parameters.slotBits, m.hashes[i]);
             for (uint32_t k = 0; k < kWays * kNibbleSlots; k += 64 / sizeof(Slot))
                 asm volatile("" ::"r"(s[k].counter));
         }
     for (uint32_t i = 0; i < parameters.contexts; ++i)
-        find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, nibble);
+        findCounters(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, nibble);
     float *results = (float *)m.results;
     m.inputs[0] = Float4{logOf(odds), kConstant, 0, 0};
     for (uint32_t i = 0; i < parameters.contexts; ++i) m.inputs[1 + i] = inputsOf(m.contexts[i].counter);
 
-    // Mix. The results are stored in reverse order of the sets
+    // Mix. The results are in reverse order of the sets
     for (uint32_t i = 0; i < kSets; ++i) {
         m.rows[i] = m.weights[i][rowOf(i, m.hashes[parameters.contexts + i - 1], m.phase, bits)];
         results[kSets - 1 - i] = mix(m.rows[i], m.inputs, parameters.inputs4());
@@ -264,7 +268,7 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
                    (int32_t)(sum * kSteepness + kMiddle);
     int32_t p = (int32_t)(m.mixed * (1 << kProbabilityBits));
     if (!*m.correction) *m.correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
-    // Three parts of the mixed and one of the corrected probability
+    // The mean of three parts mixed and one part corrected probability
     int32_t four = ((int32_t)*m.correction >> kSeenBits) + kHalf + 3 * p;
     return (uint32_t)four >> (kProbabilityBits + 2 - kShareBits) | 1;
 }
@@ -282,8 +286,8 @@ inline void learn(Model &m, const ModelParameters &parameters, uint32_t bit) {
     adapt(*m.correction, bit, kSettled[0]);
 }
 
-// Ends a byte that was decoded as `byte`.
-inline void end(Model &m, const ModelParameters &parameters, uint8_t byte) {
+// Ends a byte, whose value is `byte`.
+inline void endByte(Model &m, const ModelParameters &parameters, uint8_t byte) {
     for (uint32_t i = 0; i < parameters.contexts; ++i) m.contexts[i].byteSlot->lastByte = byte;
 }
 

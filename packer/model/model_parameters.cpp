@@ -6,17 +6,15 @@
 #include <algorithm>
 #include <iterator>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace pack {
 
 namespace {
 
-// The names of the fields in files.
-constexpr struct {
-    uint32_t field;
-    const char *name;
-} kNames[] = {
+// The names of the fields in model files.
+constexpr std::pair<uint32_t, const char *> kNames[] = {
     {kColumn, "column"},     {kByte5, "byte5"},       {kByte4, "byte4"},
     {kByte3, "byte3"},       {kByte2, "byte2"},       {kByte1, "byte1"},
     {kToMark, "to-mark"},    {kTarget, "target"},     {kFunction, "function"},
@@ -24,18 +22,13 @@ constexpr struct {
     {kOpcode1, "opcode1"},   {kOpcode2, "opcode2"},   {kOpcode3, "opcode3"},
     {kOpcode, "opcode"},     {kMode, "mode"},         {kSoFar, "so-far"},
 };
-consteval bool inOrderOfFields() {
-    for (uint32_t i = 0; i < kChoices; ++i)
-        if (kNames[i].field != kColumn + i) return false;
-    return std::size(kNames) == kChoices;
-}
-static_assert(inOrderOfFields(), "a name for every field, in the order of their bits in a mask");
+static_assert(std::size(kNames) == kChoices);
 constexpr const char *kKinds[] = {"code", "code-weights", "data", "data-weights"}; // two for each type
 
 std::string printMask(uint32_t mask) {
     std::string text;
-    for (uint32_t i = 0; i < kChoices; ++i)
-        if (mask >> i & 1) text += (text.empty() ? "" : "+") + std::string(kNames[i].name);
+    for (auto [field, name] : kNames)
+        if (mask >> (field - kColumn) & 1) text += (text.empty() ? "" : "+") + std::string(name);
     return text.empty() ? "-" : text;
 }
 
@@ -44,17 +37,17 @@ bool parseMask(const std::string &text, uint32_t &mask) {
     if (text == "-") return true;
     std::istringstream names(text);
     for (std::string name; std::getline(names, name, '+');) {
-        uint32_t i = 0;
-        while (i < kChoices && name != kNames[i].name) ++i;
-        if (i == kChoices) return false;
-        mask |= 1u << i;
+        auto found =
+            std::find_if(std::begin(kNames), std::end(kNames), [&](auto &n) { return name == n.second; });
+        if (found == std::end(kNames)) return false;
+        mask |= 1u << (found->first - kColumn);
     }
     return mask != 0;
 }
 
 } // namespace
 
-// Found by a search for the film. They suit other programs as well: bench_pack.
+// Found by a search for the film. bench_pack measures that they suit other programs as well.
 const ModelParameters &defaultParameters() {
     static const ModelParameters parameters = {
         16,

@@ -1,12 +1,12 @@
-// Model parameters: those that every search starts from, and parameters as text files, one context a line:
+// Model parameters: the defaults, and parameters as text files, one context a line:
 //
 //     slots 22
-//     code byte1+byte2          a context of code sees these fields
-//     data column               ... of data
-//     code-weights opcode       what selects a set of weights
-//     data-weights -            nothing but what every context sees
+//     code byte1+byte2          a context of code uses these fields
+//     data column               a context of data
+//     code-weights opcode       the fields that select a row of a set of weights
+//     data-weights -            no field but the parser's state, which is always used
 //
-// Code may use all fields but column and byte5, data those up to target (kMayUse in x86.h).
+// Code may use all fields except column and byte5; data may use the fields up to target (kMayUse in x86.h).
 #pragma once
 
 #include "packer/model/model.h"
@@ -22,10 +22,10 @@ const ModelParameters &fastParameters();
 
 std::string printParameters(const ModelParameters &parameters);
 
-// Throws common::Refused with the number of the line that is wrong.
+// Throws common::Refused, which names the wrong line by its number.
 ModelParameters parseParameters(const std::string &text);
 
-// The same of a file; its name begins the error.
+// The same for a file. The error begins with the file's name.
 ModelParameters readParameters(const std::string &path);
 
 } // namespace pack

@@ -1,7 +1,7 @@
-// x86-64 opcodes, as runs of successive opcodes of one OpcodeClass (x86.h): OPCODE_RUN(how many, class); 0
-// stands for 256. The maps in order: one byte, 0F, 0F 38, 0F 3A. For C++ and assembler.
+// x86-64 opcodes, as runs of successive opcodes of one OpcodeClass (x86.h): OPCODE_RUN(count, class). Count
+// 0 means 256. The maps in order: one byte, 0F, 0F 38, 0F 3A. For C++ and assembler.
 // clang-format off
-// one byte: 00 to 07 stand for all arithmetic up to 3f
+// One byte. 00 to 07 stand for all arithmetic up to 3f
 OPCODE_RUN(4, 1) OPCODE_RUN(1, 2) OPCODE_RUN(1, 4)
 OPCODE_RUN(31, 0) OPCODE_RUN(31, 0) OPCODE_RUN(31, 0) OPCODE_RUN(1, 1) OPCODE_RUN(4, 0) OPCODE_RUN(1, 4)
 OPCODE_RUN(1, 5) OPCODE_RUN(1, 2) OPCODE_RUN(1, 3) OPCODE_RUN(4, 0) OPCODE_RUN(16, 7)

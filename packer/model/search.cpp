@@ -12,7 +12,7 @@ namespace pack {
 namespace {
 
 // A change of one or two masks, of code (type 0) or data (1).
-struct Change {
+struct MaskChange {
     struct Setting {
         uint32_t i;
         uint32_t mask;
@@ -25,7 +25,7 @@ struct Change {
         for (Setting s : settings) parameters.masks[type][s.i] = s.mask;
         return parameters;
     }
-    // Whether it changes something and leaves no two contexts equal
+    // Whether the change has an effect and leaves no two contexts equal.
     bool sensible(const ModelParameters &before) const {
         ModelParameters parameters = of(before);
         const uint32_t *masks = parameters.masks[type], *selectors = masks + parameters.contexts;
@@ -43,18 +43,19 @@ struct Change {
     }
 };
 
-// Mostly adds, removes or replaces a field; sometimes takes a new mask, or swaps two selectors.
-Change propose(const ModelParameters &parameters, const Searched &program, std::mt19937 &random) {
+// Proposes a change at random: mostly adds, removes or replaces a field, sometimes chooses a new mask or
+// swaps two selectors.
+MaskChange propose(const ModelParameters &parameters, const SearchInput &program, std::mt19937 &random) {
     const MayUse &may = program.mayUse;
     uint32_t data = program.layout.size - program.layout.codeSize;
-    Change change = {data && (!program.layout.codeSize || random() % 5 == 0), {}};
+    MaskChange change = {data && (!program.layout.codeSize || random() % 5 == 0), {}};
     const uint32_t *masks = parameters.masks[change.type];
     uint32_t i = random() % parameters.hashes();
     uint32_t mask = masks[i];
     auto field = [&] {
         return change.type ? 1u << random() % may.dataBits : 1u << (random() % may.codeBits + may.codeShift);
     };
-    // A field that is in the mask, or one that is not
+    // One of the fields in a mask, if it has any
     auto fieldOf = [&](uint32_t all) {
         uint32_t one = field();
         while (all && !(one & all)) one = field();
@@ -71,11 +72,9 @@ Change propose(const ModelParameters &parameters, const Searched &program, std::
     case 2: {
         uint32_t a = parameters.contexts + random() % (kSets - 1),
                  b = parameters.contexts + random() % (kSets - 1);
-        if (a != b) {
-            change.settings = {{a, masks[b]}, {b, masks[a]}};
-            return change;
-        }
-        break;
+        if (a == b) break;
+        change.settings = {{a, masks[b]}, {b, masks[a]}};
+        return change;
     }
     case 3:
         mask ^= field();
@@ -92,39 +91,91 @@ Change propose(const ModelParameters &parameters, const Searched &program, std::
     return change;
 }
 
-} // namespace
+constexpr double kWorthIt = 0.5;    // bytes that a change must save
+constexpr double kSlack = 24;       // an estimate that is this many bytes behind is abandoned
+constexpr double kMeasureEvery = 8; // time between two measurements, in durations of a measurement
+constexpr int kForget = 10;         // a change may be tried again after this many kept changes
 
-ModelParameters search(const Searched &program, const ModelParameters &start, double seconds,
-                       const std::function<bool(const Progress &)> &goOn) {
-    if (program.all.empty()) return start;
-    constexpr double kWorthIt = 0.5;    // bytes that a change must save
-    constexpr double kSlack = 24;       // bytes that it may be behind while it is being estimated
-    constexpr double kMeasureEvery = 8; // measurement times from one measurement to the next
-    constexpr int kForget = 10;         // kept changes after which a change may be tried again
-    auto began = std::chrono::steady_clock::now();
-    auto passed = [&] {
+// A search. Its threads share everything but `workspace`, under `mutex`.
+struct Search {
+    const SearchInput &program;
+    double seconds;
+    const OnProgress &onProgress;
+    ModelParameters measured; // the best by measurement
+    ModelParameters lastMeasured = measured;
+    std::shared_ptr<const Estimate> best = {};         // the best by estimate
+    double least = 0, measuring = 0, nextMeasure = 0;  // bytes of `measured`; seconds of a measurement
+    int tried = 0, kept = 0;                           // numbers of changes
+    std::map<std::vector<uint32_t>, int> triedAt = {}; // changes tried, with `kept` at that time
+    bool stopped = false;
+    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
+    Workspace workspace = {};
+    std::mutex mutex = {};
+
+    ModelParameters run() {
+        least = program.measure(measured, workspace, 1e30);
+        measuring = passed();
+        progress();
+        if (stopped || seconds <= passed()) return measured;
+        best = std::make_shared<const Estimate>(Estimator(program.records)(measured));
+        nextMeasure = passed() + kMeasureEvery * measuring;
+        std::vector<std::thread> threads;
+        for (uint32_t i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+            threads.emplace_back([this, i] { tryChanges(i); });
+        for (std::thread &t : threads) t.join();
+        std::unique_lock lock(mutex);
+        measureBest(lock);
+        progress();
+        return measured;
+    }
+
+    double passed() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    };
-    Workspace workspace;
-    ModelParameters measured = start; // the best measured
-    double least = program.measure(start, workspace, 1e30), measuring = passed();
-    int tried = 0, kept = 0;
-    bool stopped = !goOn({least, passed(), tried});
-    if (stopped || seconds <= passed()) return start;
+    }
 
-    // The best by estimate, shared by the threads
-    auto best = std::make_shared<const Estimate>(Estimator(program.all, program.layout)(start));
-    ModelParameters asked = start; // what was measured last
-    double nextMeasure = passed() + kMeasureEvery * measuring;
-    std::map<std::vector<uint32_t>, int>
-        triedAt; // for each change tried: how many changes had been kept by then
-    std::mutex mutex;
+    void progress() { stopped |= !onProgress({least, passed(), tried}); }
 
-    // Measures the best, while other threads go on
-    auto confirm = [&](std::unique_lock<std::mutex> &lock) {
-        if (asked == best->parameters) return;
-        ModelParameters parameters = asked = best->parameters;
-        // There is one workspace: no other thread may measure, even after the time is over
+    // A thread of the search.
+    void tryChanges(uint32_t seed) {
+        std::mt19937 random(seed);
+        Estimator estimator(program.records);
+        std::unique_lock lock(mutex);
+        while (!stopped && passed() < seconds) {
+            MaskChange change = propose(best->parameters, program, random);
+            auto [at, isNew] = triedAt.try_emplace(change.key(), kept);
+            if (!isNew && kept < at->second + kForget) continue;
+            at->second = kept;
+            if (!change.sensible(best->parameters)) continue;
+            ++tried;
+            tryChange(change, estimator, lock);
+            if (passed() > nextMeasure) measureBest(lock);
+            progress();
+        }
+    }
+
+    // Estimates a change of the best, without the lock. If another thread has replaced the best meanwhile,
+    // the change must also improve the new one.
+    void tryChange(const MaskChange &change, Estimator &estimator, std::unique_lock<std::mutex> &lock) {
+        for (bool better = true; better;) {
+            auto base = best;
+            lock.unlock();
+            Estimate estimate = estimator(change.of(base->parameters), base.get(), kSlack);
+            lock.lock();
+            better = estimate.bytes < base->bytes - kWorthIt;
+            if (better && best == base) {
+                best = std::make_shared<const Estimate>(std::move(estimate));
+                ++kept;
+                return;
+            }
+            better = better && change.sensible(best->parameters);
+        }
+    }
+
+    // Measures the best without the lock, so that other threads can continue.
+    void measureBest(std::unique_lock<std::mutex> &lock) {
+        if (lastMeasured == best->parameters) return;
+        ModelParameters parameters = lastMeasured = best->parameters;
+        // There is one workspace: no other thread may measure now, even when the time is over
         nextMeasure = 1e30;
         lock.unlock();
         double bytes = program.measure(parameters, workspace, least);
@@ -134,44 +185,14 @@ ModelParameters search(const Searched &program, const ModelParameters &start, do
             measured = parameters;
         }
         nextMeasure = passed() + kMeasureEvery * measuring;
-    };
-    auto work = [&](uint32_t seed) {
-        std::mt19937 random(seed);
-        Estimator estimator(program.all, program.layout);
-        std::unique_lock lock(mutex);
-        while (!stopped && passed() < seconds) {
-            Change change = propose(best->parameters, program, random);
-            auto [at, fresh] = triedAt.try_emplace(change.key(), kept);
-            if (!fresh && kept < at->second + kForget) continue;
-            at->second = kept;
-            if (!change.sensible(best->parameters)) continue;
-            ++tried;
-            // Another thread may change the best meanwhile: then the change must also improve the new best
-            for (bool better = true; better;) {
-                auto base = best;
-                lock.unlock();
-                Estimate estimate = estimator(change.of(base->parameters), base.get(), kSlack);
-                lock.lock();
-                better = estimate.bytes < base->bytes - kWorthIt;
-                if (better && best == base) {
-                    best = std::make_shared<const Estimate>(std::move(estimate));
-                    ++kept;
-                    break;
-                }
-                better = better && change.sensible(best->parameters);
-            }
-            if (passed() > nextMeasure) confirm(lock);
-            stopped |= !goOn({least, passed(), tried});
-        }
-    };
-    std::vector<std::thread> threads;
-    for (uint32_t i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-        threads.emplace_back(work, i);
-    for (std::thread &t : threads) t.join();
-    std::unique_lock lock(mutex);
-    confirm(lock);
-    goOn({least, passed(), tried});
-    return measured;
+    }
+};
+
+} // namespace
+
+ModelParameters search(const SearchInput &program, const ModelParameters &start, double seconds,
+                       const OnProgress &onProgress) {
+    return program.records.empty() ? start : Search{program, seconds, onProgress, start}.run();
 }
 
 } // namespace pack

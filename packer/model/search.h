@@ -11,32 +11,32 @@ namespace pack {
 struct Progress {
     double bytes;   // the best payload so far, measured
     double seconds; // since the search began
-    int tried;
+    int tried;      // number of changes
 };
+using OnProgress = std::function<bool(const Progress &)>; // returns whether to continue
 
-// Changes one or two masks at a time and keeps what makes the estimate smaller (estimate.h), on all
-// processors, until the time is over or `goOn` returns false. `goOn` is called after each try and at the end.
-// The best result so far is measured now and then, and at the end. Returns the best parameters measured, or
-// `start` if none are better. Two runs may give different results, so the result is kept in a file instead of
-// being searched for again. With a program of 185 KB it needs 12 MB for each context, 50 MB for each
-// processor, and the memory that decoding takes.
-struct Searched {
-    std::vector<Known> all;
+struct SearchInput {
+    std::vector<ByteRecord> records;
     Layout layout;
     MayUse mayUse;
-    std::function<double(const ModelParameters &, Workspace &, double enough)> measure;
+    std::function<double(const ModelParameters &, Workspace &, double limit)> measure;
 };
-ModelParameters search(const Searched &program, const ModelParameters &start, double seconds,
-                       const std::function<bool(const Progress &)> &goOn);
-template <class Around = Surroundings>
+
+// Changes one or two masks at a time and keeps each change that makes the estimate smaller (estimate.h). Uses
+// all processors, until the time is over or onProgress() returns false; it is called after each try and at
+// the end. The best estimate is measured from time to time and at the end. Returns the best parameters
+// measured, or `start` if none are better. Two runs may give different results, so keep the result in a file.
+// A program of 185 KB needs 12 MB for each context, 50 MB for each processor, and as much as decoding.
+ModelParameters search(const SearchInput &program, const ModelParameters &start, double seconds,
+                       const OnProgress &onProgress);
+template <class Tracker = X86Tracker>
 ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layout,
-                       const ModelParameters &start, double seconds,
-                       const std::function<bool(const Progress &)> &goOn) {
-    auto measured = [&](const ModelParameters &parameters, Workspace &workspace, double enough) {
-        return measure<Around>(filtered, layout, parameters, workspace, enough);
+                       const ModelParameters &start, double seconds, const OnProgress &onProgress) {
+    auto measured = [&](const ModelParameters &parameters, Workspace &workspace, double limit) {
+        return measure<Tracker>(filtered, layout, parameters, workspace, limit);
     };
-    return search({knownOf<Around>(filtered, layout), layout, Around::mayUse, measured}, start, seconds,
-                  goOn);
+    return search({byteRecords<Tracker>(filtered, layout), layout, Tracker::mayUse, measured}, start, seconds,
+                  onProgress);
 }
 
 } // namespace pack

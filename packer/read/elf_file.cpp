@@ -10,13 +10,13 @@ ElfProgram::ElfProgram(const Bytes &bytes) : ElfFile{bytes} {
     need(header.e_machine == EM_X86_64, "not for x86-64: only that is packed");
     need(header.e_type == ET_EXEC || header.e_type == ET_DYN, "not an executable: link it first");
     need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64,
-         "its program headers make no sense");
+         "its program headers are invalid: link it again");
     for (uint64_t i = 0; i < header.e_phnum; ++i)
         headers.push_back(at<Elf64_Phdr>(header.e_phoff + i * sizeof(Elf64_Phdr),
                                          "cut short: program headers are missing"));
 }
 
-const Elf64_Phdr *ElfProgram::find(uint32_t type) const {
+const Elf64_Phdr *ElfProgram::firstOf(uint32_t type) const {
     auto found = std::find_if(headers.begin(), headers.end(), [&](auto &h) { return h.p_type == type; });
     return found == headers.end() ? nullptr : &*found;
 }
@@ -41,7 +41,7 @@ uint64_t ElfProgram::addressOf(uint64_t offset, uint64_t size) const {
 
 Dynamic ElfProgram::dynamic() const {
     Dynamic dynamic;
-    const Elf64_Phdr *segment = find(PT_DYNAMIC);
+    const Elf64_Phdr *segment = firstOf(PT_DYNAMIC);
     if (!segment) return dynamic;
     std::vector<uint64_t> needed;
     for (uint64_t at = 0; at + sizeof(Elf64_Dyn) <= segment->p_filesz; at += sizeof(Elf64_Dyn)) {
@@ -58,17 +58,17 @@ Dynamic ElfProgram::dynamic() const {
 
 Program ElfProgram::load() const {
     std::vector<Elf64_Phdr> all = loads();
-    need(!all.empty(), "nothing to load in it: it is no program");
+    need(!all.empty(), "it has nothing to load: it is not a program");
     uint64_t base = all[0].p_vaddr & ~(kPage - 1), end = 0, fileEnd = 0;
     for (const Elf64_Phdr &h : all) {
         need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, kAddressEnd - kPage) &&
                  h.p_filesz <= h.p_memsz,
              "a segment is over 64 MiB, or beyond 2 GiB: it cannot be packed");
         need(within(h.p_offset, h.p_filesz, 0, bytes.size()),
-             "cut short: a segment's bytes are missing: get it afresh");
+             "cut short: a segment's bytes are missing: get it again");
         need((h.p_flags & (PF_W | PF_X)) != (PF_W | PF_X),
              "a segment is both writable and executable: link it without -N or -z rwx");
-        need(h.p_vaddr >= end, "its segments overlap or are out of order: link it afresh");
+        need(h.p_vaddr >= end, "its segments overlap or are out of order: link it again");
         end = h.p_vaddr + h.p_memsz;
         fileEnd = std::max(fileEnd, h.p_vaddr + h.p_filesz);
     }
@@ -95,7 +95,7 @@ void ElfProgram::findCode(Program &program) const {
     if (!end)
         for (const Elf64_Phdr &h : loads())
             if (h.p_flags & PF_X) extend(h.p_vaddr, h.p_filesz);
-    // Zeros at the end of the program are not among its bytes, even if they are code
+    // The program's bytes do not include zeros at the end, even if they are code
     uint64_t all = program.bytes.size();
     program.codeBegin = (uint32_t)std::min({begin, end, all});
     program.codeSize = (uint32_t)std::min(end, all) - program.codeBegin;

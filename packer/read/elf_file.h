@@ -1,4 +1,4 @@
-// An ELF file that may be cut short or damaged, read with checked bounds.
+// Reads an ELF file with checked bounds. The file may be cut short or damaged.
 #pragma once
 
 #include "packer/read/program.h"
@@ -9,12 +9,12 @@
 
 namespace pack {
 
-// Whether `size` bytes at `address` lie in the `span` bytes from `base`, for any values.
+// Whether the `size` bytes at `address` are within the `span` bytes from `base` on. No value overflows.
 inline bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span) {
     return address >= base && size <= span && address - base <= span - size;
 }
 
-// All functions throw common::Refused where the file lacks what they read.
+// All functions throw common::Refused if the file ends too early or is invalid.
 struct ElfFile {
     const Bytes &bytes;
 
@@ -24,19 +24,19 @@ struct ElfFile {
         std::memcpy(&value, bytes.data() + offset, sizeof value);
         return value;
     }
-    // Empty for a file without section headers; some tools strip them.
+    // Returns no headers for a file without them; some tools strip them.
     std::vector<Elf64_Shdr> sections() const {
         constexpr char kCut[] = "cut short: its section headers are incomplete";
         auto header = at<Elf64_Ehdr>(0, kCut);
         need(header.e_shnum == 0 || header.e_shentsize == sizeof(Elf64_Shdr),
-             "its section headers make no sense");
+             "its section headers are invalid: link it again");
         std::vector<Elf64_Shdr> all;
         for (uint64_t i = 0; i < header.e_shnum; ++i)
             all.push_back(at<Elf64_Shdr>(header.e_shoff + i * sizeof(Elf64_Shdr), kCut));
-        need(all.empty() || header.e_shstrndx < all.size(), "its section headers make no sense");
+        need(all.empty() || header.e_shstrndx < all.size(), "its section headers are invalid: link it again");
         return all;
     }
-    // The entries of a section that is a table.
+    // Returns the entries of a section that is a table.
     template <class T> std::vector<T> table(const Elf64_Shdr &section, const char *otherwise) const {
         need(section.sh_size < sizeof(T) || within(section.sh_offset, section.sh_size, 0, bytes.size()),
              otherwise);
@@ -44,7 +44,7 @@ struct ElfFile {
         if (!all.empty()) std::memcpy(all.data(), &bytes[section.sh_offset], all.size() * sizeof(T));
         return all;
     }
-    // The string at `offset` in a table of strings, which begins at `table` in the file.
+    // Returns the string at `offset` in the string table that begins at `table` in the file.
     std::string text(uint64_t table, uint64_t offset) const {
         constexpr char kCut[] = "cut short: a table of names is incomplete";
         need(within(table, offset, 0, bytes.size()), kCut);
@@ -53,43 +53,43 @@ struct ElfFile {
         return {begin, end};
     }
     std::string text(const Elf64_Shdr &table, uint64_t offset) const { return text(table.sh_offset, offset); }
-    // The name of one of these sections.
+    // Returns the name of one of `sections`.
     std::string nameOf(const std::vector<Elf64_Shdr> &sections, const Elf64_Shdr &section) const {
         return text(sections[at<Elf64_Ehdr>(0, "cut short").e_shstrndx], section.sh_name);
     }
 };
 
-// What the dynamic section names.
+// The dynamic section.
 struct Dynamic {
-    std::vector<std::string> needed;   // libraries
-    std::map<int64_t, uint64_t> value; // of all other entries, by their tags
+    std::vector<std::string> needed;   // names of libraries
+    std::map<int64_t, uint64_t> value; // values of all other entries, by tag
     uint64_t operator[](int64_t tag) const { return value.count(tag) ? value.at(tag) : 0; }
 };
 
 // An executable or a shared library for x86-64.
 struct ElfProgram : ElfFile {
     Elf64_Ehdr header;
-    std::vector<Elf64_Phdr> headers; // of segments
+    std::vector<Elf64_Phdr> headers; // the program headers
 
-    explicit ElfProgram(const Bytes &bytes); // refuses all other files
+    explicit ElfProgram(const Bytes &bytes); // throws for all other files
 
-    // The first program header of this type, or null.
-    const Elf64_Phdr *find(uint32_t type) const;
-    // The headers of what is loaded.
+    // Returns the first program header of a type, or null.
+    const Elf64_Phdr *firstOf(uint32_t type) const;
+    // Returns the headers of the segments that are loaded.
     std::vector<Elf64_Phdr> loads() const;
-    // Where bytes of the file lie in memory, or 0 if they are not loaded.
+    // Returns the address in memory of bytes in the file, or 0 if they are not loaded.
     uint64_t addressOf(uint64_t offset, uint64_t size) const;
-    // What the file has for an address in memory.
+    // Reads from the file what it loads to an address in memory.
     template <class T> T inMemory(uint64_t address) const {
         return at<T>(offsetOf(address, sizeof(T)), "its dynamic section points outside the file");
     }
     std::string textInMemory(uint64_t address) const { return text(offsetOf(address, 1), 0); }
-    // Empty for a static program.
+    // Returns an empty section for a static program.
     Dynamic dynamic() const;
 
-    // The program in memory: checked, with its base, bytes and span.
+    // Checks the segments and returns the program in memory, with its base, bytes and span.
     Program load() const;
-    // Finds the stretch from the first instruction to the last: by section headers, or else whole segments.
+    // Finds the code, from the first instruction to the last, by section headers or else by whole segments.
     void findCode(Program &program) const;
 
 private:

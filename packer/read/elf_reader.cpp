@@ -12,10 +12,10 @@ void wipe(Program &program, uint64_t address, uint64_t size) {
     if (start < all) std::fill_n(program.bytes.begin() + (long)start, std::min(size, all - start), 0);
 }
 
-// Checks the segments and lays them out.
+// Checks the segments and loads them.
 Program loadSegments(const ElfProgram &in) {
-    need(!in.find(PT_TLS), "it has thread-local storage, which is not supported");
-    const Elf64_Phdr *stack = in.find(PT_GNU_STACK);
+    need(!in.firstOf(PT_TLS), "it has thread-local storage, which is not supported");
+    const Elf64_Phdr *stack = in.firstOf(PT_GNU_STACK);
     need(!stack || !(stack->p_flags & PF_X),
          "it needs an executable stack, which it would not get: link it with -z noexecstack");
     Program program = in.load();
@@ -25,23 +25,23 @@ Program loadSegments(const ElfProgram &in) {
             firstWritten = std::min(firstWritten, uint64_t(h.p_vaddr));
         else
             codeEnd = h.p_vaddr + h.p_memsz;
-    static_assert(kLeastBase == 0x210000); // as in the message
+    static_assert(kLeastBase == 0x210000); // the number in the message
     need(program.base >= kLeastBase,
-         "linked below 0x210000, where the packed file must go: link it higher (-Ttext-segment)");
-    need(codeEnd <= (firstWritten & ~(kPage - 1)), "writable data shares a page with code or lies before it: "
-                                                   "link data behind code, on a page of its own");
+         "linked below 0x210000, where the packed file needs its place: link it higher (-Ttext-segment)");
+    need(codeEnd <= (firstWritten & ~(kPage - 1)),
+         "writable data is before the code or shares a page with it: "
+         "link the data after the code, on separate pages");
     program.readOnly = (uint32_t)wholePages(codeEnd - program.base);
     return program;
 }
 
-// Finds the slots of the two imports. Refuses all others, and what the packed program would not have: a PLT,
-// constructors, destructors.
+// Finds the slots of the two imports. Refuses other imports, a PLT, constructors and destructors.
 void findImports(const ElfProgram &in, const Dynamic &dynamic, const System &system, Program &program) {
     for (int64_t tag : {DT_INIT, DT_FINI, DT_INIT_ARRAY, DT_FINI_ARRAY, DT_PREINIT_ARRAY})
         need(!dynamic.value.count(tag), "it has constructors or destructors, which would not run");
     need(!dynamic[DT_JMPREL], "it calls through a PLT: compile with -fno-plt");
-    std::string two = std::string(system.functions[0]) + " and " + system.functions[1],
-                onlyThem = "it must import " + two + " and nothing else";
+    std::string both = std::string(system.functions[0]) + " and " + system.functions[1],
+                onlyThem = "it must import " + both + " and nothing else";
     need(dynamic.needed == std::vector<std::string>{system.library},
          "it must need " + std::string(system.library) + " and no other library");
     need(dynamic[DT_RELASZ] == 2 * sizeof(Elf64_Rela), onlyThem);
@@ -60,12 +60,12 @@ void findImports(const ElfProgram &in, const Dynamic &dynamic, const System &sys
         program.slots[second] = (uint32_t)r.r_offset;
         found[second] = true;
     }
-    need(found[0] && found[1], "it must import both " + two);
+    need(found[0] && found[1], "it must import both " + both);
     need(program.slots[0] + 8 == program.slots[1] || program.slots[1] + 8 == program.slots[0],
-         "the slots of its two imports do not lie side by side: link it without other GOT entries");
+         "the slots of its two imports are not adjacent: link it without other GOT entries");
 }
 
-// Zeroes what only the loader reads.
+// Zeroes the tables that only the loader reads.
 void wipeTables(const ElfProgram &in, const Dynamic &dynamic, Program &program) {
     wipe(program, dynamic[DT_RELA], dynamic[DT_RELASZ]);
     wipe(program, dynamic[DT_SYMTAB], 3 * sizeof(Elf64_Sym));
@@ -83,6 +83,7 @@ void wipeTables(const ElfProgram &in, const Dynamic &dynamic, Program &program) 
     program.dropZeros();
 }
 
+// Finds the early part and its function.
 void findEarly(const ElfProgram &in, Program &program) {
     uint64_t after = UINT64_MAX;
     program.early = kNothingEarly;
@@ -90,7 +91,7 @@ void findEarly(const ElfProgram &in, Program &program) {
     auto isLoaded = [](const Elf64_Shdr &s) { return s.sh_flags & SHF_ALLOC; };
     for (const Elf64_Shdr &s : all) {
         if (!isLoaded(s) || !s.sh_size) continue;
-        need(within(s.sh_addr, s.sh_size, program.base, program.span), "a section lies outside the segments");
+        need(within(s.sh_addr, s.sh_size, program.base, program.span), "a section is outside the segments");
         if (in.nameOf(all, s) != ".early") continue;
         program.early = (uint32_t)wholePages(s.sh_addr + s.sh_size - program.base);
         program.earlyEntry = (uint32_t)s.sh_addr;
@@ -99,7 +100,7 @@ void findEarly(const ElfProgram &in, Program &program) {
     for (const Elf64_Shdr &s : all)
         if (isLoaded(s) && s.sh_addr > program.earlyEntry) after = std::min(after, s.sh_addr);
     need(after >= program.base + program.early && program.early <= program.readOnly,
-         "its section .early does not end on a page of its own");
+         "other sections follow .early in its last page: align its end to a page");
 }
 
 } // namespace
@@ -108,14 +109,13 @@ Program readProgram(const Bytes &file, const System &system) {
     ElfProgram in(file);
     need(in.header.e_type == ET_EXEC, "position-independent: link it with -no-pie");
     Program program = loadSegments(in);
-    const Elf64_Phdr *interpreter = in.find(PT_INTERP);
-    need((interpreter || !system.interpreter) && in.find(PT_DYNAMIC),
+    const Elf64_Phdr *interpreter = in.firstOf(PT_INTERP);
+    need((interpreter || !system.interpreter) && in.firstOf(PT_DYNAMIC),
          std::string("statically linked: it must import ") + system.functions[0] + " and " +
              system.functions[1] + " from " + system.library);
     need(!system.interpreter || in.textInMemory(interpreter->p_vaddr) == system.interpreter,
          "its interpreter is not /lib64/ld-linux-x86-64.so.2");
-    need(within(in.header.e_entry, 1, program.base, program.readOnly),
-         "its entry point lies outside its code");
+    need(within(in.header.e_entry, 1, program.base, program.readOnly), "its entry point is outside its code");
     program.entry = (uint32_t)in.header.e_entry;
     Dynamic dynamic = in.dynamic();
     findImports(in, dynamic, system, program);

@@ -11,7 +11,7 @@ bool isMadeForPacking(const Bytes &file) {
         return in.header.e_type == ET_EXEC && needed.size() == 1 &&
                (needed[0] == kLinux.library || needed[0] == kWindows.library);
     } catch (const common::Refused &) {
-        return false; // reading it gives the reason
+        return false; // readProgram() throws the reason
     }
 }
 
@@ -25,24 +25,24 @@ Program readAnyProgram(const Bytes &file) {
          "a shared library: pack programs, not libraries");
     Elf64_Phdr first = in.loads()[0];
     need(first.p_offset == 0 && first.p_vaddr == program.base && first.p_filesz >= sizeof header,
-         "its first segment lacks its ELF header: link it without a script that leaves it out");
+         "its first segment lacks its ELF header: link it without a linker script");
     need(header.e_type == ET_DYN || program.base >= kLeastAddress,
-         "it lies below 64 KiB, where Linux maps nothing: link it higher");
+         "linked below 64 KiB, where Linux maps nothing: link it higher");
     program.readOnly = program.span = (uint32_t)wholePages(program.span);
-    // The section headers are not kept. The program headers may lie in any segment, as tools that add some
-    // move them
+    // Remove the section headers. The program headers may be in any segment: tools that add some move them
     Elf64_Ehdr kept = header;
     kept.e_shoff = kept.e_shnum = kept.e_shstrndx = 0;
     uint64_t headersAt = in.addressOf(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum);
-    need(headersAt, "its program headers are in no segment, so nothing would find them: link it afresh");
+    need(headersAt,
+         "its program headers are in no segment, so the loader would not find them: link it again");
     kept.e_phoff = headersAt - program.base;
     std::memcpy(program.bytes.data(), &kept, sizeof kept);
     program.dropZeros();
     program.bytes.resize(std::max(program.bytes.size(), kept.e_phoff + sizeof(Elf64_Phdr) * header.e_phnum));
-    if (const Elf64_Phdr *interpreter = in.find(PT_INTERP)) {
+    if (const Elf64_Phdr *interpreter = in.firstOf(PT_INTERP)) {
         need(!in.text(interpreter->p_offset, 0).empty() &&
                  within(interpreter->p_vaddr, interpreter->p_filesz, program.base, program.span),
-             "its interpreter's name is missing: link it afresh");
+             "its interpreter's name is missing: link it again");
     } else
         need(dynamic.needed.empty(),
              "it needs libraries and names no interpreter: pack programs, not libraries");

@@ -1,4 +1,4 @@
-// A program as it lies in memory, its file, and what makes a file unsuitable.
+// A program in memory, its file, and the errors that refuse a file.
 #pragma once
 
 #include "packer/stub/format.h"
@@ -12,7 +12,7 @@
 
 namespace pack {
 
-// Whole files. Errors are those of tools/common/whole_file.h
+// Whole files. Errors are thrown as in tools/common/whole_file.h
 using Bytes = std::vector<uint8_t>;
 
 inline Bytes readBytes(const std::string &path) {
@@ -20,7 +20,7 @@ inline Bytes readBytes(const std::string &path) {
     return {file.view().begin(), file.view().end()};
 }
 
-// The permissions of a file, as chmod takes them.
+// Returns the permissions of a file, in chmod's form.
 inline unsigned modeOf(const std::string &path) {
     return (unsigned)std::filesystem::status(path).permissions() & 0777;
 }
@@ -31,14 +31,14 @@ inline void writeBytes(const std::string &path, const Bytes &bytes, unsigned mod
 
 inline constexpr uint64_t kMostMemory = 64 << 20; // bytes; larger programs are refused
 
-using common::need; // in packer/: `otherwise` is what makes a file unsuitable
+using common::need; // in packer/, its text is the reason to refuse a file
 inline constexpr char kDamaged[] = "damaged: get it afresh";
 inline constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning";
 
-// What a program made for packing can rely on: one library, whose two functions find all others.
+// The system of a program made for packing: one library, whose two functions find all others.
 struct System {
-    const char *library, *functions[2]; // open a library, and find a function in it
-    const char *interpreter;            // null where there is none
+    const char *library, *functions[2]; // the functions open a library, and find a function in it
+    const char *interpreter;            // null: none
 };
 inline constexpr System kLinux = {"libdl.so.2", {"dlopen", "dlsym"}, kInterpreter};
 inline constexpr System kWindows = {"kernel32.dll", {"LoadLibraryA", "GetProcAddress"}, nullptr};
@@ -46,15 +46,15 @@ inline constexpr System kWindows = {"kernel32.dll", {"LoadLibraryA", "GetProcAdd
 // The program in memory as it starts.
 struct Program {
     uint32_t base;     // address of the first byte; page-aligned
-    Bytes bytes;       // up to the last one that is not 0, at least one; the loader's tables are zeroed
-    uint32_t readOnly; // bytes from base that are never written: code and constants; whole pages
-    uint32_t span;     // bytes of memory, with the zeros behind the bytes
-    uint32_t slots[2]; // addresses where it expects System::functions
+    Bytes bytes;       // up to the last byte that is not 0, at least one; the loader's tables are zeroed
+    uint32_t readOnly; // size of code and constants, from the base on; whole pages
+    uint32_t span;     // bytes of memory, with the zeros after the bytes
+    uint32_t slots[2]; // addresses of the slots for System::functions
     uint32_t entry;
     uint32_t early, earlyEntry;   // as in PayloadHeader
-    uint32_t codeBegin, codeSize; // the stretch of `bytes` that is instructions
+    uint32_t codeBegin, codeSize; // the part of `bytes` that is instructions
 
-    // Leaves out zeros at the end of the bytes.
+    // Removes zeros at the end of the bytes.
     void dropZeros() {
         while (bytes.size() > 1 && !bytes.back()) bytes.pop_back();
     }

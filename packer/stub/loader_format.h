@@ -1,4 +1,4 @@
-// The packed file of a program of any kind, which the stub loads as the kernel would have loaded the program.
+// The packed file of a program of any kind. The stub loads the program as the kernel would have loaded it.
 //
 // THE FILE is an executable (ELF, x86-64) of the program's own type, ET_EXEC or ET_DYN:
 //
@@ -8,33 +8,33 @@
 //
 // It has no interpreter, so the kernel starts it directly.
 //
-// IN MEMORY it has two segments, and both the program and the file keep the places that the kernel gave them.
-// The first is the program: PayloadHeader::readOnly bytes, RW, from the address PayloadHeader::image on,
-// which is the program's own; for ET_DYN the kernel adds an offset. Of the file it has a single byte,
-// which decoding overwrites, because the kernel chooses no place for a first segment without any. The second,
-// R-X, is the file, right behind, so the heap begins behind both.
+// IN MEMORY it has two segments. Program and file stay where the kernel maps them. The first segment is the
+// program: PayloadHeader::readOnly bytes, RW, from the program's own address PayloadHeader::image on; for
+// ET_DYN the kernel adds an offset. It has a single byte of the file, which decoding overwrites: the kernel
+// does not map a first segment without any. The second segment is the file, R-X, right after the first, so
+// the heap begins after both.
 //
-// THE PAYLOAD decodes to the program's segments as they lie in memory. The first one must hold the program's
-// own ELF header and program headers. They are all that the stub needs: protections, interpreter, entry.
-// Other fields of PayloadHeader are 0, and nothing is early.
+// THE PAYLOAD decodes to the program's segments as they are in memory. The first one must begin with the
+// program's own ELF header and also hold its program headers. The stub needs nothing else: they have the
+// protections, the interpreter and the entry. Other fields of PayloadHeader are 0, and nothing is early.
 //
-// START. The stub checks the file and decodes as in format.h. Then it gives each segment its protection. What
-// lies between segments stays RW. If the program names an interpreter, that is read into fresh memory. In the
-// auxiliary vector AT_PHDR, AT_PHNUM, AT_ENTRY and AT_BASE become those of the program and the interpreter.
-// The stub jumps to the interpreter, or to the program if it names none, with the stack as the kernel made
-// it. ld.so, or the start code of a static program, does relocations, libraries, thread-local storage and
-// constructors as always. The file stays mapped.
+// START. The stub checks the file and decodes as in format.h. Then it gives each segment its protection. The
+// gaps between segments stay RW. If the program names an interpreter, the stub reads it into new memory. In
+// the auxiliary vector, AT_PHDR, AT_PHNUM, AT_ENTRY and AT_BASE get the values of the program and the
+// interpreter. The stub jumps to the interpreter, or to the program if it names none, with the stack as the
+// kernel made it. ld.so, or the start code of a static program, does relocations, libraries, thread-local
+// storage and constructors as always. The file stays mapped.
 //
-// ERRORS are as in format.h, after the name by which the program was called; one more is for the interpreter,
-// with the error's number in two digits: errno of the call that failed, 80 if the file is no whole ELF file.
+// ERRORS are as in format.h, after the name by which the program was called. One more is for the interpreter,
+// with errno in two digits, which is 80 if the file is not a whole ELF file.
 #pragma once
 
 #include "packer/stub/format.h"
 
 namespace pack {
 
-// Of the last program header, GNU_STACK, the kernel reads type and flags alone: the stub takes the place of
-// the rest.
+// The kernel reads only type and flags of the last program header, GNU_STACK. The stub begins where the rest
+// would be.
 struct LoaderFront {
     Elf64_Ehdr header;
     Elf64_Phdr program, file;

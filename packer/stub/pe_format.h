@@ -1,24 +1,24 @@
-// The packed file for Windows. The payload section and its decoding are those of format.h; this page
-// describes what comes before that section, and how the program starts.
+// The packed file for Windows. Payload section and decoding are as in format.h. This page describes the bytes
+// before that section, and how the program starts.
 //
 // THE FILE is an executable (PE32+ for x86-64) with a fixed address:
 //
 //     PeFront        512 bytes: headers, two sections, messages
-//     PeStart        begins the first section: what is imported
+//     PeStart        the imports; they begin the first section
 //     stub           machine code, the same in every file
 //     PayloadHeader, masks, payload, zeros up to a multiple of 512 less four bytes, check
 //
-// IN MEMORY the headers take a page at the image's base. The first section follows; it is R-X and reaches up
-// to the program. The second section is the program's; it is RW and has no bytes in the file. The check makes
-// checksum() 0 over everything in the first section after the slots; PayloadHeader::words is the number of
-// those words. The stub does not use that number but the section's size, which the loader has checked.
+// IN MEMORY the headers take a page at the image's base. The first section follows; it is R-X and extends to
+// the program. The second section is the program; it is RW and has no bytes in the file. The check makes
+// checksum() 0 over everything in the first section after the slots. PayloadHeader::words is the number of
+// those words, but the stub uses the section's size instead, which the loader has checked.
 //
-// START. The loader writes the addresses of the imported functions into the slots, and calls the first byte
-// of the stub by Microsoft's convention. The first two slots are for LoadLibraryA and GetProcAddress, in the
+// START. The loader writes the addresses of the imported functions into the slots, and calls the stub's first
+// byte in Microsoft's convention. The first two slots are for LoadLibraryA and GetProcAddress, in the
 // order of the program's own slots. The stub computes the checksum, allocates PayloadHeader::memory bytes,
 // copies the two slots to the program's, decodes, copies them again (decoding overwrites them), makes
 // PayloadHeader::readOnly bytes R-X, frees the memory and jumps to PayloadHeader::entry with the stack as it
-// found it. The function at PayloadHeader::earlyEntry is called as in format.h, by System V's convention; its
+// found it. The function at PayloadHeader::earlyEntry is called as in format.h, in System V's convention; its
 // first argument has no meaning here.
 //
 // ERRORS go to standard error or, if there is none, to a message box; the exit status is 1.
@@ -30,11 +30,11 @@
 
 namespace pack {
 
-// --- The tables of a PE file (PE32+, x86-64), as far as packed programs use them. Names and values are those
-// of Microsoft's "PE Format"; addresses in them (RVA) count from the image's base ---
+// --- The tables of a PE file (PE32+, x86-64), as far as packed programs use them. Names and values come from
+// Microsoft's "PE Format"; addresses in them (RVA) count from the image's base ---
 
-constexpr uint32_t kPeFileAlign = 512;       // of sections in the file
-constexpr uint32_t kPeBaseAlign = 64 * 1024; // of an image's base
+constexpr uint32_t kPeFileAlign = 512;       // alignment of sections in the file
+constexpr uint32_t kPeBaseAlign = 64 * 1024; // alignment of an image's base
 
 struct PeDirectory {
     uint32_t address, size;
@@ -45,7 +45,7 @@ struct PeHeader {
     // For DOS
     uint16_t dosMagic; // "MZ"
     uint8_t dos[58];
-    uint32_t headerAt; // of `signature` in the file
+    uint32_t headerAt; // offset of `signature` in the file
 
     uint32_t signature; // "PE"
     uint16_t machine, sections;
@@ -81,15 +81,15 @@ struct PeSection {
 static_assert(sizeof(PeSection) == 40);
 
 struct PeImports {
-    uint32_t names; // address of the table of imported names; 0: the slots themselves hold it at first
+    uint32_t names; // address of the table of imported names; 0: the slots hold it until they are filled
     uint32_t time, forwarder, library, slots;
 };
 static_assert(sizeof(PeImports) == 20);
 
 // --- The packed file ---
 
-// The stub's messages (messages.h), and the names of the function that shows a box and its library. They fill
-// space that the file has anyway.
+// The stub's messages (messages.h), and the names of the function that shows a message box and of its
+// library. They fill space that would be empty.
 struct PeMessages {
     char mayNotRun[24], damaged[24], noMemory[24], user32[7], messageBox[25];
 };
@@ -101,7 +101,7 @@ struct PeFront {
 };
 static_assert(sizeof(PeFront) == kPeFileAlign);
 
-// The imports, slot by slot: two for the program, in the order of its own slots, then the stub's.
+// The imports by slot: two for the program, in the order of its own slots, then the stub's.
 enum PeImport {
     kPeProgram1,
     kPeProgram2,
@@ -116,7 +116,7 @@ enum PeImport {
     kPeImportCount
 };
 
-// The first section begins with this. Slots hold the addresses of names until the loader fills them.
+// The beginning of the first section. Slots hold the addresses of names until the loader fills them.
 struct PeStart {
     uint64_t slots[kPeImportCount + 1];
     PeImports library, end;

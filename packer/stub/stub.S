@@ -1,28 +1,28 @@
-// The code in front of every packed program: checks the file, decodes the program, starts it. Position-
-// independent, baseline x86-64, no library.
+// The stub of programs made for packing: it checks the file, decodes the program and starts it. Baseline x86-64,
+// position-independent, no library.
 //
-// It is in assembler because it is part of every packed file: it has 2.5 KB, half of what g++ -Os makes of C++. It
-// does what decoder.h, model.h and x86.h do, and uses their names. The packer runs both versions before it writes a
-// file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.h.
+// It is part of every packed file, so it is written in assembler: 2.5 KB, half the size that g++ -Os makes of the C++.
+// It does the same as decoder.h, model.h and x86.h and uses their names. The packer runs both versions before it writes
+// a file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.h.
 // Other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
 //
-// Registers while decoding: rbx the payload header, rbp a place within the model's memory, r12 the next byte of the
-// image, r13 the same in the copy of coded bytes, r14 the next byte of the payload; r11d the byte so far (bits), r8 the
-// slots. Subroutines may clobber all other registers.
+// Registers while decoding: rbx points to the payload header, rbp into the model's memory, r8 to the slots, r12 to the
+// next byte of the image, r13 to the same byte in the array of coded bytes, r14 to the next byte of the payload; r11d
+// is the byte so far (bits). Subroutines may clobber all other registers.
 
 #include "stub_memory.S"
 #include "stub_linux.S"
 
 .section .stub, "ax"
 start:
-    push rdx // ld.so's function for exit, which the program gets
+    push rdx // ld.so's function to call at exit: an argument of the program
     push rsi
     lea ebx, [rip + payload_header]
 
-    // Nothing is trusted before it is checked, so the file's beginning is computed from this code's own address
+    // The headers are not checked yet, so compute the file's beginning from the address of this code
     lea edi, [rip + start - FRONT]
     check_file
-damaged: // the texts are here so that a truncated file still has them; each is 23 bytes long
+damaged: // the texts are here, where a truncated file still has them; each is 23 bytes long
     call refuse
     .ascii "damaged: get it afresh\n"
 no_memory:
@@ -51,7 +51,7 @@ get_memory:
     lea rbp, [rax - FIELDS]
     large_pages
 
-    // Decode. Decoding overwrites the slots of the imports, so save them around it
+    // Decode. It overwrites the slots of the imports, so save them before and restore them after
     mov edi, [rbx + IMPORTS]
     push [rdi]
     push [rdi + 8]
@@ -73,8 +73,8 @@ get_memory:
     mov eax, [rbx + ENTRY]
     jmp rax
 
-// Makes esi bytes of the image R-X. The kernel refuses where memory that was written may not become executable
-// (SELinux, systemd's MemoryDenyWriteExecute).
+// Makes esi bytes of the image R-X. The kernel refuses if memory that was written must not become executable (SELinux,
+// systemd's MemoryDenyWriteExecute).
 protect:
     mov edi, [rbx + IMAGE]
     push 5 // read, execute

@@ -1,6 +1,5 @@
-// The stub as the packer runs it: the decoder in stub.S, stub_windows.S and stub_loader.S, called with what a
-// packed file contains. Also checks that the numbers in stub_numbers.h, which the assembler
-// uses, equal those of C++.
+// The decoders of stub.S, stub_windows.S and stub_loader.S as functions: the packer runs them on packed
+// files. This header also checks that the assembler's numbers in stub_numbers.h equal the numbers of C++.
 #pragma once
 
 #include "packer/stub/loader_format.h"
@@ -10,15 +9,15 @@
 
 namespace pack {
 
-// What run() in decoder.h does. `header`: a PayloadHeader as it lies in a file, with what follows it.
-// `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, page-aligned.
+// The same as codeImage() in decoder.h. `header`: the PayloadHeader in a file, with everything that follows
+// it. `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, page-aligned.
 extern "C" void stubDecode(const uint8_t *header, uint8_t *image, void *memory);
 extern "C" void stubDecodeWindows(const uint8_t *header, uint8_t *image, void *memory);
 extern "C" void stubDecodeLoader(const uint8_t *header, uint8_t *image, void *memory);
 
-extern "C" const uint32_t kStubMemory; // bytes in front of the slots
+extern "C" const uint32_t kStubMemory; // bytes before the slots
 inline uint32_t stubMemory(const ModelParameters &parameters, uint32_t size) {
-    return kStubMemory + (uint32_t)memoryBehindModel(parameters, size);
+    return kStubMemory + (uint32_t)memoryAfterModel(parameters, size);
 }
 
 namespace stub {

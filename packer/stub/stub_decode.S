@@ -1,7 +1,7 @@
 // Part of stub.S: decoder.h and model.h.
 
 decode:
-    // expandOpcodes(), then the weights, which follow in memory
+    // Expand the opcodes, then initialise the weights, which follow in memory
     lea rdi, [rbp + OPCODES]
     lea rsi, [rip + runs]
     push runs_end - runs
@@ -23,7 +23,7 @@ decode:
     mov eax, [rbx + MEMORY]
     sub eax, [rbx + SIZE]
     sub eax, [rbx + SIZE]
-    lea r13, [rbp + rax + FIELDS - PLACE * FUTURE]
+    lea r13, [rbp + rax + FIELDS - CODED_BYTE * FUTURE]
     movzx eax, byte ptr [rbx + CONTEXTS]
     imul eax, eax, CODE_MASK + DATA_MASK
     lea r14, [rbx + rax + MASKS + (CODE_MASK + DATA_MASK) * (SETS - 1)]
@@ -35,17 +35,17 @@ next_byte: // eax is the position
     jne 1f
     cmp eax, [rbx + EARLY]
     jb 1f
-    // The early part: (stack at the program's start, bytes done, bytes in all)
+    // Call the early part: (stack at the program's start, bytes done, bytes in all)
     mov esi, [rbx + EARLY]
     call protect
-    lea rdi, [rsp + 48] // six were pushed since
+    lea rdi, [rsp + 48] // six values were pushed since then
     mov esi, [rbp + POSITION]
     mov edx, [rbx + SIZE]
     mov eax, [rbx + EARLY_ENTRY]
     call rax
 1:
 #endif
-    // Fields
+    // Compute the fields
     lea rdi, [rbp + FIELDS]
     mov eax, [rbp + LEFT]
     shl eax, PHASE_BITS
@@ -57,20 +57,20 @@ next_byte: // eax is the position
     stosd
     push 1 + FIELD_BYTE1 - FIELD_BYTE5
     pop rcx
-    lea rsi, [r13 - PLACE * (1 + FIELD_BYTE1 - FIELD_BYTE5)]
+    lea rsi, [r13 - CODED_BYTE * (1 + FIELD_BYTE1 - FIELD_BYTE5)]
 1:  lodsw
     movzx eax, al
     stosd
     loop 1b
     mov eax, ecx
-1:  cmp byte ptr [r13 + rax * PLACE + PLACE_MARKS], cl
+1:  cmp byte ptr [r13 + rax * CODED_BYTE + CODED_MARKS], cl
     js 2f
     inc eax
     cmp al, FAR_MARK
     jne 1b
 2:  stosd
 
-    // ... and the places that the byte selects
+    // Find the possible targets that the byte selects
     xor eax, eax
     cmp byte ptr [rbp + LEFT], 1
     jne 2f
@@ -79,7 +79,7 @@ next_byte: // eax is the position
     mov [rbp + FLIP], al
     loop 1f // four bytes
     mov byte ptr [rbp + FLIP], 0x80
-    lea rax, [r13 + PLACE * (1 - 128)]
+    lea rax, [r13 + CODED_BYTE * (1 - 128)]
     jmp 2f
 1:  mov ecx, [r12 - 3]
     bswap ecx
@@ -88,10 +88,10 @@ next_byte: // eax is the position
     jae 2f
     sub ecx, edx
     movsxd rax, ecx
-    lea rax, [r13 + rax * PLACE]
+    lea rax, [r13 + rax * CODED_BYTE]
 2:  mov [rbp + BLOCK], rax
 
-    // begin
+    // Compute the hashes of the byte: beginByte()
     lea rsi, [rbx + MASKS]
     movzx ecx, byte ptr [rbx + CONTEXTS]
     add ecx, SETS - 1
@@ -113,7 +113,7 @@ hash_next:
     shl eax, CODE_SHIFT
 1:  xchg r9d, eax
     lea eax, [rcx + r8]
-    mov edx, [rbp + WHERE]
+    mov edx, [rbp + PARSER_STATE]
 1:  call mix_in
     bsf edx, r9d
     je 2f
@@ -130,7 +130,7 @@ hash_next:
 next_bit: // eax is the step, NIBBLE_SLOTS or more if a nibble begins
     cmp al, NIBBLE_SLOTS
     jb 2f
-    // The nibble's hashes, and its slots on their way from memory
+    // Compute the nibble's hashes, and prefetch its slots
     lea r8, [rbp + SLOTS]
     movzx r10d, byte ptr [rbx + CONTEXTS]
     lea rdi, [rbp + HASHES]
@@ -157,7 +157,7 @@ next_bit: // eax is the step, NIBBLE_SLOTS or more if a nibble begins
     pop rax
 2:  mov [rbp + STEP], eax
 
-    // predict: find the counters
+    // Predict: find the counters
     lea r8, [rbp + SLOTS]
     movzx r10d, byte ptr [rbx + CONTEXTS]
     lea rsi, [rbp + HASHES]
@@ -167,7 +167,7 @@ next_bit: // eax is the step, NIBBLE_SLOTS or more if a nibble begins
     lea r15, [rbp + rax + HISTORIES]
 find:
     lodsd
-    mov edx, eax // check in its low half
+    mov edx, eax // the low half is the check
     mov cl, [rbx + SLOT_SHIFT]
     shr eax, cl
     xor eax, [rbp + STEP]
@@ -208,21 +208,21 @@ find:
     add r15, SHARED
     dec r10d
     jne find
-    push rdi // where the correction's counter goes
+    push rdi // address for the pointer to the correction
     mov r9, rsi // hashes of the selectors
 
-    // The row of corrections, on its way from memory
+    // Prefetch the row of corrections
     lodsd
     mov edx, r11d
     call mix_in
-    shr eax, HASH_BITS - CORRECTION_ROW_BITS - CORRECTION_BITS // rows of 32, of which this is the first
+    shr eax, HASH_BITS - CORRECTION_ROW_BITS - CORRECTION_BITS // a row has 32 counters; eax is its first
     and al, 0x100 - (1 << CORRECTION_BITS)
     lea rax, [rbp + rax * COUNTER + CORRECTIONS]
     prefetcht0 [rax]
     prefetcht0 [rax + 64]
     push rax
 
-    // The input from the places: marks where a one leads to, against marks where a zero does
+    // Compute the odds: the marks of the targets after a one against the marks after a zero
     mov rdi, [rbp + BLOCK]
     xorps xmm0, xmm0
     test rdi, rdi
@@ -231,17 +231,17 @@ find:
     bsr ecx, edx
     xor cl, 7
     shl edx, cl
-    add edx, edx // its low byte is the first place of a zero
+    add edx, edx // its low byte is the first target after a zero
     push 1
     pop rsi
-    shl esi, cl // places of either
+    shl esi, cl // the number of targets after a zero, and after a one
     push 2
     pop r8
 1:  mov eax, esi
     mov ecx, esi
 2:  movzx r10d, dl
     xor r10b, [rbp + FLIP]
-    movzx r10d, byte ptr [rdi + r10 * PLACE + PLACE_MARKS]
+    movzx r10d, byte ptr [rdi + r10 * CODED_BYTE + CODED_MARKS]
     add eax, r10d
     inc edx
     loop 2b
@@ -256,7 +256,7 @@ find:
     movss [rdi], xmm0
     mov byte ptr [rdi + 7], CONSTANT_BITS >> 24 // the rest of it is 0
 
-    // stretch and linear, of a context's three counters at once
+    // Compute the inputs ln(p / (1 - p)) and p - 1/2, for a context's three counters at once
     mov eax, CERTAIN + 2
     movd xmm3, eax
     pshufd xmm3, xmm3, 0
@@ -264,7 +264,7 @@ find:
     lea rsi, [rbp + COUNTERS]
 1:  call counters
     psrad xmm0, SEEN_BITS
-    pshufd xmm2, xmm0, 0b00111111 // the first to the place of the fourth, which is 0
+    pshufd xmm2, xmm0, 0b00111111 // the first to the fourth, which is 0
     movaps xmm1, xmm3
     psubd xmm1, xmm0
     paddd xmm0, xmm3
@@ -278,7 +278,7 @@ find:
     movaps [rdi], xmm0
     loop 1b
 
-    // Mix
+    // Mix each set, then the results
     push SETS
     pop r10
     mov eax, r11d
@@ -313,7 +313,7 @@ find:
     pop rax
     lea rax, [rax + rdx * COUNTER]
     pop rdi
-    stosq // as three counters, of which the first is written last
+    stosq // like three counters of a context; adapting writes the first one last
     stosq
     stosq
     mulss xmm0, [rbx + SCALE]
@@ -354,7 +354,7 @@ find:
     mov [rbp + RANGE], eax
     neg r9d // the bit
 
-    // learn: the weights
+    // Learn: train the weights
     cvtsi2ss xmm3, r9d
     push SETS
     pop r10
@@ -382,7 +382,7 @@ find:
     call point_to_results
     call train
 
-    // ... the counters, a context's three at once, and at last the correction's
+    // Adapt the counters, a context's three at once, then the correction's counter
     lea r10d, [r9 - 1]
     xor r10d, CERTAIN // or its complement
     movd xmm3, r10d
@@ -419,7 +419,7 @@ find:
     movd [rax], xmm0
     loop 1b
 
-    // ... the histories
+    // Update the histories
     lea rsi, [rbp + COUNTERS]
     mov cl, [rbx + CONTEXTS]
 1:  mov rdi, [rsi]
@@ -441,7 +441,7 @@ find:
     adc r11b, r11b
     jnc next_bit
 
-    // end
+    // End the byte: endByte(), then parse it if it is code
     lea rsi, [rbp + BYTE_SLOTS]
     mov cl, [rbx + CONTEXTS] // rcx was 0
 1:  lodsq
@@ -455,14 +455,14 @@ find:
     call parse
     mov [rbp + LEFT], eax
 1:  inc r12
-    add r13, PLACE
+    add r13, CODED_BYTE
     inc dword ptr [rbp + POSITION]
     mov eax, [rbp + POSITION]
     cmp eax, [rbx + SIZE]
     jb next_byte
     ret
 
-// xmm0 = the three counters that three pointers at rsi name, and 0; advances rsi.
+// xmm0 = three counters, to which the three pointers at rsi point, and 0; advances rsi.
 counters:
     lodsq
     movd xmm0, [rax]
@@ -474,7 +474,7 @@ counters:
     punpcklqdq xmm0, xmm1
     ret
 
-// Operands of mix and train: ecx bytes of floats at rsi; the weights at rdx.
+// Sets the operands of mix and train: ecx bytes of floats at rsi, the weights at rdx.
 point_to_inputs:
     lea rsi, [rbp + INPUTS]
     movzx ecx, byte ptr [rbx + CONTEXTS]

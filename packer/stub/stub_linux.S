@@ -1,7 +1,7 @@
 // Part of the stubs for Linux, as macros.
 
-// Checks the file, which begins at rdi; goes to get_memory, or to damaged. A truncated file lacks pages, which must not
-// be touched: access() returns whether a page is there.
+// Checks the file, which begins at rdi; jumps to get_memory, or to damaged. A truncated file lacks pages, and reading
+// one would be fatal: access() returns whether a page is there.
 .macro check_file
     mov edx, [rbx + WORDS]
     xor esi, esi
@@ -22,7 +22,7 @@
     je get_memory
 .endm
 
-// rax = esi bytes of zeros to read and write, at any place; the sign is set if there are none.
+// rax = address of esi new bytes of zeros, readable and writable; the sign flag is set if there is no memory.
 .macro map_memory
     push 3 // read, write
     pop rdx
@@ -35,10 +35,10 @@
     test rax, rax
 .endm
 
-// The esi bytes at rax, just mapped, get large pages, if the system has them: a sixth of the time to decode.
+// Asks for large pages for the esi bytes at rax, just mapped. They save a sixth of the time to decode.
 .macro large_pages
     xchg rdi, rax
-    push 14 // the advice
+    push 14 // MADV_HUGEPAGE
     pop rdx
     push 28 // madvise
     pop rax

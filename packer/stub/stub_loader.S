@@ -1,16 +1,16 @@
-// The code in front of a program of any kind: checks the file, decodes the program, and loads and starts it as the
-// kernel would have done. Position-independent, baseline x86-64, no library. loader_format.h describes its input, its
-// actions and its results; the decoder is that of stub.S. The kernel starts it directly, so rdx is 0 as for any static
+// The stub of programs of any kind: it checks the file, decodes the program, and loads and starts it as the kernel
+// would have done. Baseline x86-64, position-independent, no library. loader_format.h describes its input, its actions
+// and its results; the decoder is the same as in stub.S. The kernel starts it directly, so rdx is 0 as for any static
 // program.
 //
-// Registers: rbx the payload header, later the program's entry; r12 the program as it lies in memory; xmm15 the stack as
-// the kernel made it, which the decoder leaves alone.
+// Registers: rbx points to the payload header, later to the program's entry; r12 to the program in memory; xmm15 is the
+// stack as the kernel made it, which the decoder does not change.
 
 #define NOTHING_IS_EARLY
 #include "stub_memory.S"
 #include "stub_linux.S"
 
-// Fields of ELF, and numbers of the kernel
+// Offsets and numbers of ELF and the kernel
 .set E_ENTRY, 24
 .set E_PHOFF, 32
 .set E_PHNUM, 56
@@ -20,7 +20,7 @@
 .set P_VADDR, 16
 .set P_FILESZ, 32
 .set P_MEMSZ, 40
-.set PHDR, 56 // their size
+.set PHDR, 56 // size of a program header
 .set PT_LOAD, 1
 .set PT_INTERP, 3
 .set AT_PHDR, 3
@@ -31,7 +31,7 @@
 .section .stub, "ax"
 start:
     movq xmm15, rsp
-    push rdx // 0: an error has no number
+    push rdx // 0: the text of an error has no second part
     lea rbx, [rip + payload_header]
 
     lea rdi, [rip + start - LOADER_FRONT]
@@ -42,7 +42,7 @@ damaged:
 no_memory:
     call refuse
     .asciz ": not enough free memory\n"
-refuse: // "NAME: text", and what lies on the stack: the address of a text, or 0
+refuse: // prints the program's name, the text after the call, and a text whose address is on the stack; 0: none
     movq rax, xmm15
     mov rsi, [rax + 8]
     call print
@@ -54,7 +54,7 @@ refuse: // "NAME: text", and what lies on the stack: the address of a text, or 0
     pop rax
     dec edi // 1
     syscall
-print: // the string at rsi, to standard error; nothing if there is none, as a program may have no name
+print: // writes the string at rsi to standard error; 0: nothing, since a program may have no name
     or edx, -1
     test rsi, rsi
     je 2f
@@ -89,25 +89,25 @@ get_memory:
     pop rax
     syscall
 
-    // The program's segments get their protections. It was decoded to its place: there is no file to read from
+    // Give the program's segments their protections. They are decoded, so there is no file to read
     mov r13, r12
     mov eax, [rbx + IMAGE]
-    sub r13, rax // what was added to the program's addresses
+    sub r13, rax // the offset that the kernel added to the program's addresses
     mov r14, r12
     or ebp, -1
     call load
     mov rbx, r13
-    add rbx, [r12 + E_ENTRY] // the program's
-    mov r9, rbx              // where to go
-    xor r10d, r10d           // where the interpreter lies
+    add rbx, [r12 + E_ENTRY] // the program's entry
+    mov r9, rbx              // the address to jump to
+    xor r10d, r10d           // the interpreter's base
     test r15, r15
     je give_vector
 
-    // Map the interpreter, whose headers lie in its first page
+    // Map the interpreter, whose headers are in its first page
     lea rsi, [r13 + r15]
-    push -100 // relative to the folder where the program was called
+    push -100 // AT_FDCWD
     pop rdi
-    mov eax, 257 // openat, as ld.so does: some lists of allowed calls lack open
+    mov eax, 257 // openat, which ld.so uses too: some lists of allowed calls lack open
     cdq
     syscall
     test eax, eax
@@ -123,10 +123,10 @@ get_memory:
     syscall
     cmp eax, edx
     je 1f
-no_interpreter: // eax is an error, or how many bytes there are if they are no whole interpreter
+no_interpreter: // eax is an error, or the number of bytes of an interpreter that is not whole
     neg eax
     jg 2f
-    push 80 // what the kernel finds wrong with those
+    push 80 // ELIBBAD, the kernel's error for those
     pop rax
 2:  mov cl, 10
     div cl
@@ -135,9 +135,9 @@ no_interpreter: // eax is an error, or how many bytes there are if they are no w
     push rsp
     call refuse
     .asciz ": no interpreter: errno "
-1:  cmp dword ptr [r14], 0x464c457f // an ELF file begins so
+1:  cmp dword ptr [r14], 0x464c457f // the signature of ELF
     jne no_interpreter
-    // The last segment's end is the size: segments are in order of address
+    // Find the size, the end of the last segment: segments are in order of address
     call headers
 1:  cmp dword ptr [rdi + P_TYPE], PT_LOAD
     jne 2f
@@ -157,7 +157,7 @@ no_interpreter: // eax is an error, or how many bytes there are if they are no w
     mov r9, r13
     add r9, [r14 + E_ENTRY]
 
-// The auxiliary vector lies behind the arguments and the environment. It must describe the program, not this file
+// Makes the auxiliary vector, which follows the arguments and the environment, describe the program, not this file.
 give_vector:
     mov r14, r12
     call headers
@@ -193,15 +193,15 @@ map:
     map_memory
     ret
 
-// rdi = the program headers of the ELF file at r14, ecx their number.
+// rdi = address of the program headers of the ELF file at r14, ecx = their number.
 headers:
     mov rdi, r14
     add rdi, [r14 + E_PHOFF]
     movzx ecx, word ptr [r14 + E_PHNUM]
     ret
 
-// For each segment to load of the ELF file at r14, whose addresses r13 is added to: reads it from the file ebp, unless
-// that is -1, and gives it its protection. r15 = the address, not yet added to, of the interpreter's name; or 0.
+// Loads the segments of the ELF file at r14, at their addresses plus r13: reads each from the file ebp, unless that is
+// -1, and gives it its protection. r15 = address of the interpreter's name, without r13; or 0.
 load:
     call headers
     xor r15d, r15d
@@ -226,7 +226,7 @@ load_next:
     syscall
     cmp rax, [r8 + P_FILESZ]
     jne no_interpreter
-1:  // mprotect's bits are those of the flags in reverse: a digit of this number for each
+1:  // mprotect's bits are the flags' bits in reverse order: look them up in the digits of a number
     mov ecx, [r8 + P_FLAGS]
     shl ecx, 2
     mov edx, 0x73516240

@@ -6,11 +6,11 @@
 #define STUB_NUMBER(name, value, meaning) .set name, value;
 #include "packer/stub/stub_numbers.h"
 
-// --- Relative to rbx: the payload header, and before it the constants at the end of stub_rest.S ---
+// --- Relative to rbx, the payload header: before it are the constants at the end of stub_rest.S ---
 .set MOST, -52
 .set LEAST, -48
 .set ONE, -44
-.set SETTLED, -40 // three
+.set SETTLED, -40 // three floats
 .set EARLY_USES, -28
 .set EARLY_LEARNING, -24
 .set LEARNING, -20
@@ -19,9 +19,9 @@
 .set MIDDLE, -8
 .set SCALE, -4
 
-// --- The model's memory, relative to rbp, which points past the first variables so that most offsets are one byte ---
+// --- The model's memory, relative to rbp. It points after the first variables, so most offsets are one byte ---
 .set FIELDS, -128
-.set WHERE, FIELDS + 4 * FIELD_WHERE
+.set PARSER_STATE, FIELDS + 4 * FIELD_PARSER_STATE
 .set TARGET, FIELDS + 4 * FIELD_TARGET
 .set FUNCTION, FIELDS + 4 * FIELD_FUNCTION
 .set WRITTEN1, FIELDS + 4 * FIELD_WRITTEN1
@@ -33,7 +33,7 @@
 .set MODRM, FIELDS + 4 * FIELD_MODRM
 .set MODE, FIELDS + 4 * FIELD_MODE
 .set SO_FAR, FIELDS + 4 * FIELD_SO_FAR
-// The parser's state, in the order in which it is cleared, and the decoder's
+// The parser's state, in the order in which it is cleared, then the decoder's state
 .set PHASE, FIELDS + 4 * FIELD_COUNT
 .set LEFT, PHASE + 4
 .set HIGH, LEFT + 4
@@ -47,13 +47,13 @@
 .set FLIP, TYPE + 4
 .set RESULTS, 0
 .set STEP, RESULTS + 4 * SETS
-.set AFTER, STEP + 4 // of the nibble, in the table of what followed last
-.set ROWS, AFTER + 4 // the last set's row first, like the results
+.set AFTER, STEP + 4 // offset of the nibble in the counters that the last byte selects
+.set ROWS, AFTER + 4 // in reverse order of the sets, like the results
 .set BLOCK, ROWS + 8 * SETS
 .set HASHES, BLOCK + 8
 .set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS)
 .set COUNTERS, INPUTS + ROW
-.set BYTE_SLOTS, COUNTERS + 8 * CONTEXT_COUNTERS * (MOST_CONTEXTS + 1) // the correction's too
+.set BYTE_SLOTS, COUNTERS + 8 * CONTEXT_COUNTERS * (MOST_CONTEXTS + 1) // and the correction's pointer
 .set OPCODES, BYTE_SLOTS + 8 * (MOST_CONTEXTS + 1) // aligned
 .set FINAL_WEIGHTS, OPCODES + OPCODE_CLASSES
 .set WEIGHTS, FINAL_WEIGHTS + 4 * SETS * PHASES
@@ -64,20 +64,21 @@
 .set HISTORIES, CORRECTIONS + (COUNTER << (CORRECTION_ROW_BITS + CORRECTION_BITS))
 .set SLOTS_FROM, HISTORIES + MOST_CONTEXTS * SHARED - FIELDS
 .set WAYS_SIZE, WAYS * NIBBLE_SLOTS * SLOT
-.set SLOTS, SLOTS_FROM + WAYS_SIZE - 1 - (SLOTS_FROM + WAYS_SIZE - 1) % WAYS_SIZE + FIELDS // a mask finds the first of the four
-// The slots follow, then the places
+// Aligned, so that a mask finds the first slot of a nibble
+.set SLOTS, SLOTS_FROM + WAYS_SIZE - 1 - (SLOTS_FROM + WAYS_SIZE - 1) % WAYS_SIZE + FIELDS
+// The slots follow, then the coded bytes
 
-.set AFTER_BITS, 14 // of a nibble in the table of what followed last
+.set AFTER_BITS, 14 // bits of a nibble's bytes among the counters that the last byte selects
 
-// --- What the code relies on beyond these names ---
+// --- Assumptions of the code about these values ---
 #define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif
-EQUAL(FIELD_WHERE, 0) // fields up to FIELD_TO_MARK are written in a row
+EQUAL(FIELD_PARSER_STATE, 0) // fields up to FIELD_TO_MARK are written one after another
 EQUAL(FIELD_COLUMN, 1)
 EQUAL(FIELD_BYTE5, 2)
 EQUAL(FIELD_TO_MARK, FIELD_BYTE1 + 1)
-EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // two are copied at once
+EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // both are copied at once
 EQUAL(FIELD_OPCODE3, FIELD_OPCODE1 + 2)
-EQUAL(FIELD_MODE, FIELD_OPCODE + 1) // what is cleared with the parser's state
+EQUAL(FIELD_MODE, FIELD_OPCODE + 1) // these fields are cleared with the parser's state
 EQUAL(FIELD_SO_FAR, FIELD_OPCODE + 2)
 EQUAL(FIELD_MODRM, FIELD_OPCODE + 3)
 EQUAL(FIELD_COUNT, FIELD_OPCODE + 4)
@@ -88,13 +89,13 @@ EQUAL(PHASE_SIB, 3)
 EQUAL(PHASE_DISPLACEMENT, 4)
 EQUAL(PHASE_JUMP, PHASE_OPERAND + 1)
 EQUAL(RELATIVE8, RELATIVE32 + 1)
-EQUAL(PLACE, 2) // lodsw takes one
+EQUAL(CODED_BYTE, 2) // lodsw loads one
 EQUAL(CODE_MASK, 2)
 EQUAL(DATA_MASK, 1)
-EQUAL(PLACE_NAMED, 0x80) // the sign bit of a byte
+EQUAL(MARK_TARGET, 0x80) // the sign bit of a byte
 EQUAL(SLOT_COUNTER, 0) // a new slot is its check, shifted up
 EQUAL(SLOT_CHECK, SLOT - 2)
-EQUAL(SLOT * NIBBLE_SLOTS, 128) // what a signed byte can subtract
+EQUAL(SLOT * NIBBLE_SLOTS, 128) // an immediate byte can subtract it
 EQUAL(COUNTER, 4) // its lowest byte counts the bits seen
 EQUAL(SEEN_BITS, 8)
 EQUAL(HISTORY_FULL, 128) // the sign bit of a byte

@@ -1,7 +1,7 @@
-// The numbers that the stub shares with C++: STUB_NUMBER(name in the stub, value, what it is in C++). The
-// assembler takes names and values from here (stub.S), and the C++ compiles only if each value equals the
-// last column (stub.h). A value may use the names above it. Other numbers belong to the stub alone: its
-// memory layout, system calls, x86 opcodes.
+// The numbers that the stub shares with C++: STUB_NUMBER(name in the stub, value, expression in C++). The
+// assembler includes names and values (stub_memory.S). The C++ compiles only if each value equals the last
+// column (stub.h). A value may use the names above it. The stub alone uses other numbers: its memory layout,
+// system calls, x86 opcodes.
 // clang-format off
 
 STUB_NUMBER(FRONT, 528, sizeof(Front))
@@ -56,7 +56,7 @@ STUB_NUMBER(HASH_SHIFT, 15, kHashShift)
 STUB_NUMBER(HASH_BITS, 32, 8 * sizeof(kHash))
 
 // Fields, by number
-STUB_NUMBER(FIELD_WHERE, 0, kWhere)
+STUB_NUMBER(FIELD_PARSER_STATE, 0, kParserState)
 STUB_NUMBER(FIELD_COLUMN, 1, kColumn)
 STUB_NUMBER(FIELD_BYTE5, 2, kByte5)
 STUB_NUMBER(FIELD_BYTE1, 6, kByte1)
@@ -78,26 +78,26 @@ STUB_NUMBER(PHASE_BITS, 3, kPhaseBits)
 STUB_NUMBER(PHASES, 7, kPhases)
 STUB_NUMBER(COLUMNS, 4, kColumns)
 STUB_NUMBER(FAR_MARK, 16, kFarMark)
-STUB_NUMBER(PLACE, 2, sizeof(Place))
-STUB_NUMBER(PLACE_MARKS, 1, offsetof(Place, marks))
-STUB_NUMBER(PLACE_NAMED, 128, kNamed)
-STUB_NUMBER(PLACE_BEGINS, 48, kBegins)
+STUB_NUMBER(CODED_BYTE, 2, sizeof(CodedByte))
+STUB_NUMBER(CODED_MARKS, 1, offsetof(CodedByte, marks))
+STUB_NUMBER(MARK_TARGET, 128, kMarkTarget)
+STUB_NUMBER(MARK_BEGIN, 48, kMarkBegin)
 STUB_NUMBER(FUTURE, 256, kFuture)
 
 // The parser
-STUB_NUMBER(PHASE_START, 0, Parser::kStart)
-STUB_NUMBER(PHASE_VEX, 1, Parser::kVex)
-STUB_NUMBER(PHASE_MODRM, 2, Parser::kModrmByte)
-STUB_NUMBER(PHASE_SIB, 3, Parser::kSibByte)
-STUB_NUMBER(PHASE_DISPLACEMENT, 4, Parser::kDisplacement)
-STUB_NUMBER(PHASE_OPERAND, 5, Parser::kOperand)
-STUB_NUMBER(PHASE_JUMP, 6, Parser::kJump)
-STUB_NUMBER(RETURN, 0xc3, Parser::kReturn)
-STUB_NUMBER(SEEN_REX, 1, Parser::kSeenRex)
-STUB_NUMBER(SEEN_VEX, 2, Parser::kSeenVex)
-STUB_NUMBER(SEEN_MAP, 4, Parser::kSeenMap)
-STUB_NUMBER(MAP_SHIFT, 2, Parser::kMapShift)
-STUB_NUMBER(PREFIX_SHIFT, 16, Parser::kPrefixShift)
+STUB_NUMBER(PHASE_START, 0, X86Parser::kStart)
+STUB_NUMBER(PHASE_VEX, 1, X86Parser::kVex)
+STUB_NUMBER(PHASE_MODRM, 2, X86Parser::kModrmByte)
+STUB_NUMBER(PHASE_SIB, 3, X86Parser::kSibByte)
+STUB_NUMBER(PHASE_DISPLACEMENT, 4, X86Parser::kDisplacement)
+STUB_NUMBER(PHASE_OPERAND, 5, X86Parser::kOperand)
+STUB_NUMBER(PHASE_JUMP, 6, X86Parser::kJump)
+STUB_NUMBER(RETURN, 0xc3, X86Parser::kReturn)
+STUB_NUMBER(SEEN_REX, 1, X86Parser::kSeenRex)
+STUB_NUMBER(SEEN_VEX, 2, X86Parser::kSeenVex)
+STUB_NUMBER(SEEN_MAP, 4, X86Parser::kSeenMap)
+STUB_NUMBER(MAP_SHIFT, 2, X86Parser::kMapShift)
+STUB_NUMBER(PREFIX_SHIFT, 16, X86Parser::kPrefixShift)
 STUB_NUMBER(OPCODE_CLASSES, 1024, kOpcodes)
 STUB_NUMBER(CLASS_BITS, 3, kClassBits)
 STUB_NUMBER(HAS_MODRM, 1, kHasModrm)

@@ -1,6 +1,6 @@
 // Part of stub.S: x86.h.
 
-// Parser::step with the byte in ecx, and what run() does with its result. eax is `left`, in and out.
+// X86Parser::step() with the byte in ecx, then X86Tracker::end() and codeImage(). eax is `left`, in and out.
 parse:
     mov eax, [rbp + SO_FAR]
     mov edx, ecx
@@ -20,7 +20,7 @@ parse:
     jne return
     mov dl, [rbp + RELATIVE]
     test dl, dl
-    je behind
+    je after_part
     mov [rbp + RELATIVE], al
     mov edi, [rbp + POSITION]
     movsx eax, cl
@@ -39,10 +39,10 @@ parse:
     jae 2f
     sub eax, edi
     cdqe
-    or byte ptr [r13 + rax * PLACE + PLACE_MARKS], PLACE_NAMED
+    or byte ptr [r13 + rax * CODED_BYTE + CODED_MARKS], MARK_TARGET
 2:  xor eax, eax
 
-behind: // after an opcode, an operand, or a byte of an operand
+after_part: // after an opcode, an operand, or a byte of an operand
     test eax, eax
     jne return
     or eax, [rbp + IMMEDIATE]
@@ -50,12 +50,12 @@ behind: // after an opcode, an operand, or a byte of an operand
     and dword ptr [rbp + IMMEDIATE], 0
     mov byte ptr [rbp + PHASE], PHASE_OPERAND
     cmp byte ptr [rbp + RELATIVE], 1
-    sbb byte ptr [rbp + PHASE], -1 // PHASE_JUMP, if it is
+    sbb byte ptr [rbp + PHASE], -1 // PHASE_JUMP, if it is relative
 return:
     ret
 
 ends:
-    or byte ptr [r13 + PLACE + PLACE_MARKS], PLACE_BEGINS
+    or byte ptr [r13 + CODED_BYTE + CODED_MARKS], MARK_BEGIN
     mov eax, [rbp + WRITTEN1]
     mov [rbp + WRITTEN2], eax
     mov eax, [rbp + MODRM]
@@ -84,10 +84,10 @@ ends:
 at_sib:
     inc byte ptr [rbp + PHASE] // PHASE_DISPLACEMENT
     cmp byte ptr [rbp + MODRM], 0x40
-    jae behind
+    jae after_part
     and cl, 7
     cmp cl, 5
-    jne behind
+    jne after_part
     mov al, 4
     ret
 
@@ -117,11 +117,11 @@ at_modrm:
     mul al
     and cl, 7
     cmp cl, 4
-    jne behind
+    jne after_part
     dec byte ptr [rbp + PHASE] // PHASE_SIB
     ret
 2:  xor eax, eax
-    jmp behind
+    jmp after_part
 
 at_vex:
     cmp al, 2
@@ -192,7 +192,7 @@ at_opcode:
     or [rbp + OPCODE], eax
     cmp eax, 0x40
     jae 1f
-    and al, 7 // eight arithmetic operations go on alike
+    and al, 7 // the eight arithmetic operations have the same form
 1:  movzx edx, byte ptr [rbp + rax + OPCODES]
     mov eax, edx
     shr eax, 1
@@ -219,6 +219,6 @@ at_opcode:
 1:  mov [rbp + IMMEDIATE], eax
     xor eax, eax
     test dl, HAS_MODRM
-    je behind
+    je after_part
     mov byte ptr [rbp + PHASE], PHASE_MODRM
     ret

@@ -1,4 +1,4 @@
-// Part of the stubs: all code that is the same on any system. The payload section follows in the file.
+// Part of the stubs: the code that all of them share. The payload section follows in the file.
 
 // mixIn(eax, edx) -> eax; clobbers edx.
 mix_in:
@@ -16,8 +16,8 @@ runs:
 #define OPCODE_RUN(count, kind) .byte (count) << CLASS_BITS | (kind);
 #include "packer/model/opcodes.h"
 runs_end:
-    .long MOST_BITS // in the order of MOST .. SCALE
-    .long MOST_BITS | 0x80000000 // the sign
+    .long MOST_BITS // the constants MOST .. SCALE, in this order
+    .long MOST_BITS | 0x80000000 // negative
     .long ONE_BITS
     .long SETTLED0_BITS
     .long SETTLED1_BITS

@@ -1,7 +1,7 @@
-// The code in front of every program packed for Windows: checks the file, decodes the program, starts it. It does what
-// stub.S does on Linux, with the same decoder and with the functions of kernel32.dll that the file imports (PeStart in
-// pe_format.h). They use Microsoft's calling convention: the caller gives them 32 bytes of stack. Decoder and program
-// use System V's. pe_format.h describes its input, its actions and its results, and holds its texts.
+// The stub of programs packed for Windows: it checks the file, decodes the program and starts it. It does the same as
+// stub.S on Linux, with the same decoder, and with the functions of kernel32.dll that the file imports (PeStart in
+// pe_format.h). They use Microsoft's calling convention: the caller reserves 32 bytes of stack for them. Decoder and
+// program use System V's. pe_format.h describes its input, its actions and its results, and has its texts.
 
 #include "stub_memory.S"
 
@@ -22,7 +22,7 @@ start:
     sub rsp, 40 // aligned to 16, as everywhere below
     lea ebx, [rip + payload_header]
 
-    // Check all of the section after the slots. Its length comes from the header, which the loader has checked
+    // Check the section after the slots. Its size comes from the header, which the loader has checked
     mov ecx, [FRONT + PE_FILE_SIZE]
     shr ecx, 2
     sub ecx, PE_SLOTS / 4
@@ -73,7 +73,7 @@ protect:
     mov edx, esi
     push 0x20 // execute, read
     pop r8
-    lea r9, [rsp + 32] // for the old protection
+    lea r9, [rsp + 32] // the old protection goes there
     call VIRTUAL_PROTECT
     add rsp, 40
     test eax, eax

@@ -1,6 +1,6 @@
-// The page's decoder, as WebAssembly: the packer's model, compiled for the browser.
+// The page's decoder: the packer's model, compiled to WebAssembly.
 #include "packer/model/decoder.h"
-#include "packer/web/surroundings.h"
+#include "packer/web/wasm_tracker.h"
 
 using namespace pack;
 
@@ -14,7 +14,7 @@ extern "C" void *memcpy(void *__restrict to, const void *__restrict from, size_t
 
 namespace {
 
-// Behind the program's own data: the payload, which Layout and ModelParameters begin, and what is decoded
+// After the decoder's own data come Layout, ModelParameters and payload, then the decoded bytes
 unsigned char *payload() { return (unsigned char *)(((uintptr_t)&__heap_base + 63) & ~63ul); }
 constexpr uint32_t kMostPayload = 1 << 17, kMostDecoded = 1 << 20;
 
@@ -26,6 +26,6 @@ EXPORT(d) unsigned char *decode() {
     const ModelParameters &parameters = *(const ModelParameters *)(&layout + 1);
     unsigned char *image = payload() + kMostPayload, *model = image + kMostDecoded;
     Decoder decoder = {(const uint8_t *)(&parameters + 1)};
-    run<web::Surroundings>(decoder, layout, parameters, model, image);
+    codeImage<web::WasmTracker>(decoder, layout, parameters, model, image);
     return image;
 }

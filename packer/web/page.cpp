@@ -1,14 +1,13 @@
 // page: makes one HTML file of a WebAssembly program and its scripts.
 //
-// Markup, scripts and program are coded together by the packer's model (surroundings.h). They stand behind
-// their decoder (decode.cpp), which is deflated, in a comment of the page. There the bytes that HTML would
-// change, or that would end the comment, are written as two: a 1, and themselves with a bit turned. All of
-// them are turned by a key first, for which the fewest need that. As a file, the page is read as text in
-// windows-1252, and a script turns its letters into bytes again. From a server, which may name another
-// charset, the script fetches the page itself.
+// The packer's model codes markup, scripts and program together (wasm_tracker.h). The page has a comment with
+// the decoder (decode.cpp), deflated, and the coded bytes. Each byte is XORed with KEY. A byte that HTML
+// would change, or that would end the comment, is escaped as 1, byte ^ 64. KEY is the one that needs the
+// fewest escapes. A page that is opened as a file is read as text in windows-1252, and a script converts its
+// letters back to bytes. A server may name another charset, so from there the script fetches the page again.
 #include "packer/model/encoder.h"
 #include "packer/model/search.h"
-#include "packer/web/surroundings.h"
+#include "packer/web/wasm_tracker.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 
@@ -25,9 +24,8 @@
 
 namespace pack {
 
-// Nothing in WebAssembly is relative to its place.
-template <>
-std::vector<uint8_t> filter<web::Surroundings>(const std::vector<uint8_t> &image, const Layout &) {
+// WebAssembly has no relative operands.
+template <> std::vector<uint8_t> filter<web::WasmTracker>(const std::vector<uint8_t> &image, const Layout &) {
     return image;
 }
 
@@ -36,11 +34,11 @@ namespace {
 constexpr char kUsage[] =
     "usage: page PROGRAM.wasm DECODER.wasm MODEL PAGE.html WORKER.js,... MAIN.js,... OUT.html BUDGET "
     "[SECONDS]\n"
-    "The scripts of workers are given to main() of MAIN.js,..., as text, behind the program. Fails when\n"
-    "the page has more than BUDGET bytes. With SECONDS, it first searches for better contexts, and renews\n"
-    "MODEL.\n";
+    "Calls main(program, text) of the scripts MAIN.js,... in the page; the text is the workers' scripts.\n"
+    "Fails if the page has more than BUDGET bytes. With SECONDS, first searches for better contexts and\n"
+    "writes them to MODEL.\n";
 
-// Without comments, which have lines of their own or follow two spaces, indentation and empty lines.
+// Removes indentation, empty lines and comments. A comment has its own line or follows a space.
 std::string shortened(const std::string &script) {
     std::string out;
     for (size_t at = 0; at < script.size();) {
@@ -55,7 +53,7 @@ std::string shortened(const std::string &script) {
     return out;
 }
 
-// A script without spaces beside punctuation, except in strings.
+// Removes the spaces next to punctuation, except in strings.
 std::string tight(const std::string &script) {
     std::string out;
     char quote = 0;
@@ -74,7 +72,7 @@ std::string tight(const std::string &script) {
     return out;
 }
 
-// As a string of JavaScript.
+// Returns the text as a string of JavaScript.
 std::string quoted(const std::string &text) {
     std::string out = "`";
     for (char c : text) {
@@ -84,7 +82,7 @@ std::string quoted(const std::string &text) {
     return out + '`';
 }
 
-// Without a header and a checksum.
+// Deflates, without header and checksum.
 std::string deflated(const std::string &bytes) {
     ZopfliOptions options;
     ZopfliInitOptions(&options);
@@ -97,8 +95,7 @@ std::string deflated(const std::string &bytes) {
     return result;
 }
 
-// Whether a byte of a comment, behind another one, would be changed by HTML or end the comment; or is our
-// mark.
+// Whether this byte of a comment must be escaped after the byte `before`.
 bool mustEscape(unsigned char c, char before) {
     return c == 0 || c == 1 || c == '\r' || (c == '>' && (before == '-' || before == '!'));
 }
@@ -121,7 +118,7 @@ Escaped escaped(const std::string &bytes) {
     return best;
 }
 
-// Where the code of a program lies in `all`, which begins with scripts.
+// Finds the code section. `all`: the scripts, then from `program` on the WebAssembly program.
 Layout layoutOf(const std::string &all, size_t program) {
     size_t at = program + 8;
     auto number = [&] {
@@ -136,7 +133,7 @@ Layout layoutOf(const std::string &all, size_t program) {
         int section = all[at++];
         size_t size = number(), end = at + size;
         if (section == 10) {
-            number(); // of functions
+            number(); // the count of functions
             return {(uint32_t)all.size(), (uint32_t)at, (uint32_t)(end - at)};
         }
         at = end;
@@ -144,28 +141,30 @@ Layout layoutOf(const std::string &all, size_t program) {
     throw std::runtime_error("the program has no code");
 }
 
-// plain.js finds relaxed instructions by their bytes alone. Refuses a program where others look like them.
+// plain.js finds relaxed instructions by their bytes alone. Throws if other bytes of the program look the
+// same.
 void checkRelaxed(const std::vector<uint8_t> &bytes, const Layout &layout) {
-    web::Parser parser = {};
+    web::WasmParser parser = {};
     uint32_t fields[web::kFields] = {};
     for (uint32_t i = layout.codeBegin; i + 2 < layout.codeBegin + layout.codeSize; ++i) {
         uint8_t kind = bytes[i + 1];
-        bool looks = bytes[i] == 0xfd && bytes[i + 2] == 2 && (kind == 0x81 || kind == 0x85 || kind == 0x8b);
-        if (looks && parser.phase != web::Parser::kOpcodeByte)
-            throw std::runtime_error("the program has a number that looks like a relaxed instruction, which "
-                                     "plain.js would change: change some address or constant");
+        bool relaxed =
+            bytes[i] == 0xfd && bytes[i + 2] == 2 && (kind == 0x81 || kind == 0x85 || kind == 0x8b);
+        if (relaxed && parser.phase != web::WasmParser::kOpcodeByte)
+            throw std::runtime_error("a number in the program looks like a relaxed instruction, so plain.js "
+                                     "would change it: change an address or a constant");
         parser.step(fields, bytes[i]);
     }
 }
 
-// The masks of code and data, as hexadecimal numbers.
+// Reads the masks of code and data: hexadecimal numbers.
 ModelParameters readModel(const std::string &path) {
     std::istringstream text(common::readWhole(path));
     ModelParameters parameters = {16, 22, {}};
     for (auto &type : parameters.masks)
         for (uint32_t &mask : type) text >> std::hex >> mask;
-    if (!text || !parameters.sane(web::Surroundings::mayUse))
-        throw common::Refused(path + ": these are no masks");
+    if (!text || !parameters.sane(web::WasmTracker::mayUse))
+        throw common::Refused(path + ": not a model file of page");
     return parameters;
 }
 void writeModel(const std::string &path, const ModelParameters &parameters) {
@@ -176,9 +175,10 @@ void writeModel(const std::string &path, const ModelParameters &parameters) {
     common::writeWhole(path, text);
 }
 
-// In: the comment's text `t`, or the page `s` itself; out: what the decoder makes of it, a script, which is
-// run with the program. The decoder works on a thread of its own, so that the page answers. What fails, as
-// workers, scripts and WebAssembly do by a Content-Security-Policy, is one sentence. A click is remembered.
+// The script in the page. It decodes the text `t` of the comment, or the page `s` itself, and runs the
+// decoded script with the program. The decoder runs in a worker, so the page stays responsive. If something
+// fails, for example because a Content-Security-Policy forbids workers or WebAssembly, the page shows one
+// sentence. A click is remembered.
 constexpr char kLoader[] =
     R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],w,e=onerror=onunhandledrejection=()=>{
 document.body.textContent='This browser or site allows no WebAssembly, workers or DecompressionStream: it cannot play the film.'}
@@ -199,7 +199,7 @@ new Function('data',new TextDecoder().decode(s.slice(0,SCRIPT)))(s.slice(SCRIPT)
 s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
 w.postMessage([new Uint8Array(await new Response(s).arrayBuffer()),o.slice(HEAD)])})())";
 
-// The scripts of a list with commas.
+// Reads the scripts of a list with commas.
 std::string scriptsOf(const std::string &list) {
     std::istringstream names(list);
     std::string all;
@@ -210,7 +210,7 @@ std::string scriptsOf(const std::string &list) {
 void makePage(char **words, double seconds) {
     std::string program = common::readWhole(words[0]), decoder = common::readWhole(words[1]);
     ModelParameters parameters = readModel(words[2]);
-    // The markup's first line stands in the page as it is; a script adds the rest
+    // The first line of the markup begins the page; a script adds the rest
     std::string html = shortened(common::readWhole(words[3])), first = html.substr(0, html.find('\n'));
     std::string script = "document.body.innerHTML=" + quoted(html.substr(first.size() + 1)) + "\n" +
                          scriptsOf(words[5]) + "main(data," + quoted(scriptsOf(words[4])) + ")";
@@ -220,15 +220,15 @@ void makePage(char **words, double seconds) {
     Layout layout = layoutOf(all, script.size());
     checkRelaxed(bytes, layout);
     if (seconds > 0) {
-        parameters = search<web::Surroundings>(bytes, layout, parameters, seconds,
-                                               [](const Progress &) { return true; });
+        parameters = search<web::WasmTracker>(bytes, layout, parameters, seconds,
+                                              [](const Progress &) { return true; });
         writeModel(words[2], parameters);
     }
     Workspace workspace;
-    Encoded encoded = encode<web::Surroundings>(bytes, layout, parameters, workspace);
-    if (decode<web::Surroundings>(encoded.payload.data(), encoded.payload.size(), layout, parameters,
-                                  workspace) != bytes)
-        throw std::runtime_error("the decoder does not decode");
+    Encoded encoded = encode<web::WasmTracker>(bytes, layout, parameters, workspace);
+    if (decode<web::WasmTracker>(encoded.payload.data(), encoded.payload.size(), layout, parameters,
+                                 workspace) != bytes)
+        throw std::runtime_error("verification failed: the page decodes to other bytes");
     std::string model((const char *)&layout, sizeof layout);
     model.append((const char *)&parameters, sizeof parameters);
     std::string head = deflated(model + decoder);
@@ -263,7 +263,7 @@ int main(int argc, char **argv) {
             std::fputs(pack::kUsage, stdout);
             return 0;
         }
-        if (argc != 9 && argc != 10) throw common::Refused("it takes eight or nine words: see page --help");
+        if (argc != 9 && argc != 10) throw common::Refused("expected 8 or 9 arguments: see page --help");
         pack::makePage(argv + 1, argc == 10 ? std::atof(argv[9]) : 0);
         return 0;
     } catch (const std::exception &e) {

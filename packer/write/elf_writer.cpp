@@ -1,4 +1,4 @@
-// Packed ELF files: kElf, of programs made for packing, and kLoader, of any.
+// Writes and opens packed ELF files: kElf for programs made for packing, kLoader for any program.
 #include "packer/read/elf_file.h"
 #include "packer/stub/stub.h"
 #include "packer/write/packed_file.h"
@@ -10,11 +10,9 @@
 
 namespace pack {
 
-// --- What both have ---
-
 namespace {
 
-// The file header of an executable with `segments` program headers from `segmentsAt` on.
+// Makes the ELF header of an executable with `segments` program headers from the offset `segmentsAt` on.
 Elf64_Ehdr elfHeader(uint16_t type, uint64_t entry, uint64_t segmentsAt, uint16_t segments) {
     Elf64_Ehdr h = {};
     std::memcpy(h.e_ident, ELFMAG, SELFMAG);
@@ -41,7 +39,7 @@ size_t fileSize(const PackedKind &kind, const ModelParameters &parameters, const
     return (overhead(kind, parameters) + payload.size() + 3) / 4 * 4;
 }
 
-// Headers, stub and payload section, `size` bytes.
+// Joins headers, stub and payload section to a file of `size` bytes.
 template <class Front>
 Bytes assemble(const Front &front, const Bytes &stub, const Program &program,
                const ModelParameters &parameters, const Bytes &payload, size_t size) {
@@ -52,7 +50,7 @@ Bytes assemble(const Front &front, const Bytes &stub, const Program &program,
     return file;
 }
 
-// The headers of a packed file.
+// Reads the headers of a packed file.
 template <class Front> Front frontOf(const PackedKind &kind, const Bytes &file) {
     need(isPacked(kind, file), kForeign);
     Front front;
@@ -60,13 +58,9 @@ template <class Front> Front frontOf(const PackedKind &kind, const Bytes &file) 
     return front;
 }
 
-} // namespace
-
 // --- Programs made for packing ---
 
-namespace {
-
-// All but the two segments that are loaded, 1 and 2.
+// Makes all headers except the two of loaded segments, 1 and 2.
 Front makeFront(uint64_t base, uint64_t entry, const uint32_t *slots) {
     Front f = {};
     f.header = elfHeader(ET_EXEC, entry, offsetof(Front, segments), 5);
@@ -101,7 +95,7 @@ Bytes writeElf(const Program &program, const ModelParameters &parameters, const 
                const std::string &safeName) {
     uint32_t base = program.base - kBelow;
     size_t size = fileSize(kElf, parameters, payload);
-    need(size <= kBelow, "too large: it would be more than 2 MiB, packed");
+    need(size <= kBelow, "too large: packed, it would be over 2 MiB");
     Front f = makeFront(base, base + sizeof f, program.slots);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
@@ -134,18 +128,12 @@ Bytes writePlainElf(const Program &program) {
     return out;
 }
 
-} // namespace
-
-const PackedKind kElf = {sizeof(Front), elfStub, stubDecode, writeElf, openElf, writePlainElf};
-
 // --- Programs of any kind ---
-
-namespace {
 
 NamedStub loaderStub() { return {kStubLoader, sizeof kStubLoader, kLoaderMayNotRun}; }
 
 LoaderFront makeLoaderFront(const Program &program, size_t size) {
-    // Alignment and stack are those of the program's own headers, which are part of it
+    // Take alignment and stack from the program's own headers, which are part of its bytes
     ElfProgram own(program.bytes);
     const Elf64_Ehdr &header = own.header;
     uint64_t alignment = kPage;
@@ -180,7 +168,7 @@ Packed openLoader(const Bytes &file) {
 Bytes writePlainLoader(const Program &program) {
     Bytes out = program.bytes;
     ElfProgram own(program.bytes);
-    // The file is laid out like memory
+    // The file has the layout of the memory
     for (Elf64_Phdr &h : own.headers)
         if (h.p_filesz) h.p_offset = h.p_vaddr - program.base;
     std::memcpy(out.data() + own.header.e_phoff, own.headers.data(), own.headers.size() * sizeof(Elf64_Phdr));
@@ -190,6 +178,7 @@ Bytes writePlainLoader(const Program &program) {
 
 } // namespace
 
+const PackedKind kElf = {sizeof(Front), elfStub, stubDecode, writeElf, openElf, writePlainElf};
 const PackedKind kLoader = {sizeof(LoaderFront), loaderStub, stubDecodeLoader,
                             writeLoader,         openLoader, writePlainLoader};
 

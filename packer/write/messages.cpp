@@ -13,7 +13,7 @@ bool isSafeName(const std::string &name) {
 }
 
 void checkSafeName(const std::string &name) {
-    need(isSafeName(name), "a safe name has up to 14 letters, digits and . _ + -");
+    need(isSafeName(name), "wrong safe name: use up to 14 letters, digits and . _ + -");
 }
 
 std::string mayNotRun(const std::string &usual, const std::string &safeName) {
@@ -29,8 +29,8 @@ std::string mayNotRun(const std::string &usual, const std::string &safeName) {
 }
 
 Bytes NamedStub::replaced(Bytes stub, const std::string &by) const {
-    auto place = std::search(usual.begin(), usual.end(), message.begin(), message.end()) - usual.begin();
-    std::copy(by.begin(), by.end(), stub.begin() + place);
+    auto offset = std::search(usual.begin(), usual.end(), message.begin(), message.end()) - usual.begin();
+    std::copy(by.begin(), by.end(), stub.begin() + offset);
     return stub;
 }
 

@@ -20,10 +20,6 @@ size_t masksSize(const ModelParameters &parameters) { return (kCodeMask + kDataM
 
 } // namespace
 
-size_t payloadSectionOverhead(const ModelParameters &parameters) {
-    return sizeof(PayloadHeader) + masksSize(parameters) + kCheckSize;
-}
-
 void appendPayloadSection(Bytes &out, const Program &program, const ModelParameters &parameters,
                           const Bytes &payload, size_t checkedFrom, size_t size) {
     PayloadHeader p = {};
@@ -43,18 +39,21 @@ void appendPayloadSection(Bytes &out, const Program &program, const ModelParamet
         out.insert(out.end(), (const uint8_t *)bytes, (const uint8_t *)bytes + count);
     };
     append(&p, sizeof p);
-    Bytes masks = packMasks(parameters);
-    append(masks.data(), masks.size());
+    for (uint32_t i = 0; i < parameters.hashes(); ++i) {
+        uint32_t mask = parameters.masks[0][i] >> kCodeShift;
+        append(&mask, kCodeMask);
+    }
+    for (uint32_t i = 0; i < parameters.hashes(); ++i) append(&parameters.masks[1][i], kDataMask);
     append(payload.data(), payload.size());
     out.resize(size);
     uint32_t check = -checksum(out.data() + checkedFrom, p.words - 1);
     std::memcpy(out.data() + size - kCheckSize, &check, kCheckSize);
 }
 
-Packed openPayloadSection(const Bytes &file, size_t from, size_t checkedFrom, uint64_t span) {
+Packed openPayloadSection(const Bytes &file, size_t at, size_t checkedFrom, uint64_t span) {
     PayloadHeader p;
-    const uint8_t *at = file.data() + from + sizeof p, *end = file.data() + file.size();
-    std::memcpy(&p, file.data() + from, sizeof p);
+    const uint8_t *next = file.data() + at + sizeof p, *end = file.data() + file.size();
+    std::memcpy(&p, file.data() + at, sizeof p);
     need((uint64_t)p.words * 4 <= file.size() - checkedFrom &&
              checksum(file.data() + checkedFrom, p.words) == 0,
          kDamaged);
@@ -62,12 +61,12 @@ Packed openPayloadSection(const Bytes &file, size_t from, size_t checkedFrom, ui
     ModelParameters parameters = {};
     parameters.contexts = p.contexts;
     parameters.slotBits = 32u - p.slotShift;
-    need(parameters.sane() && (size_t)(end - at) >= masksSize(parameters), kDamaged);
-    for (uint32_t i = 0; i < parameters.hashes(); ++i, at += kCodeMask) {
-        std::memcpy(&parameters.masks[0][i], at, kCodeMask);
+    need(parameters.sane() && (size_t)(end - next) >= masksSize(parameters), kDamaged);
+    for (uint32_t i = 0; i < parameters.hashes(); ++i, next += kCodeMask) {
+        std::memcpy(&parameters.masks[0][i], next, kCodeMask);
         parameters.masks[0][i] <<= kCodeShift;
     }
-    for (uint32_t i = 0; i < parameters.hashes(); ++i) parameters.masks[1][i] = *at++;
+    for (uint32_t i = 0; i < parameters.hashes(); ++i) parameters.masks[1][i] = *next++;
     need(span <= kMostMemory && span % kPage == 0 && p.layout.size <= span && p.readOnly <= span &&
              p.layout.codeBegin <= p.layout.size && p.layout.codeSize <= p.layout.size - p.layout.codeBegin &&
              p.image % kPage == 0 && p.image < kAddressEnd - span && p.readOnly % kPage == 0,
@@ -83,25 +82,10 @@ Packed openPayloadSection(const Bytes &file, size_t from, size_t checkedFrom, ui
     program.codeBegin = p.layout.codeBegin;
     program.codeSize = p.layout.codeSize;
     for (uint32_t i = 0; i < 2; ++i) program.slots[i] = p.imports + 8 * i;
-    return {program, p.layout, parameters, {at, end}, p.words};
-}
-
-Bytes decodePayloadSection(const Bytes &file, size_t at, StubDecode &decode) {
-    Bytes copy = file;
-    copy.resize(copy.size() + 8); // the stub may read a little beyond the end
-    PayloadHeader p;
-    std::memcpy(&p, copy.data() + at, sizeof p);
-    p.early = kNothingEarly; // only decode, do not run the early part
-    std::memcpy(copy.data() + at, &p, sizeof p);
-    Workspace workspace;
-    Bytes image(p.layout.size);
-    decode(copy.data() + at, image.data(), workspace.zeroed(p.memory));
-    return image;
+    return {program, p.layout, parameters, {next, end}, p.words};
 }
 
 // --- The whole file ---
-
-bool isPe(const Bytes &file) { return file.size() > 1 && file[0] == 'M' && file[1] == 'Z'; }
 
 static size_t sectionAt(const PackedKind &kind) { return kind.stubAt + kind.stub().size(); }
 
@@ -111,15 +95,26 @@ bool isPacked(const PackedKind &kind, const Bytes &file) {
 }
 
 const PackedKind &kindOf(const Bytes &file) {
-    return isPe(file) ? kPe : isPacked(kLoader, file) ? kLoader : kElf;
+    bool pe = file.size() > 1 && file[0] == 'M' && file[1] == 'Z';
+    return pe ? kPe : isPacked(kLoader, file) ? kLoader : kElf;
 }
 
 size_t overhead(const PackedKind &kind, const ModelParameters &parameters) {
-    return sectionAt(kind) + payloadSectionOverhead(parameters);
+    return sectionAt(kind) + sizeof(PayloadHeader) + masksSize(parameters) + kCheckSize;
 }
 
 Bytes decodeWithStub(const PackedKind &kind, const Bytes &packed) {
-    return decodePayloadSection(packed, sectionAt(kind), kind.stubDecode);
+    Bytes copy = packed;
+    copy.resize(copy.size() + 8); // the stub may read a few bytes beyond the end
+    uint8_t *section = copy.data() + sectionAt(kind);
+    PayloadHeader p;
+    std::memcpy(&p, section, sizeof p);
+    p.early = kNothingEarly; // decode without running the early part
+    std::memcpy(section, &p, sizeof p);
+    Workspace workspace;
+    Bytes image(p.layout.size);
+    kind.stubDecode(section, image.data(), workspace.zeroed(p.memory));
+    return image;
 }
 
 Program readPacked(const PackedKind &kind, const Bytes &file) {
@@ -147,7 +142,7 @@ PackedFile makePacked(const PackedKind &kind, const Program &program, const Mode
 void checkBudget(const std::string &path, size_t size, long budget) {
     if (budget < 0 || size <= (size_t)budget) return;
     bool removed = common::removeWhole(path);
-    std::fflush(stdout); // the report, which goes before this line
+    std::fflush(stdout); // the report comes before this line
     throw std::runtime_error(path + ": over budget by " + common::thousands((double)size - (double)budget) +
                              " bytes (" + common::thousands((double)size) + " of " +
                              common::thousands((double)budget) + "): it is not written" +

@@ -14,15 +14,14 @@ constexpr uint32_t fileWhole(uint64_t bytes) {
     return (uint32_t)(bytes + kPeFileAlign - 1) & ~(kPeFileAlign - 1);
 }
 
-// Where the first section lies; the headers take the page before
+// Address of the first section; the headers take the page before
 constexpr uint32_t kFirst = kPage;
 
-// Bytes of stack of the main thread and of every thread that is not given another size. All of it is
-// committed, because code that was not compiled for Windows may step over the guard page that makes a stack
-// grow.
+// Size of the stack of the main thread, and of other threads by default. All of it is committed: a stack
+// grows by its guard page, and code that was not compiled for Windows may skip that page.
 constexpr uint64_t kPeStack = 1 << 20;
 
-// The fields of a header that do not depend on the program.
+// Makes a header, except for the fields that depend on the program.
 PeHeader makeHeader(uint32_t base, uint32_t sections) {
     PeHeader h = {};
     h.dosMagic = 0x5a4d;
@@ -47,7 +46,7 @@ PeHeader makeHeader(uint32_t base, uint32_t sections) {
     return h;
 }
 
-// What a plain file imports. Names are preceded by a hint of two bytes, which may be wrong.
+// The imports of a plain file. A hint of two bytes, which may be wrong, precedes each name.
 struct Imports {
     PeImports library, end;
     uint64_t names[3];
@@ -71,14 +70,14 @@ Imports makeImports(uint32_t at, uint32_t slots, uint32_t first) {
     return i;
 }
 
-// Where things lie in a packed file
+// Offsets in a packed file
 constexpr size_t kStartAt = kPeFileAlign, kStubAt = kStartAt + sizeof(PeStart),
                  kPayloadSectionAt = kStubAt + sizeof kStubWindows,
                  kCheckedFrom = kStartAt + sizeof(PeStart::slots);
 
 NamedStub namedStub() { return {kStubWindows, sizeof kStubWindows}; }
 
-// What a packed file imports: for the program in the order of its slots, then for the stub.
+// Makes the imports of a packed file: the program's, in the order of its slots, then the stub's.
 PeStart makeStart(const Program &program) {
     uint32_t first = program.slots[1] < program.slots[0];
     const char *functions[] = {
@@ -102,7 +101,7 @@ PeStart makeStart(const Program &program) {
             if (!std::strcmp(functions[k], functions[i])) s.slots[i] = s.slots[k];
         if (s.slots[i]) continue;
         s.slots[i] = at(offsetof(PeStart, names) + end);
-        std::strcpy(s.names + end + 2, functions[i]); // behind a hint of two bytes, which may be wrong
+        std::strcpy(s.names + end + 2, functions[i]); // after a hint of two bytes, which may be wrong
         end += 2 + std::strlen(functions[i]) + 1;
     }
     std::strcpy(s.libraryName, kWindows.library);
@@ -116,14 +115,14 @@ PeMessages makeMessages(const std::string &safeName) {
     return t;
 }
 
-// The name that the messages were made with, if they are whole; else perhaps another.
+// Returns the safe name in the messages. If they are damaged, it may be wrong.
 std::string safeNameIn(const PeMessages &messages) {
     std::string line(messages.mayNotRun, sizeof messages.mayNotRun);
     std::string name = line.starts_with("use ") ? line.substr(4, line.find(' ', 4) - 4) : "";
     return isSafeName(name) ? name : "";
 }
 
-// The headers of a packed file of `size` bytes.
+// Makes the headers of a packed file of `size` bytes.
 PeFront makeFront(const Program &program, uint32_t size, const std::string &safeName) {
     uint32_t base = (program.base - kFirst - (uint32_t)wholePages(size)) & ~(kPeBaseAlign - 1),
              programAt = program.base - base;
@@ -141,7 +140,7 @@ PeFront makeFront(const Program &program, uint32_t size, const std::string &safe
 Bytes write(const Program &program, const ModelParameters &parameters, const Bytes &payload,
             const std::string &safeName) {
     uint32_t size = fileWhole(overhead(kPe, parameters) + payload.size());
-    need(size <= kBelow - 2 * kPeBaseAlign, "too large: it would be nearly 2 MiB, packed");
+    need(size <= kBelow - 2 * kPeBaseAlign, "too large: packed, it would be nearly 2 MiB");
     PeFront f = makeFront(program, size, safeName);
     PeStart start = makeStart(program);
     Bytes out(kPayloadSectionAt);
@@ -164,7 +163,7 @@ Packed open(const Bytes &file) {
     need(program.slots[0] >= program.base && program.slots[0] - program.base + 16 <= program.span, kDamaged);
     if (start.slots[kPeProgram1] != start.slots[kPeLoadLibrary])
         std::swap(program.slots[0], program.slots[1]);
-    // Headers and slots are not in the check: the loader reads them
+    // The check does not cover headers and slots, so compare them with new ones
     PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words), safeNameIn(f.messages));
     PeStart slots = makeStart(program);
     need(!std::memcmp(&f, &front, sizeof f) && !std::memcmp(&start, &slots, sizeof start), kDamaged);
@@ -172,11 +171,11 @@ Packed open(const Bytes &file) {
 }
 
 Bytes writePlain(const Program &program) {
-    // The section of the imports fills the space between the header and the program
+    // The section of the imports fills the memory between the header and the program
     uint32_t base = (program.base - kFirst - (uint32_t)kPage) & ~(kPeBaseAlign - 1),
              codeAt = program.base - base, dataAt = codeAt + program.readOnly,
              end = codeAt + (uint32_t)wholePages(program.span);
-    need(dataAt < end, "it has no data");
+    need(dataAt < end, "it has no writable data: a program for Windows needs some");
     Bytes image = program.bytes;
     if (image.size() < program.readOnly) image.resize(program.readOnly);
     uint32_t first = program.slots[1] < program.slots[0], slots = program.slots[first] - program.base;
@@ -188,7 +187,7 @@ Bytes writePlain(const Program &program) {
     h.directories[kPeImports] = {kFirst, sizeof(PeImports) * 2};
     h.directories[kPeImportSlots] = {codeAt + slots, 16};
     Imports imports = makeImports(kFirst, codeAt + slots, first);
-    std::memcpy(image.data() + slots, imports.names, 16); // a copy of the names' table, as loaders expect
+    std::memcpy(image.data() + slots, imports.names, 16); // loaders expect a copy of the table of names
     uint32_t codeFile = kPeFileAlign + fileWhole(sizeof imports), dataFile = codeFile + program.readOnly;
     PeSection sections[3] = {
         {".idata", codeAt - kFirst, kFirst, fileWhole(sizeof imports), kPeFileAlign, {}, kPeConst},

@@ -77,12 +77,11 @@ std::string complaint(const Bytes &file, const System &system = kLinux) {
     return thrown<common::Refused>([&] { readProgram(file, system); });
 }
 
-using Change = void (*)(Example &);
-// Expects that the changed example is refused with this text, as a program made for packing or as any
-// program.
-void expectRefused(const char *text, Change change, bool any = false) {
+using Edit = void (*)(Example &);
+// Expects that the edited example is refused with this text, as a program made for packing or as any program.
+void expectRefused(const char *text, Edit edit, bool any = false) {
     Example e;
-    change(e);
+    edit(e);
     std::string why = any ? thrown<common::Refused>([&] { readAnyProgram(e.file()); }) : complaint(e.file());
     EXPECT_NE(why.find(text), std::string::npos) << text << ": " << why;
 }
@@ -97,7 +96,7 @@ TEST(Reader, TakesAProgramAsWeLinkIt) {
     EXPECT_EQ(p.span, 4096 + sizeof(Example::Data) + 100);
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
     EXPECT_EQ(p.slots[1], p.slots[0] + 8);
-    EXPECT_EQ(p.bytes, Bytes{0}); // everything in it was for the loader
+    EXPECT_EQ(p.bytes, Bytes{0}); // the loader's tables, which are zeroed, were all it had
 }
 
 TEST(Reader, ThrowsWhatIsUnsuitable) {
@@ -130,7 +129,7 @@ TEST(Reader, ThrowsWhatIsUnsuitable) {
     expectRefused("GLOB_DAT",
                   [](Example &e) { e.data.relocations[0].r_info = ELF64_R_INFO(1, R_X86_64_JUMP_SLOT); });
     expectRefused("slot", [](Example &e) { e.data.relocations[0].r_offset = Example::kCode; });
-    expectRefused("side by side", [](Example &e) { e.data.relocations[1].r_offset += 8; });
+    expectRefused("adjacent", [](Example &e) { e.data.relocations[1].r_offset += 8; });
     expectRefused("section headers", [](Example &e) { e.image.header.e_shnum = 3; });
     expectRefused("linked below", [](Example &e) {
         e.image.segments[1].p_vaddr = 0x10000;
@@ -155,8 +154,8 @@ TEST(Reader, TakesAProgramForWindows) {
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
 }
 
-// Cuts every file short and damages every byte: the reader must refuse it or return a program, never crash
-// (run it under ASan).
+// Cuts the file at every size and damages every byte. The reader must refuse it or return a program, never
+// crash (run it under ASan).
 TEST(Reader, SurvivesDamage) {
     Bytes whole = Example().file();
     for (size_t size = 0; size < whole.size(); ++size)
@@ -174,8 +173,7 @@ TEST(Reader, SurvivesDamage) {
 
 namespace {
 
-// The example with three pages of code and constants and with section headers; some of the code is early
-// code.
+// The example with three pages of code and constants and with section headers. Two pages are the early part.
 struct Sectioned {
     Example example;
     Elf64_Shdr sections[4] = {};
@@ -217,24 +215,24 @@ struct Sectioned {
 
 } // namespace
 
-TEST(Reader, FindsCodeAndWhatIsEarlyBySections) {
+TEST(Reader, FindsCodeAndEarlyPartBySections) {
     Program p = readProgram(Sectioned().file());
     EXPECT_EQ(p.codeBegin, 1000u);
     EXPECT_EQ(p.codeSize, 8192u + 2000 - 1000);
     EXPECT_EQ(p.early, 8192u);
     EXPECT_EQ(p.earlyEntry, Example::kCode + 1000);
     EXPECT_EQ(p.readOnly, 12288u);
-    // Under another name, nothing is early
+    // A section with another name is not early
     Sectioned other;
     other.names[1] = '_';
     EXPECT_EQ(readProgram(other.file()).early, kNothingEarly);
 }
 
-TEST(Reader, NeedsTheEarlyPartOnItsOwnPages) {
+TEST(Reader, NeedsTheEarlyPartOnSeparatePages) {
     Sectioned s;
-    s.sections[1].sh_size -= 100; // fine: the page ends behind it
+    s.sections[1].sh_size -= 100; // accepted: nothing follows in its last page
     EXPECT_EQ(readProgram(s.file()).early, 8192u);
-    s.sections[2].sh_addr -= 50; // ... refused: other code shares the page
+    s.sections[2].sh_addr -= 50; // refused: other code shares the page
     EXPECT_NE(complaint(s.file()).find(".early"), std::string::npos);
 }
 
@@ -280,7 +278,7 @@ TEST(Writer, WritesWhatReadsBack) {
     EXPECT_EQ(q.entry, p.entry);
     EXPECT_EQ(q.slots[0], p.slots[0]);
     EXPECT_EQ(q.slots[1], p.slots[1]);
-    // Reading the written file gives the same program, at the same address
+    // The plain file has the same program at the same address
     Program again = readProgram(kElf.writePlain(q));
     EXPECT_EQ(again.base, p.base - kPage);
     EXPECT_EQ(Bytes(again.bytes.begin() + kPage, again.bytes.end()), p.bytes);
@@ -312,7 +310,7 @@ TEST(Loader, FindsWhatWasMadeForPacking) {
     EXPECT_FALSE(isMadeForPacking({}));
 }
 
-static void expectAnyRefused(const char *text, Change change) { expectRefused(text, change, true); }
+static void expectAnyRefused(const char *text, Edit edit) { expectRefused(text, edit, true); }
 
 TEST(Loader, ThrowsWhatIsUnsuitable) {
     EXPECT_NO_THROW(readAnyProgram(Example().file()));
@@ -327,7 +325,7 @@ TEST(Loader, ThrowsWhatIsUnsuitable) {
         e.data.dynamic[6] = {DT_SONAME, {1}};
     };
     expectAnyRefused("a shared library", isLibrary);
-    Example named; // a program that is position-independent may have such a name
+    Example named; // a position-independent program may have a DT_SONAME
     isLibrary(named);
     named.data.dynamic[5] = {DT_FLAGS_1, {DF_1_PIE}};
     EXPECT_NO_THROW(readAnyProgram(named.file()));
@@ -357,13 +355,13 @@ TEST(Loader, WritesWhatReadsBack) {
     EXPECT_EQ(q.bytes, p.bytes);
     EXPECT_EQ(q.base, p.base);
     EXPECT_EQ(q.span, p.span);
-    // A name stands in the text's room, and nothing else changes
+    // A safe name replaces the message, and nothing else changes
     Bytes named = packed(kLoader, p, "plain-one");
     EXPECT_EQ(named.size(), file.size());
     EXPECT_TRUE(isPacked(kLoader, named));
     EXPECT_EQ(readPacked(kLoader, named).bytes, p.bytes);
     EXPECT_NE(std::string(named.begin(), named.end()).find(": use plain-one\n"), std::string::npos);
-    // Read again, its own file differs by the offsets in its headers alone
+    // The plain file, read again, differs only in the offsets in its headers
     Program again = readAnyProgram(kLoader.writePlain(q));
     EXPECT_EQ(again.bytes.size(), p.bytes.size());
     EXPECT_EQ(again.entry, p.entry);
@@ -374,9 +372,9 @@ TEST(Loader, WritesWhatReadsBack) {
     }
 }
 
-// As patchelf and postject leave programs.
+// Programs as patchelf and postject change them.
 TEST(Loader, TakesProgramsWhoseTablesWereMoved) {
-    Example e; // the interpreter's name ends the program
+    Example e; // the interpreter's name is at the end of the program
     e.image.segments[0].p_offset = 4096 + offsetof(Example::Data, slots) - 28;
     e.image.segments[0].p_vaddr = Example::kData + offsetof(Example::Data, slots) - 28;
     std::memcpy(e.data.strings + 20, kInterpreter, 28);
@@ -384,7 +382,7 @@ TEST(Loader, TakesProgramsWhoseTablesWereMoved) {
     EXPECT_EQ(p.bytes.back(), '2');
     EXPECT_EQ(readPacked(kLoader, packed(kLoader, p)).bytes, p.bytes);
 
-    Bytes file = Example().file(); // the program headers lie in a segment of their own, at its end
+    Bytes file = Example().file(); // the program headers are in a separate segment at the end
     Elf64_Phdr headers[5];
     std::memcpy(headers, &file[offsetof(Example::Image, segments)], sizeof headers);
     headers[4] = {PT_LOAD, PF_R, 8192, 0x403000, 0x403000, sizeof headers, sizeof headers, 4096};

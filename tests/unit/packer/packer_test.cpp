@@ -22,7 +22,7 @@ Bytes randomBytes(size_t size, unsigned seed, int alphabet = 256) {
     return b;
 }
 
-// Real machine code: that of this test.
+// Real machine code, from this test program.
 Bytes realCode(size_t size) {
     Bytes all = readBytes("/proc/self/exe");
     size_t from = all.size() / 3;
@@ -31,7 +31,7 @@ Bytes realCode(size_t size) {
 
 Layout allCode(const Bytes &b) { return {(uint32_t)b.size(), 0, (uint32_t)b.size()}; }
 
-// Parameters that use little memory, so that thousands of runs are quick.
+// Parameters with little memory, so that thousands of runs are fast.
 ModelParameters smallParameters(uint32_t slotBits = 14) {
     ModelParameters parameters = defaultParameters();
     parameters.slotBits = slotBits;
@@ -40,7 +40,7 @@ ModelParameters smallParameters(uint32_t slotBits = 14) {
 
 Workspace workspace;
 
-// A program's file around a payload.
+// Makes a packed file with a payload.
 Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
     Program program = {};
     program.base = 0x400000;
@@ -54,12 +54,12 @@ Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelParamete
     return kElf.write(program, parameters, payload, {});
 }
 
-// Decodes with the code of the stub.
+// Decodes with the stub's code.
 Bytes decodeByStub(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
     return decodeWithStub(kElf, fileAround(payload, layout, parameters));
 }
 
-// Every opcode of every map with every ModRM byte, and operands that are often extreme.
+// Random opcodes with random operands, many of them extreme.
 Bytes structured(unsigned seed, size_t size) {
     std::mt19937 random(seed);
     static const Bytes starts[] = {{0xe8},
@@ -97,11 +97,11 @@ Bytes structured(unsigned seed, size_t size) {
 
 namespace {
 
-// The lengths of the instructions in `code`.
+// Returns the lengths of the instructions in `code`.
 std::vector<int> lengths(const Bytes &code) {
     uint8_t opcodes[1024];
     expandOpcodes(opcodes);
-    Parser parser = {};
+    X86Parser parser = {};
     uint32_t fields[kFields] = {};
     std::vector<int> all;
     int length = 0;
@@ -163,15 +163,15 @@ TEST(Filter, MakesOneTargetLookTheSame) {
         code.insert(code.end(), tail.begin(), tail.end());
         return at;
     };
-    std::vector<size_t> places = {
+    std::vector<size_t> operands = {
         add({0xe8}, {}),        add({0x0f, 0x85}, {}),           add({0xf3, 0x0f, 0x10, 0x05}, {}),
         add({0x83, 0x3d}, {7}), add({0xc7, 0x05}, {1, 2, 3, 4}), add({0xe9}, {})};
     Bytes f = filter(code, allCode(code));
-    for (size_t at : places)
+    for (size_t at : operands)
         EXPECT_EQ(Bytes(f.begin() + (long)at, f.begin() + (long)at + 4), (Bytes{0, 0, 0, 0x30}));
 }
 
-// --- Model and coder: the C++ decoder and the stub's against the encoder ---
+// --- Model and coder: the C++ decoder and the stub's decoder against the encoder ---
 
 TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
     std::vector<Bytes> all = {{}, {0}, {255}, {0xe8}, Bytes(20000, 0), Bytes(5000, 0xe8), realCode(10000)};
@@ -217,8 +217,8 @@ TEST(Coder, CompressesWhatHasStructure) {
     EXPECT_LT(size(randomBytes(2000, 1)), 2000u * 1.06);
 }
 
-// The range is smallest when the very last bit was the unlikely one; and if bits are nearly certain and
-// wrong, carries run through the whole output.
+// The range is smallest if the very last bit is the unlikely one. Nearly certain but wrong bits make carries
+// run through the whole output.
 TEST(Coder, SurvivesSurprises) {
     for (uint32_t size : {300, 3000})
         for (uint8_t fill : {0x00, 0x55, 0xff})
@@ -246,7 +246,7 @@ TEST(Coder, SurvivesDamage) {
     }
 }
 
-// In a file there is no room for others.
+// A packed file has no bits for other fields.
 TEST(Coder, RefusesMasksOfFieldsThatCannotBeUsed) {
     for (int type = 0; type < 2; ++type)
         for (uint32_t bit = 0; bit < 32; ++bit) {
@@ -275,7 +275,7 @@ TEST(Coder, KeepsMasksInAFile) {
 
 namespace {
 
-// What is wrong with a text, or "".
+// Returns the error of a text, or "".
 std::string complaint(const std::string &text) {
     return thrown<common::Refused>([&] { parseParameters(text); });
 }
@@ -299,14 +299,14 @@ TEST(ModelParameters, ArePrintedAndParsed) {
     EXPECT_NE(complaint(text), "");
 }
 
-// Tests programs of code, of data and of both, with several numbers of contexts.
-TEST(Estimates, AreNearTheTruth) {
+// Tests code, data and both, with several numbers of contexts.
+TEST(Estimates, AreNearTheMeasuredSize) {
     Bytes b = realCode(8000);
-    uint32_t size = (uint32_t)b.size();
+    uint32_t count = (uint32_t)b.size();
     const struct {
         Layout layout;
         uint32_t contexts;
-    } kCases[] = {{{size, 0, size}, 4}, {{size, 0, 0}, 12}, {{size, 1500, 5000}, 16}};
+    } kCases[] = {{{count, 0, count}, 4}, {{count, 0, 0}, 12}, {{count, 1500, 5000}, 16}};
     for (auto [layout, contexts] : kCases) {
         if (odraz::kSanitized && contexts != 4) continue;
         Bytes filtered = filter(b, layout);
@@ -315,20 +315,20 @@ TEST(Estimates, AreNearTheTruth) {
         for (int type = 0; type < 2; ++type)
             for (uint32_t i = 12; i < parameters.hashes(); ++i)
                 parameters.masks[type][i] = 7u << i % (kChoices - 2) & kMayUse[type];
-        Estimator estimator(knownOf(filtered, layout), layout);
+        Estimator estimator(byteRecords(filtered, layout));
         Estimate first = estimator(parameters);
-        double truth = measure(filtered, layout, parameters, workspace);
-        EXPECT_NEAR(first.bytes, truth, truth * 0.01) << contexts;
+        double size = measure(filtered, layout, parameters, workspace);
+        EXPECT_NEAR(first.bytes, size, size * 0.01) << contexts;
 
         // Reusing the equal part of another estimate gives the same result
         for (uint32_t i : {1u, contexts, contexts + 3}) {
             ModelParameters other = parameters;
             other.masks[0][i] ^= 0x24;
             other.masks[1][i] ^= 0x24;
-            Estimate from = estimator(other, &first), anew = estimator(other);
-            EXPECT_DOUBLE_EQ(from.bytes, anew.bytes);
-            truth = measure(filtered, layout, other, workspace);
-            EXPECT_NEAR(from.bytes, truth, truth * 0.01) << contexts << " " << i;
+            Estimate reused = estimator(other, &first), alone = estimator(other);
+            EXPECT_DOUBLE_EQ(reused.bytes, alone.bytes);
+            size = measure(filtered, layout, other, workspace);
+            EXPECT_NEAR(reused.bytes, size, size * 0.01) << contexts << " " << i;
             EXPECT_EQ(estimator(other, &first, -1e9).bytes, kTooMany);
         }
     }
@@ -338,13 +338,13 @@ TEST(Search, KeepsTheBest) {
     Bytes b = realCode(3000);
     Layout layout = allCode(b);
     Bytes filtered = filter(b, layout);
-    // Four poor contexts, so that any good one saves several times what an estimate may be wrong by
+    // Four poor contexts, so that any good one saves several times the error of an estimate
     ModelParameters poor = smallParameters(20);
     poor.contexts = 4;
     for (uint32_t i = 0; i < poor.contexts; ++i) poor.masks[0][i] = 0x20000u >> i;
     double before = measure(filtered, layout, poor, workspace), shown = 1e30;
     int tried = 0;
-    // Make a hundred tries, however long they take
+    // Make a hundred tries
     ModelParameters found = search(filtered, layout, poor, 1e6, [&](const Progress &p) {
         EXPECT_LE(p.bytes, shown);
         shown = p.bytes;

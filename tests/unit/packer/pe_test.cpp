@@ -27,13 +27,13 @@ constexpr size_t kOptional = 64 + 24;
 
 } // namespace
 
-TEST(Pe, AWindowsOfTodayTakesWhatIsWritten) {
+TEST(Pe, WritesFilesThatModernWindowsAccepts) {
     Program p = example();
     EXPECT_EQ(brokenPeRule(kPe.writePlain(p)), "");
     EXPECT_EQ(peImports(kPe.writePlain(p)), "kernel32.dll: GetProcAddress LoadLibraryA"); // in slot order
     std::swap(p.slots[0], p.slots[1]);
     EXPECT_EQ(peImports(kPe.writePlain(p)), "kernel32.dll: LoadLibraryA GetProcAddress");
-    // The base may be any page of 31 bits; data may have no bytes except those that the loader writes
+    // The base may be any page of 31 bits. The data may have no bytes but the slots, which the loader writes
     for (uint32_t by : {0u, 0x1000u, 0xf000u, 0x10000u}) {
         Program moved = example();
         moved.base += by, moved.entry += by, moved.slots[0] += by, moved.slots[1] += by;
@@ -47,7 +47,7 @@ TEST(Pe, AWindowsOfTodayTakesWhatIsWritten) {
     EXPECT_THROW(kPe.writePlain(p), common::Refused);
 }
 
-TEST(Pe, WhatIsPackedIsTakenAndReadsBack) {
+TEST(Pe, PacksFilesThatWindowsAcceptsAndThatReadBack) {
     Program p = example();
     p.codeSize = 0x1000;
     p.early = kNothingEarly;
@@ -70,7 +70,7 @@ TEST(Pe, WhatIsPackedIsTakenAndReadsBack) {
     Bytes named = kPe.write(p, defaultParameters(), encoded.payload, "plain-one");
     EXPECT_NE(std::string(named.begin(), named.end()).find("use plain-one instead"), std::string::npos);
     EXPECT_EQ(readPacked(kPe, named).bytes, p.bytes);
-    // Damage is found everywhere, also in bytes that only the loader reads
+    // Damage is found everywhere, even in bytes that only the loader reads
     for (size_t at = 0; at < file.size(); at += at < 800 ? 1 : 7) {
         Bytes damaged = file;
         damaged[at] ^= 16;
@@ -81,8 +81,8 @@ TEST(Pe, WhatIsPackedIsTakenAndReadsBack) {
             << size;
 }
 
-// The shipped program, if it has been built: it lies beside the folder of this test.
-TEST(Pe, AWindowsOfTodayTakesTheFilm) {
+// The shipped program, if it has been built: it is next to the folder of this test.
+TEST(Pe, ModernWindowsAcceptsTheFilm) {
     for (const char *name : {"odraz.exe", "odraz-safe.exe"}) {
         std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / name;
         if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not built";

@@ -1,6 +1,5 @@
-// What is known at a place in a page's payload: scripts and a WebAssembly program. As
-// packer/model/surroundings.h for the same model: the fields, a parser of WebAssembly, and the byte that
-// followed the last place that looked like this one.
+// The tracker (packer/model/fields.h) of a page's payload: scripts, then a WebAssembly program. Its match
+// model predicts the byte that followed the last occurrence of the same five bytes.
 #pragma once
 
 #include "packer/model/fields.h"
@@ -9,50 +8,50 @@
 
 namespace pack::web {
 
-enum Field {
-    kByte5 = kColumn + 1, // the fifth-last byte; kWhere counts the bytes of what the next byte is part of
+enum WasmField {
+    kByte5 = kColumn + 1, // the fifth-last byte
     kByte4,
     kByte3,
     kByte2,
     kByte1,        // the last byte
-    kLocal1,       // in code: the last local named; elsewhere: the letters of this word so far, hashed
-    kLocal2,       // ... the one before that; the word before
-    kLocal3,       // ... and the one before that
-    kSet,          // the local set last
-    kUnread1,      // the local set last of those that were not read since
-    kUnread2,      // ... and the one before that
-    kFollows,      // the local that followed last time after the last one
-    kOffset,       // of the last access to memory
-    kOffsetOf,     // ... the last one behind the last local
-    kLast,         // the last operand of this instruction's opcode
-    kDepth,        // of blocks
-    kTop1,         // the opcode that made the topmost operand on the stack
-    kTop2,         // ... the one below it
-    kStack,        // how many operands are on the stack, as far as known
-    kInstruction1, // the last instruction, hashed
-    kInstruction2, // ... and those before it
+    kLocal1,       // in code: the last local used; elsewhere: hash of this word's letters so far
+    kLocal2,       // in code: the second-last local used; elsewhere: hash of the word before
+    kLocal3,       // in code: the third-last local used
+    kSet,          // the local that was set last
+    kUnread1,      // the most recently set local that has not been read yet
+    kUnread2,      // the second most recently set one
+    kFollows,      // the local that followed the last use of kLocal1
+    kOffset,       // offset of the last access to memory
+    kOffsetOf,     // offset of the last access to memory after kLocal1
+    kLast,         // the last operand of the same opcode
+    kDepth,        // nesting depth of blocks
+    kTop1,         // opcode that made the topmost operand on the stack
+    kTop2,         // opcode that made the operand below it
+    kStack,        // number of operands on the stack, as far as known
+    kInstruction1, // hashes of the last three instructions
+    kInstruction2,
     kInstruction3,
-    kOpcode1, // their opcodes
+    kOpcode1, // opcodes of the last four instructions
     kOpcode2,
     kOpcode3,
     kOpcode4,
-    kOpcode, // of this instruction, as far as it is known
-    kSoFar,  // all bytes of this instruction so far, hashed
+    kOpcode, // this instruction's opcode, as far as it is known
+    kSoFar,  // hash of this instruction's bytes so far
     kFields,
     kTarget = kLocal2 // the last field that contexts outside code may use
 };
 
 static_assert(kFields <= kMostFields);
 
-// How many operands an instruction takes from the stack, and whether it leaves one there: taken * 2 + left. A
-// call takes all of them.
+// The effect of an instruction on the stack: 2 * operands that it pops, + 1 if it pushes one. A call is taken
+// to pop seven. Indexed as in WasmParser::opcode().
 constexpr uint8_t kUnary = 3, kBinary = 5;
-struct Effects {
+struct StackEffects {
     uint8_t of[1024];
     constexpr void set(uint32_t from, uint32_t to, uint8_t effect) {
         for (uint32_t i = from; i <= to; ++i) of[i] = effect;
     }
-    constexpr Effects() : of() {
+    constexpr StackEffects() : of() {
         set(0x04, 0x04, 2), set(0x0d, 0x0e, 2), set(0x10, 0x11, 15), set(0x1a, 0x1a, 2), set(0x1b, 0x1b, 7);
         set(0x20, 0x20, 1), set(0x21, 0x21, 2), set(0x22, 0x22, kUnary), set(0x23, 0x23, 1),
             set(0x24, 0x24, 2);
@@ -77,31 +76,33 @@ struct Effects {
             of[512 + unary] = kUnary;
     }
 };
-constexpr Effects kEffects;
+constexpr StackEffects kEffects;
 
-struct Parser {
+struct WasmParser {
     enum Phase : uint32_t { kHead, kOpcodeByte, kPrefixed, kNumber, kSecondNumber, kRaw, kData };
     static constexpr uint32_t kTables = 1024, kUnreads = 8;
 
-    uint32_t phase, count; // what the next byte is part of, and how many bytes of that came before
-    uint32_t value, numbers, raw, depth, locals;
-    bool table; // its first number counts the others
+    uint32_t phase, count; // the part that the next byte belongs to, and the number of its bytes before
+    uint32_t value, numbers, raw; // the number so far; numbers and plain bytes still to come
+    uint32_t depth, locals;       // nesting depth of blocks; the state of kHead
+    bool table;                   // br_table: its first number is the count of the others
     uint32_t unread[kUnreads], stack[64], height;
-    uint32_t follows[kTables], offsetOf[kTables], last[kTables];
+    uint32_t follows[kTables], offsetOf[kTables], last[kTables]; // by local, by local, by opcode
 
-    // A number's next byte; whether it is the last one
+    // Adds a byte to a number (LEB128). Returns whether it is the last one.
     bool number(uint32_t byte) {
         value |= (byte & 127) << 7 * count++;
         return byte < 128;
     }
     void enter(uint32_t next) { phase = next, count = value = 0; }
 
-    void operands(uint32_t *fields) {
+    // Continues with the next operand, or ends the instruction.
+    void nextOperand(uint32_t *fields) {
         if (numbers)
             enter(phase == kNumber ? kSecondNumber : kNumber);
         else if (raw)
             enter(kRaw);
-        else { // the instruction is whole
+        else {
             for (uint32_t k = kInstruction3; k > kInstruction1; --k) fields[k] = fields[k - 1];
             for (uint32_t k = kOpcode4; k > kOpcode1; --k) fields[k] = fields[k - 1];
             fields[kInstruction1] = fields[kSoFar];
@@ -118,7 +119,7 @@ struct Parser {
             fields[kTop2] = height > 1 ? stack[(height - 2) & 63] : 0;
             fields[kStack] = height;
             enter(kOpcodeByte);
-            if (fields[kOpcode1] == 0x0b && !depth) { // the function's end
+            if (fields[kOpcode1] == 0x0b && !depth) { // the end of the function
                 for (uint32_t k = kLocal1; k <= kOpcode4; ++k) fields[k] = 0;
                 for (uint32_t &u : unread) u = 0;
                 for (uint32_t &f : follows) f = 0;
@@ -129,7 +130,7 @@ struct Parser {
             if (fields[kOpcode1] == 0x0b) depth -= depth > 0;
         }
     }
-    // 0 .. 255; 256 + n behind fc; 512 + n behind fd
+    // Parses an opcode: 0 .. 255, 256 + n after the prefix fc, 512 + n after fd.
     void opcode(uint32_t *fields, uint32_t op) {
         fields[kOpcode] = op;
         fields[kLast] = last[op % kTables];
@@ -151,9 +152,10 @@ struct Parser {
             if (op == 12 || op == 13) raw = 16;
             if ((op >= 21 && op <= 34) || (op >= 84 && op <= 91)) raw = 1;
         }
-        operands(fields);
+        nextOperand(fields);
     }
-    void operand(uint32_t *fields) {
+    // Ends an operand that is a number.
+    void endOperand(uint32_t *fields) {
         uint32_t op = fields[kOpcode];
         if (table) numbers += value + 1;
         table = false;
@@ -172,13 +174,13 @@ struct Parser {
         } else if (phase == kSecondNumber)
             fields[kOffset] = offsetOf[fields[kLocal1] % kTables] = value;
         last[op % kTables] = value;
-        operands(fields);
+        nextOperand(fields);
     }
 
     void step(uint32_t *fields, uint32_t byte) {
         if (phase != kHead) fields[kSoFar] = mixIn(fields[kSoFar], byte);
         switch (phase) {
-        case kHead: // size and locals: how many kinds, then how many of each, and its type
+        case kHead: // the function's size, the number of groups of locals, the count and the type of each
             if (locals == 0) {
                 if (byte < 128) locals = 1;
             } else if (locals == 1)
@@ -200,34 +202,34 @@ struct Parser {
             break;
         case kRaw:
             ++count;
-            if (!--raw) operands(fields);
+            if (!--raw) nextOperand(fields);
             break;
         default:
-            if (number(byte)) operand(fields);
+            if (number(byte)) endOperand(fields);
         }
     }
 };
 
-struct Surroundings {
-    struct Place {
+struct WasmTracker {
+    struct CodedByte {
         uint8_t byte;
     };
     static constexpr MayUse mayUse = {kByte3 - kColumn, kSoFar + 1 - kByte3, web::kTarget + 1 - kColumn};
     static constexpr uint32_t kTarget = web::kTarget;
     static void prepare(uint8_t *) {} // the parser has no table
 
-    static constexpr uint32_t kSeenPlaces = 16, kLeastMatch = 5, kMostMatch = 32;
+    static constexpr uint32_t kMatchBits = 16, kLeastMatch = 5, kMostMatch = 32;
     uint32_t fields[kFields];
-    Parser parser;
-    Place *places;
+    WasmParser parser;
+    CodedByte *coded;
     uint32_t size;
-    uint32_t match,
-        length; // where the bytes before this one were seen before, and how many are equal; 0: nowhere
-    uint32_t seen[1 << kSeenPlaces];
+    // Index of the predicted byte, and the number of equal bytes before it; 0: no match
+    uint32_t match, length;
+    uint32_t seen[1 << kMatchBits]; // index of the last occurrence of five bytes, by their hash
     bool code;
 
     void begin(uint32_t i) {
-        const Place *now = places + i;
+        const CodedByte *now = coded + i;
         for (uint32_t k = 0; k < 5; ++k) fields[kByte1 - k] = (now - k - 1)->byte;
         fields[kColumn] = i % kColumns;
         if (!code) {
@@ -237,22 +239,22 @@ struct Surroundings {
             else if (fields[kLocal1])
                 fields[kLocal2] = fields[kLocal1], fields[kLocal1] = 0;
         }
-        fields[kWhere] =
-            code ? (parser.count < 31 ? parser.count : 31) << kPhaseBits | parser.phase : Parser::kData;
+        fields[kParserState] =
+            code ? (parser.count < 31 ? parser.count : 31) << kPhaseBits | parser.phase : WasmParser::kData;
         code = false;
 
-        // The match goes on, or another one is looked for
-        if (match && places[match].byte == fields[kByte1])
+        // Continue the match, or find another one
+        if (match && coded[match].byte == fields[kByte1])
             ++match, length += length < kMostMatch;
         else
             match = length = 0;
         uint32_t hash = 0;
         for (uint32_t k = 1; k <= kLeastMatch; ++k) hash = mixIn(hash, (now - k)->byte);
-        uint32_t &before = seen[hash >> (32 - kSeenPlaces)];
+        uint32_t &before = seen[hash >> (32 - kMatchBits)];
         if (!match && before && i > kLeastMatch) {
             match = before;
             while (length < kMostMatch && length < match &&
-                   places[match - 1 - length].byte == (now - 1 - length)->byte)
+                   coded[match - 1 - length].byte == (now - 1 - length)->byte)
                 ++length;
             if (length < kLeastMatch) match = length = 0;
         }
@@ -261,12 +263,12 @@ struct Surroundings {
 
     Odds odds(uint32_t bits) const {
         if (!match) return {1, 1};
-        uint32_t expected = places[match].byte | 256u, coded = 31 - (uint32_t)__builtin_clz(bits);
-        if (expected >> (8 - coded) != bits) return {1, 1};
-        return expected >> (7 - coded) & 1 ? Odds{length, 1} : Odds{1, length};
+        uint32_t expected = coded[match].byte | 256u, count = 31 - (uint32_t)__builtin_clz(bits);
+        if (expected >> (8 - count) != bits) return {1, 1};
+        return expected >> (7 - count) & 1 ? Odds{length, 1} : Odds{1, length};
     }
 
-    // After byte i of code. Returns 0: nothing is relative to its place.
+    // Parses byte i of code. Returns 0: no operand of WebAssembly is relative.
     uint32_t end(uint32_t i, uint8_t byte, const uint8_t *) {
         (void)i;
         parser.step(fields, byte);
