@@ -1,4 +1,4 @@
-// pack: makes a small self-unpacking executable of a program, and unpacks it again.
+// pack: makes a small self-unpacking executable out of a program, and unpacks it again.
 #include "packer/model/model_parameters.h"
 #include "packer/model/search.h"
 #include "packer/options.h"
@@ -17,18 +17,18 @@ namespace pack {
 
 namespace {
 
-constexpr long kUsualBudget = 65536; // of a program made for packing
+constexpr long kUsualBudget = 65536; // bytes, for programs made for packing
 
 volatile std::sig_atomic_t theInterruption;
 
 std::string nameOf(const std::string &path) { return std::filesystem::path(path).filename(); }
 
-ModelParameters findParameters(const Options &o, const Program &program) {
+ModelParameters findParameters(const PackOptions &o, const Program &program) {
     ModelParameters parameters = o.model.value_or(o.fast ? fastParameters() : defaultParameters());
     if (o.seconds <= 0) return parameters;
     double shown = -1e9;
     bool terminal = isatty(2);
-    // Ctrl-C ends the search, not the packing
+    // Ctrl-C ends only the search
     std::signal(SIGINT, [](int) { theInterruption = 1; });
     auto show = [&](const Progress &p) {
         if (p.seconds < shown + (terminal ? 0.5 : 20)) return !theInterruption;
@@ -43,39 +43,39 @@ ModelParameters findParameters(const Options &o, const Program &program) {
     return parameters;
 }
 
-// Refuses programs whose packed copy would differ, though it would run.
+// Refuses programs whose packed copy would run, but with other rights.
 void checkCopy(const std::string &path, const Bytes &file) {
     struct stat s;
     need(stat(path.c_str(), &s) == 0 && !(s.st_mode & (S_ISUID | S_ISGID)),
-         "setuid or setgid, which a packed file cannot be: pack a copy without that (chmod a-s)");
+         "it is setuid or setgid, which a packed file cannot be: pack a copy without that (chmod a-s)");
     need(!isPacked(kElf, file) && !isPacked(kLoader, file),
-         "it is packed already: pack the program that it was made from");
+         "it is packed already: pack the original program");
     need(getxattr(path.c_str(), "security.capability", nullptr, 0) < 0,
          "it has file capabilities, which a packed file cannot have: pack a copy without them (cp)");
 }
 
-// Prints warnings about things that a user might not expect of a packed file.
-void warn(const Options &o, const Program &program, uint64_t appended, double seconds) {
+// Warns about properties of a packed file that a user might not expect.
+void warn(const PackOptions &o, const Program &program, uint64_t appended, double seconds) {
     constexpr size_t kLarge = 2 << 20;
     if (appended)
-        std::printf("%s: %llu bytes appended to the program are left out: a program that reads its own "
-                    "file will not find them\n",
+        std::printf("%s: %llu bytes appended to the program are left out: if it reads them from its own "
+                    "file, it will not work\n",
                     o.out.c_str(), (unsigned long long)appended);
     if (program.bytes.size() > kLarge)
         std::printf("%s: unpacking takes about %.0f s at every start, on a processor like this one%s\n",
                     o.out.c_str(), seconds, o.fast || o.model ? "" : "; less with --fast");
 }
 
-// Further inputs of the reports, read and checked before the packing, which may take minutes.
-struct ForReports {
+// The other inputs of the reports. They are read and checked before the packing, which may take minutes.
+struct ReportInputs {
     std::string map, symbols;
     std::optional<Rooms> rooms;
     std::optional<Report> before;
 
-    explicit ForReports(const Options &o) {
+    explicit ReportInputs(const PackOptions &o) {
         if (!o.map.empty()) map = common::readWhole(o.map);
         if (!o.map.empty() && !isMap(map))
-            throw common::Refused(o.map + ": not a map of GNU ld: link with -Wl,-Map=FILE");
+            throw common::Refused(o.map + ": not a linker map of GNU ld: link with -Wl,-Map=FILE");
         if (!o.symbols.empty()) symbols = common::readWhole(o.symbols);
         if (!o.rooms.empty()) rooms = common::parseFile(o.rooms, readRooms);
         if (std::error_code none; !o.than.empty() && std::filesystem::exists(o.than, none))
@@ -83,8 +83,8 @@ struct ForReports {
     }
 };
 
-// Gives `before` the rooms of `report`.
-void writeReports(const Options &o, const Report &report, const Program &program, long budget,
+// Prints and writes the reports. `before` gets the rooms of `report`.
+void writeReports(const PackOptions &o, const Report &report, const Program &program, long budget,
                   std::optional<Report> &before) {
     if (before) arrange(*before, report);
     const Report *old = before ? &*before : nullptr;
@@ -97,9 +97,9 @@ void writeReports(const Options &o, const Report &report, const Program &program
         common::writeWhole(o.html, printHtml({name, o.in, budget, old, nameOf(o.than)}, report, program));
 }
 
-// Packs o.in to o.out: searches, packs, proves, reports. During a search SIGINT ends only that. Throws
+// Packs o.in to o.out: searches, packs, proves, reports. SIGINT during a search ends only the search. Throws
 // std::runtime_error if the packed file is over budget.
-void packProgram(const Options &o) {
+void packProgram(const PackOptions &o) {
     Bytes file = readBytes(o.in);
     unsigned mode = modeOf(o.in);
     bool any = o.loader || (!o.pe && !isMadeForPacking(file));
@@ -110,7 +110,7 @@ void packProgram(const Options &o) {
         return any ? readAnyProgram(file) : readProgram(file, o.pe ? kWindows : kLinux);
     });
     if (o.plain) return common::inFile(o.in, [&] { writeBytes(o.out, kind.writePlain(program), mode); });
-    ForReports given(o);
+    ReportInputs given(o);
     ModelParameters parameters = findParameters(o, program);
     auto [packed, stretches] = common::inFile(o.in, [&] {
         return std::pair(makePacked(kind, program, parameters, o.safeName),
@@ -124,12 +124,12 @@ void packProgram(const Options &o) {
                                given.rooms ? &*given.rooms : nullptr);
     writeReports(o, report, program, budget, given.before);
     if (!o.saveModel.empty())
-        common::writeWhole(o.saveModel, "# contexts that suit " + nameOf(o.in) +
-                                            ", found by pack --effort\n" + printParameters(parameters));
+        common::writeWhole(o.saveModel, "# contexts for " + nameOf(o.in) + ", found by pack --effort\n" +
+                                            printParameters(parameters));
     checkBudget(o.out, packed.bytes.size(), budget);
     writeBytes(o.out, packed.bytes, mode);
     if (!o.than.empty() && !given.before)
-        std::fprintf(stderr, "pack: there is no %s yet, so nothing is compared: keep a --report there\n",
+        std::fprintf(stderr, "pack: there is no %s yet, so nothing is compared: write it with --report\n",
                      o.than.c_str());
     if (o.text == "-") return;
     std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu in memory", o.out.c_str(), size,
@@ -140,18 +140,18 @@ void packProgram(const Options &o) {
     if (any) warn(o, program, appendedBytes(file), packed.seconds);
 }
 
-void openPackedFile(const Options &o, const std::string &path, const Bytes &file) {
+void openPackedFile(const PackOptions &o, const std::string &path, const Bytes &file) {
     const PackedKind &kind = kindOf(file);
     Program program = readPacked(kind, file);
     if (o.test.empty())
         writeBytes(o.out, kind.writePlain(program), modeOf(path));
     else
-        std::printf("%s: whole; %zu bytes of a program of %u in memory\n", path.c_str(), program.bytes.size(),
-                    program.span);
+        std::printf("%s: whole; %zu bytes of a program that takes %u in memory\n", path.c_str(),
+                    program.bytes.size(), program.span);
 }
 
 int runPack(common::CommandLine &line) {
-    Options o = parseOptions(line);
+    PackOptions o = parseOptions(line);
     std::string path = o.test + o.unpack;
     if (path.empty()) {
         packProgram(o);

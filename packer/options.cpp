@@ -33,9 +33,9 @@ double secondsOf(const std::string &effort) {
     }
 }
 
-// No output may replace an input or another output. But a found model may replace the given one, and a report
-// the earlier one.
-void claimFiles(const Options &o) {
+// No output may replace an input or another output, with two exceptions: the saved model may replace the
+// given one, and a report the earlier one.
+void claimFiles(const PackOptions &o) {
     for (const std::string &input : {o.in, o.unpack, o.map, o.symbols, o.rooms})
         if (!input.empty()) common::noteInput(input);
     for (auto [output, old] :
@@ -43,7 +43,7 @@ void claimFiles(const Options &o) {
         if (!output.empty() && output != "-") common::claimOutput(output, old);
 }
 
-void check(const common::CommandLine &line, Options &o) {
+void check(const common::CommandLine &line, PackOptions &o) {
     if (o.fast && !o.modelFile.empty()) line.refuse("--fast and --model both choose contexts");
     if (o.pe && o.loader) line.refuse("--loader is for Linux, --pe for Windows");
     int modes = !o.in.empty() + !o.test.empty() + !o.unpack.empty();
@@ -51,7 +51,7 @@ void check(const common::CommandLine &line, Options &o) {
         line.refuse("it takes IN -o OUT, or --test FILE, or -d FILE -o OUT");
     for (const std::string &given : line.given())
         if (o.in.empty() && given != "-o" && given != "-d" && given != "--test")
-            line.refuse(given + " is for packing alone");
+            line.refuse(given + " is only for packing");
     if (o.map.empty() && !o.symbols.empty()) line.refuse("--symbols needs --map");
     if (o.map.empty() && !o.rooms.empty()) line.refuse("--rooms needs --map");
     if (!o.than.empty() && o.html.empty() && o.text.empty()) line.refuse("--than needs --html or --text");
@@ -61,8 +61,8 @@ void check(const common::CommandLine &line, Options &o) {
 
 } // namespace
 
-Options parseOptions(common::CommandLine &line) {
-    Options o;
+PackOptions parseOptions(common::CommandLine &line) {
+    PackOptions o;
     line.about(
         "Packs a program for x86-64 Linux into a smaller one that unpacks itself: any program, and in\n"
         "fewer bytes one that was made for it (packer/README.md).\n"
@@ -80,38 +80,38 @@ Options parseOptions(common::CommandLine &line) {
     line.flag("--fast", o.fast, "use few contexts: 10 % larger, starts in less than half the time");
     line.option(
         "--budget", "BYTES|none", [&](const std::string &text) { o.budget = budgetOf(text); },
-        "if OUT would have more than BYTES, write none and remove an earlier one; 65536 for a program made "
-        "for packing, else none");
+        "if OUT would have more than BYTES, do not write it, and remove an earlier OUT; 65536 for a program "
+        "made for packing, otherwise none");
     line.option(
         "--effort", "fast|normal|best|SECONDS", [&](const std::string &text) { o.seconds = secondsOf(text); },
-        "how long to search for contexts that suit the program: not at all, 30 s, 15 minutes, or SECONDS; "
-        "fast if not given");
+        "how long to search for better contexts: not at all, 30 s, 15 minutes, or SECONDS; fast if not "
+        "given");
     line.option("--model", "FILE", o.modelFile,
                 "start with the contexts in FILE instead of the default ones");
     line.option("--save-model", "FILE", o.saveModel, "write the contexts that were used to FILE");
     line.option(
         "--safe-name", "NAME", o.safeName,
-        "the name of the same program, not packed, for users whose system does not let written memory "
-        "run; up to 14 letters");
+        "the name of the same program, not packed, for users whose system forbids packed programs; up to "
+        "14 letters");
     line.group("What each part costs");
     line.option("--report", "FILE", o.report,
-                "write to FILE, as JSON, what each section, object file and symbol costs");
+                "write the cost of each section, object file and symbol to FILE, as JSON");
     line.option("--html", "FILE", o.html,
-                "write to FILE a page that shows it: every byte, treemap, tables, budget");
+                "write a page that shows the costs to FILE: every byte, treemap, tables, budget");
     line.option(
         "--text", "FILE", o.text,
-        "write to FILE, for a comment on a change, the size and the ten largest changes; with - print "
-        "that and nothing else");
+        "write the size and the ten largest changes to FILE, for a comment on a change; with - print only "
+        "that");
     line.option(
         "--than", "OLD.json", o.than,
         "with --html or --text, compare with an earlier --report; if there is none yet, a note says so");
-    line.option("--map", "FILE", o.map, "print what each object file costs, by the linker's map in FILE");
+    line.option("--map", "FILE", o.map, "print the cost of each object file, by the linker's map in FILE");
     line.option("--symbols", "FILE", o.symbols,
-                "with --map, of a program linked with -flto: what `nm -A` prints of its object files");
+                "with --map, for a program linked with -flto: the output of `nm -A` for its object files");
     line.option(
         "--rooms", "FILE", o.rooms,
-        "with --map, group object files as FILE does, a line each: ROOM SHARE OBJECT..., the share in "
-        "bytes or -; otherwise by their archives and folders");
+        "with --map, group object files by the lines of FILE: ROOM SHARE OBJECT..., the share in bytes or "
+        "-; otherwise by archives and folders");
     line.parse();
     check(line, o);
     return o;

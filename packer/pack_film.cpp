@@ -1,5 +1,5 @@
-// pack_film: packs the film in its build. It works like pack, with the same code, but needs no library, so
-// the film can be built where pack's libraries are not installed.
+// pack_film: packs the film in its build. It uses the same code as pack but needs no library, so the film can
+// be built where pack's libraries are not installed.
 #include "packer/model/model_parameters.h"
 #include "packer/read/programs.h"
 #include "packer/report/report.h"
@@ -16,7 +16,7 @@ constexpr char kUsage[] =
     "usage: pack_film elf|pe IN OUT MODEL SAFE-NAME BUDGET MAP SYMBOLS REPORT\n"
     "       pack_film pe-plain IN OUT\n"
     "Packs the film in its build, for Linux or Windows; or writes it for Windows, not packed. The\n"
-    "arguments are the options of these names in pack --help; OUT is -o. SAFE-NAME may be empty.\n";
+    "arguments are pack's options of the same names (pack --help); OUT is -o. SAFE-NAME may be empty.\n";
 
 void packFilm(char **words) {
     std::string how = words[0], in = words[1], out = words[2], model = words[3], safeName = words[4],
@@ -57,7 +57,7 @@ int main(int argc, char **argv) {
             pack::packFilm(argv + 1);
         else
             throw common::Refused(
-                "it takes elf or pe and eight words, or pe-plain IN OUT: see pack_film --help");
+                "expected elf or pe and 8 arguments, or pe-plain IN OUT: see pack_film --help");
     } catch (const std::exception &e) {
         std::fprintf(stderr, "pack_film: %s\n", e.what());
         return dynamic_cast<const common::Refused *>(&e) ? 2 : 1;

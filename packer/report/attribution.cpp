@@ -14,10 +14,10 @@ namespace pack {
 namespace {
 
 constexpr char kMapBegins[] = "Linker script and memory map";
-constexpr uint64_t kMostSymbolBytes = 1ull << 40; // larger values make no sense
+constexpr uint64_t kMostSymbolBytes = 1ull << 40; // larger sizes and addresses are wrong
 
 std::string demangle(const std::string &name) {
-    if (name.rfind("_Z", 0) != 0) return name; // else a C function i would become "int"
+    if (name.rfind("_Z", 0) != 0) return name; // otherwise a C function i would become "int"
     int status;
     std::unique_ptr<char, void (*)(void *)> plain(
         abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), std::free);
@@ -30,9 +30,9 @@ void add(std::vector<Claim> &claims, uint64_t address, uint64_t size, std::strin
         claims.push_back({address, address + size, std::move(name), std::move(room)});
 }
 
-// Sections, functions and objects, by the linker's names.
+// Reads the claims of sections, and of functions and variables, by their names in the file.
 void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &symbols) {
-    constexpr char kOutside[] = "its symbols lie outside the file: strip it";
+    constexpr char kOutside[] = "its symbols are outside the file: strip it";
     ElfFile in = {elf};
     std::vector<Elf64_Shdr> sections = in.sections();
     for (const Elf64_Shdr &s : sections) {
@@ -48,11 +48,11 @@ void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &sy
     }
 }
 
-// Which object file defines a symbol, from lines "lib.a:object.o:0000000000000000 T name". Of the same name
-// in several files, the first one counts.
-using Homes = std::map<std::string, Home>;
-Homes readSymbols(const std::string &symbols) {
-    Homes homes;
+// Reads the object file that defines each symbol, from lines "lib.a:object.o:0000000000000000 T name". If
+// several files define a name, the first one counts.
+using Origins = std::map<std::string, Origin>;
+Origins readSymbols(const std::string &symbols) {
+    Origins origins;
     std::istringstream lines(symbols);
     for (std::string line; std::getline(lines, line);) {
         size_t name = line.rfind(' '), to = line.rfind(':');
@@ -61,12 +61,13 @@ Homes readSymbols(const std::string &symbols) {
         size_t member = path.find(".a:");
         if (member != std::string::npos)
             path = path.substr(0, member + 2) + "(" + path.substr(member + 3) + ")";
-        homes.emplace(line.substr(name + 1), homeOf(path));
+        origins.emplace(line.substr(name + 1), originOf(path));
     }
-    return homes;
+    return origins;
 }
 
-// " .text.name  0xaddress  0xsize  lib.a(object.o)", the first word on a separate line if it is long.
+// Reads lines " .text.name  0xaddress  0xsize  lib.a(object.o)", whose first word has its own line if it is
+// long.
 std::vector<Claim> readMap(const std::string &map) {
     std::vector<Claim> objects;
     std::istringstream lines(map.substr(std::min(map.size(), map.find(kMapBegins))));
@@ -86,15 +87,15 @@ std::vector<Claim> readMap(const std::string &map) {
             continue;
         if (section.empty() || !(words >> size) || !std::getline(words >> std::ws, path)) continue;
         if (address.rfind("0x", 0) != 0 || size.rfind("0x", 0) != 0) continue;
-        Home home = homeOf(path);
-        if (isWholeProgram(home.object)) home = {kWholeProgram, kNothingNamed};
+        Origin origin = originOf(path);
+        if (isWholeProgram(origin.object)) origin = {kWholeProgram, kNothingNamed};
         add(objects, std::strtoull(address.c_str(), nullptr, 16), std::strtoull(size.c_str(), nullptr, 16),
-            home.object, home.room);
+            origin.object, origin.room);
     }
     return objects;
 }
 
-std::string sectionWithout(const std::vector<Claim> &sections, const Program &program, uint64_t offset) {
+std::string noSection(const std::vector<Claim> &sections, const Program &program, uint64_t offset) {
     if (sections.empty())
         return offset - program.codeBegin < program.codeSize ? "(instructions)" : "(no section)";
     return program.base + offset < sections.front().begin ? "(headers)" : "(between sections)";
@@ -102,22 +103,22 @@ std::string sectionWithout(const std::vector<Claim> &sections, const Program &pr
 
 } // namespace
 
-std::vector<uint32_t> owners(std::vector<Claim> &claims, uint64_t base, size_t size) {
+std::vector<uint32_t> assignClaims(std::vector<Claim> &claims, uint64_t base, size_t size) {
     std::sort(claims.begin(), claims.end(), [](const Claim &a, const Claim &b) {
         return std::tie(a.begin, b.end, b.name) < std::tie(b.begin, a.end, a.name);
     });
-    std::vector<uint32_t> owners(size, kNobody);
+    std::vector<uint32_t> claimOf(size, kUnclaimed);
     for (uint32_t i = 0; i < claims.size(); ++i) {
         uint64_t begin = std::max(claims[i].begin, base), end = std::min(claims[i].end, base + size);
-        if (begin < end) std::fill_n(owners.begin() + (long)(begin - base), end - begin, i);
+        if (begin < end) std::fill_n(claimOf.begin() + (long)(begin - base), end - begin, i);
     }
-    return owners;
+    return claimOf;
 }
 
-Home homeOf(const std::string &path) {
+Origin originOf(const std::string &path) {
     auto folderAndName = [](const std::string &p) {
         size_t slash = p.rfind('/');
-        return slash == std::string::npos ? Home{p, "."} : Home{p.substr(slash + 1), p.substr(0, slash)};
+        return slash == std::string::npos ? Origin{p, "."} : Origin{p.substr(slash + 1), p.substr(0, slash)};
     };
     size_t member = path.rfind('(');
     if (member == std::string::npos || path.back() != ')') return folderAndName(path);
@@ -130,13 +131,13 @@ std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const s
                                const Program &program) {
     std::vector<Claim> sections, functions, objects = readMap(map);
     readElf(elf, sections, functions);
-    Homes homes = readSymbols(symbols);
+    Origins origins = readSymbols(symbols);
     size_t size = program.bytes.size();
-    std::vector<uint32_t> section = owners(sections, program.base, size),
-                          function = owners(functions, program.base, size),
-                          object = owners(objects, program.base, size);
+    std::vector<uint32_t> section = assignClaims(sections, program.base, size),
+                          function = assignClaims(functions, program.base, size),
+                          object = assignClaims(objects, program.base, size);
     auto claim = [](const std::vector<Claim> &claims, uint32_t i) {
-        return i == kNobody ? nullptr : &claims[i];
+        return i == kUnclaimed ? nullptr : &claims[i];
     };
     std::vector<Stretch> stretches;
     for (uint32_t at = 0; at < size; ++at) {
@@ -148,7 +149,7 @@ std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const s
         const Claim *s = claim(sections, section[at]), *f = claim(functions, function[at]),
                     *o = claim(objects, object[at]);
         Stretch stretch = {at, 1, "", "", "", ""};
-        stretch.section = s ? s->name : sectionWithout(sections, program, at);
+        stretch.section = s ? s->name : noSection(sections, program, at);
         std::string nothing = "(nothing named in " + stretch.section + ")";
         stretch.symbol = f ? demangle(f->name) : nothing;
         if (!objects.empty()) {
@@ -157,10 +158,10 @@ std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const s
         }
         if (o && o->name == kWholeProgram && f) {
             // name.constprop.0 belongs to the file that defines `name`
-            auto home = homes.find(f->name.substr(0, f->name.find('.')));
-            if (home != homes.end()) {
-                stretch.object = home->second.object;
-                stretch.room = home->second.room;
+            auto origin = origins.find(f->name.substr(0, f->name.find('.')));
+            if (origin != origins.end()) {
+                stretch.object = origin->second.object;
+                stretch.room = origin->second.room;
             }
         }
         stretches.push_back(std::move(stretch));

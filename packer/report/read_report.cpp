@@ -12,7 +12,7 @@ Report readJson(const std::string &text) {
     constexpr char kNoReport[] = "not a report of pack: --report FILE writes one";
     constexpr double kMostBytes = 1e15;
     Report report;
-    need(text.find('\0') == text.npos, kNoReport); // where the parser would end
+    need(text.find('\0') == text.npos, kNoReport); // the parser would stop there
     try {
         json all = json::parse(text);
         auto read = [&](const char *part, Costs &costs) {

@@ -26,11 +26,11 @@ Rooms readRooms(const std::string &text) {
         char *end;
         long bytes = std::strtol(share.c_str(), &end, 10);
         need(share == "-" || (!share.empty() && !*end && bytes >= 0 && bytes <= kMostBytes),
-             "line " + std::to_string(number) + ": a room's name, its share of bytes or -, and object files");
+             "line " + std::to_string(number) + ": it needs ROOM SHARE OBJECT..., SHARE in bytes or -");
         if (share != "-") rooms.shares[room] = bytes;
         while (words >> object) rooms.of[object] = room;
     }
-    need(!rooms.of.empty(), "no room has an object file: ROOM SHARE OBJECT...");
+    need(!rooms.of.empty(), "no room has an object file: write lines ROOM SHARE OBJECT...");
     return rooms;
 }
 
@@ -43,7 +43,7 @@ Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits
     for (float b : bits) report.sixteenths.push_back((uint16_t)rounding(b * kUnit));
     if (rooms) {
         report.shares = rooms->shares;
-        report.roomOf = rooms->of; // also of objects that are gone
+        report.roomOf = rooms->of; // includes objects of earlier builds
         auto stub = rooms->of.find(kStub);
         if (stub != rooms->of.end()) report.stubRoom = stub->second;
     }

@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-// Costs as bytes, and those that do not fit as [[offset, units], ...].
+// Returns the costs as bytes. `high` gets the costs that do not fit, as [[offset, units], ...].
 Bytes lowCosts(const Report &report, json &high) {
     Bytes low;
     for (size_t i = 0; i < report.sixteenths.size(); ++i) {
@@ -33,7 +33,7 @@ Bytes lowCosts(const Report &report, json &high) {
     return low;
 }
 
-// What a command prints. Throws std::runtime_error if no process can be started.
+// Returns the output of a command. Throws std::runtime_error if it cannot be started.
 std::string outputOf(const std::string &command) {
     std::FILE *printed = popen(command.c_str(), "r");
     if (!printed) throw std::runtime_error("cannot run " + command + ": " + std::strerror(errno));
@@ -44,7 +44,7 @@ std::string outputOf(const std::string &command) {
     return output;
 }
 
-// "mov    eax,DWORD PTR [rip+0x10]        # 404010 <name>" without the symbol and the spaces that align.
+// Removes the symbol and aligning spaces from "mov    eax,DWORD PTR [rip+0x10]        # 404010 <name>".
 std::string tidy(const std::string &line) {
     std::istringstream words(line.substr(0, line.find('<')));
     std::string text;
@@ -55,10 +55,10 @@ std::string tidy(const std::string &line) {
 struct Instruction {
     uint64_t address;
     Bytes bytes;
-    std::string text; // as Intel writes it; behind " # " the address that rip leads to
+    std::string text; // in Intel's syntax; after " # " the address of an operand relative to rip
 };
 
-// In the order of sections. Empty if objdump (binutils) is not installed or finds no instructions.
+// Returns the instructions in the order of sections; none if objdump (binutils) is missing or finds none.
 std::vector<Instruction> disassemble(const std::string &path) {
     std::vector<Instruction> all;
     std::istringstream lines(
@@ -76,12 +76,12 @@ std::vector<Instruction> disassemble(const std::string &path) {
     return all;
 }
 
-// The program's instructions, as the element "code" of the page.
+// Returns the program's instructions for the page's element "code".
 std::string readCode(const std::string &path, const Program &program) {
     std::map<uint64_t, Instruction> all; // by offset
     for (Instruction &i : disassemble(path)) {
         uint64_t begin = i.address - program.base, size = program.bytes.size();
-        // Leave out what is not part of the program in memory
+        // Leave out instructions that are not in the program's memory
         if (begin < size && size - begin >= i.bytes.size() &&
             !std::memcmp(&program.bytes[begin], i.bytes.data(), i.bytes.size()))
             all.emplace(begin, std::move(i));
@@ -89,7 +89,7 @@ std::string readCode(const std::string &path, const Program &program) {
     std::string code;
     uint64_t end = 0;
     for (auto &[begin, i] : all) {
-        if (begin < end) continue; // sections that overlap
+        if (begin < end) continue; // sections overlap
         if (begin != end) common::append(code, "@%llx\n", (unsigned long long)begin);
         common::append(code, "%zx%s\n", i.bytes.size(), i.text.c_str());
         end = begin + i.bytes.size();
@@ -97,7 +97,7 @@ std::string readCode(const std::string &path, const Program &program) {
     return code;
 }
 
-// [begin, bytes, units, section, object, room, symbol]
+// Returns [begin, bytes, units, section, object, room, symbol] of each stretch.
 json stretches(const Report &report) {
     json all = json::array();
     for (const Stretch &s : report.stretches) {
@@ -108,13 +108,13 @@ json stretches(const Report &report) {
     return all;
 }
 
-// Units of each part of an earlier report, or null if it has no such parts.
+// Returns the units of each part of an earlier report, or null if it has no such parts.
 json unitsOf(const Costs &costs) {
     json all;
     for (auto &[name, cost] : costs) all[name] = std::llround(cost.bits * kUnit);
     return all;
 }
-json earlier(const Page &page) {
+json earlier(const ReportPage &page) {
     if (!page.before) return {};
     return {{"name", page.beforeName},
             {"file", page.before->fileSize},
@@ -154,7 +154,7 @@ template <size_t N> std::string text(const unsigned char (&bytes)[N]) { return {
 
 } // namespace
 
-std::string printHtml(const Page &page, const Report &report, const Program &program) {
+std::string printHtml(const ReportPage &page, const Report &report, const Program &program) {
     bool shown = program.bytes.size() <= kMostShown;
     json high = json::array();
     Bytes low = lowCosts(report, high);

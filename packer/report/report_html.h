@@ -1,30 +1,32 @@
-// Reports that need libraries (nlohmann-json, zlib): a page for browsers that shows what each byte of a
-// program costs, and the reader of earlier reports. The page needs no network: page/ and the data are in it.
+// The parts of reports that need libraries (nlohmann-json, zlib): the reader of earlier reports, and a page
+// that shows the cost of each byte of a program. The page contains all its files (page/) and data.
 #pragma once
 
 #include "packer/report/report.h"
 
 namespace pack {
 
-// Bytes of a program; the page of a larger one has tables and treemap, but no bytes.
+// In bytes. The page of a larger program has tables and treemap, but does not show its bytes.
 inline constexpr size_t kMostShown = 16 << 20;
 
-struct Page {
-    std::string name;               // of the packed file
-    std::string path;               // of the program as it was read, for objdump
+struct ReportPage {
+    std::string name;               // name of the packed file
+    std::string path;               // path of the program, for objdump
     long budget;                    // bytes; -1: none
-    const Report *before = nullptr; // with the rooms of the report: arrange()
+    const Report *before = nullptr; // an earlier report after arrange(), or null
     std::string beforeName = {};
 };
 
-// The page has four elements of data, packed by zlib, in base64. "tables" is JSON: the report, in its units
-// (report_html.cpp); "bytes": the program; "costs": what each byte costs, 255 for those listed in "high" of
-// the tables; "code": a line for each instruction, its number of bytes, one hexadecimal digit, then its text.
-// Where an instruction does not follow the one before, a line "@OFFSET" stands in front of it.
-std::string printHtml(const Page &page, const Report &report, const Program &program);
+// The page has four elements of data, packed by zlib, in base64:
+// - "tables": the report as JSON, in its units (report_html.cpp);
+// - "bytes": the program;
+// - "costs": the cost of each byte, or 255 if it is in the list "high" of the tables;
+// - "code": a line for each instruction: its number of bytes, one hexadecimal digit, then its text. A line
+//   "@OFFSET" precedes an instruction that does not follow the previous one.
+std::string printHtml(const ReportPage &page, const Report &report, const Program &program);
 
-// What printJson() printed, without stretches. Sections must be there, other parts may be missing. There
-// are no rooms, but roomOf. Throws common::Refused.
+// Reads the output of printJson(). Sections are required, other parts are optional. The result has roomOf,
+// but no stretches and no rooms. Throws common::Refused.
 Report readJson(const std::string &text);
 
 } // namespace pack

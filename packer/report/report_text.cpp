@@ -1,4 +1,4 @@
-// Reports as text: what parts cost; and for a comment on a change, the total and the largest changes.
+// Reports as text: the costs of the parts; and for a comment on a change, the total and the largest changes.
 #include "packer/report/report.h"
 #include "tools/common/text.h"
 
@@ -16,21 +16,21 @@ using common::thousands;
 
 std::string change(double value) { return (std::round(value) >= 0 ? "+" : "") + thousands(value); }
 
-// A part in both reports.
-struct Change {
+// The cost of a part in both reports.
+struct CostChange {
     std::string name;
-    double now, was; // bytes
+    double now, was; // packed bytes
 };
-std::vector<Change> compare(const Costs &now, const Costs &was) {
-    std::map<std::string, Change> all;
+std::vector<CostChange> compare(const Costs &now, const Costs &was) {
+    std::map<std::string, CostChange> all;
     for (auto &[name, cost] : now) all[name] = {name, cost.bits / 8, 0};
     for (auto &[name, cost] : was) {
         all[name].name = name;
         all[name].was = cost.bits / 8;
     }
-    std::vector<Change> changes;
+    std::vector<CostChange> changes;
     for (auto &[name, c] : all) changes.push_back(c);
-    std::stable_sort(changes.begin(), changes.end(), [](const Change &a, const Change &b) {
+    std::stable_sort(changes.begin(), changes.end(), [](const CostChange &a, const CostChange &b) {
         return std::abs(a.now - a.was) > std::abs(b.now - b.was);
     });
     return changes;
@@ -43,16 +43,16 @@ std::string shorten(std::string text, size_t width) {
 
 std::string printCosts(const Costs &all, const char *title, size_t most) {
     if (!hasNames(all)) return "";
-    std::vector<Change> parts = compare(all, {});
+    std::vector<CostChange> parts = compare(all, {});
     parts.resize(std::min(parts.size(), most));
     std::string text = common::format("%-60s %7s %7s\n", title, "packed", "before");
-    for (const Change &part : parts)
+    for (const CostChange &part : parts)
         common::append(text, "%-60s %7.0f %7llu\n", shorten(part.name, 60).c_str(), part.now,
                        (unsigned long long)all.at(part.name).bytes);
     return text;
 }
 
-// Any text as code in a cell of a table, in which | and ` cannot stand.
+// Returns any text as code in a cell of a table, which must not contain | and `.
 std::string cell(std::string text) {
     text = shorten(text, 90);
     std::replace(text.begin(), text.end(), '|', '/');
@@ -74,13 +74,13 @@ std::string headline(const std::string &name, double now, const Report *before, 
     return text + "\n\n";
 }
 
-// The finest parts that both reports have.
-struct Kind {
+struct PartKind {
     const char *name;
     Costs Report::*costs;
 };
-Kind finest(const Report &report, const Report *before) {
-    for (Kind kind : {Kind{"symbol", &Report::symbols}, Kind{"object file", &Report::objects}})
+// Returns the smallest kind of parts that both reports have.
+PartKind finest(const Report &report, const Report *before) {
+    for (PartKind kind : {PartKind{"symbol", &Report::symbols}, PartKind{"object file", &Report::objects}})
         if (hasNames(report.*kind.costs) && (!before || hasNames(before->*kind.costs))) return kind;
     return {"section", &Report::sections};
 }
@@ -94,20 +94,20 @@ std::string printReport(const Report &report) {
 
 std::string printMarkdown(const std::string &name, const Report &report, const Report *before, long budget) {
     std::string text = headline(name, (double)report.fileSize, before, (double)budget);
-    Kind kind = finest(report, before);
+    PartKind kind = finest(report, before);
     Costs now = report.*kind.costs, was = before ? before->*kind.costs : Costs();
     now[kStub].bits = 8.0 * (double)report.overhead;
     if (before) was[kStub].bits = 8.0 * (double)before->overhead;
-    std::vector<Change> changes = compare(now, was);
-    // A changed byte moves the costs of others by a fraction each: smaller changes mean nothing
+    std::vector<CostChange> changes = compare(now, was);
+    // A changed byte slightly changes the costs of other bytes, so smaller changes have no meaning
     double least = before ? kLeastChange : 0.5;
-    std::erase_if(changes, [&](const Change &c) { return std::abs(c.now - c.was) < least; });
+    std::erase_if(changes, [&](const CostChange &c) { return std::abs(c.now - c.was) < least; });
     if (changes.empty()) return text + "No " + kind.name + " changed by four bytes or more.\n";
     if (changes.size() > kMost) changes.resize(kMost);
     text += before ? "|   change |      now |      was | " : "|   packed | ";
     text += kind.name;
     text += before ? " |\n|---------:|---------:|---------:|---|\n" : " |\n|---------:|---|\n";
-    for (const Change &c : changes) {
+    for (const CostChange &c : changes) {
         if (before)
             text += common::format("| %8s | %8s | %8s | ", change(c.now - c.was).c_str(),
                                    thousands(c.now).c_str(), thousands(c.was).c_str());

@@ -65,7 +65,7 @@ check "nothing has changed since itself" prints '^No symbol changed by four byte
 over() { "${packs[@]}" --html over.html --budget 9 >/dev/null 2>&1; [ $? = 1 ] && sums over.html >/dev/null; }
 check "a page of what is over budget is written" over
 
-check "an earlier report that is not there yet is noted" eval '"${packs[@]}" --text - --than none >text 2>note && grep -qx "pack: there is no none yet, so nothing is compared: keep a --report there" note && grep -q " symbol" text'
+check "an earlier report that is not there yet is noted" eval '"${packs[@]}" --text - --than none >text 2>note && grep -qx "pack: there is no none yet, so nothing is compared: write it with --report" note && grep -q " symbol" text'
 
 # --- Refused before anything is packed or written ---
 echo '{"file": 5}' >foreign

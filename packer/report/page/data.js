@@ -1,12 +1,12 @@
 'use strict';
-// The page's data. Costs are whole numbers of units, `report.unit` to a bit, so that sums are exact.
+// The page's data. Costs are whole numbers of units. A bit has `report.unit` of them, so sums are exact.
 let report;        // the tables, as report_html.cpp writes them
-let bytes, costs;  // of the program, one of each for each byte; empty if the program is too large to show
-let instructions;  // {at, end, text} of each
+let bytes, costs;  // the program's bytes and the cost of each; empty if the program is too large to show
+let instructions;  // [{at, end, text}, ...]
 
 const $ = id => document.getElementById(id);
 
-// An element of the page: <div class="name">text</div>
+// Makes an element of the page: <div class="name">text</div>
 function make(tag, text = '', className = '') {
     const element = document.createElement(tag);
     element.textContent = text;
@@ -20,7 +20,7 @@ async function unpack(id) {
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-const kinds = {rooms: 'room', objects: 'object', sections: 'section', symbols: 'symbol'};  // tables, and their parts
+const kinds = {rooms: 'room', objects: 'object', sections: 'section', symbols: 'symbol'};  // table: its parts
 
 async function readData() {
     const text = new TextDecoder();
@@ -34,8 +34,8 @@ async function readData() {
     readInstructions(text.decode(await unpack('code')));
 }
 
-// The rows of a table: parts, those of the earlier report too; stub and headers; the payload's end. Stretches get the
-// rows of their parts in place of names.
+// Makes the rows of a table: the parts of both reports, stub and headers, and the payload's end. In each stretch, the
+// row of its part replaces the name.
 function makeRows(kind) {
     const rows = new Map(), before = report.before?.[kind], part = kinds[kind];
     const row = (name, was = before?.[name]) => {
@@ -47,10 +47,10 @@ function makeRows(kind) {
     let rest = inUnits(report.file - report.overhead);
     for (const stretch of report.stretches) {
         if (!stretch[part]) return [];
-        const its = stretch[part] = row(stretch[part]);
-        its.bytes += stretch.size;
-        its.units += stretch.units;
-        its.stretches.push(stretch);
+        const own = stretch[part] = row(stretch[part]);
+        own.bytes += stretch.size;
+        own.units += stretch.units;
+        own.stretches.push(stretch);
         rest -= stretch.units;
     }
     let restBefore = before ? inUnits(report.before.file - report.before.overhead) : 0;
@@ -64,7 +64,7 @@ function makeRows(kind) {
     return [...rows.values()];
 }
 
-// A line is an instruction, its size in front, or the offset of the next one.
+// A line is the size and text of an instruction, or @ and the offset of the next one.
 function readInstructions(code) {
     instructions = [];
     let end = 0;
@@ -77,7 +77,7 @@ function readInstructions(code) {
     }
 }
 
-// All must add up to the file.
+// Returns the tables whose rows do not add up to the file; none if all is right.
 function wrongSums() {
     const file = report.file * 8 * report.unit, sum = rows => rows.reduce((all, row) => all + row.units, 0);
     const wrong = Object.keys(kinds).filter(kind => report[kind].length && sum(report[kind]) !== file);
@@ -99,7 +99,7 @@ const signed = (value, digits = 0) => {
 const hex = (value, digits = 0) => value.toString(16).padStart(digits, '0');
 const address = at => hex(report.base + at);
 
-// How many of `count` ascending values are below `limit`.
+// Returns how many of `count` ascending values are below `limit`.
 function countBelow(limit, count, valueOf) {
     let low = 0, high = count;
     while (low < high) {
@@ -111,22 +111,22 @@ function countBelow(limit, count, valueOf) {
     }
     return low;
 }
-// The stretch that holds a byte.
+// Returns the stretch of a byte.
 function stretchAt(at) {
-    const behind = countBelow(at + 1, report.stretches.length, i => report.stretches[i].begin);
-    return report.stretches[Math.max(0, behind - 1)];
+    const next = countBelow(at + 1, report.stretches.length, i => report.stretches[i].begin);
+    return report.stretches[Math.max(0, next - 1)];
 }
-// "name+0x12", of an offset in the program.
-function place(at, named = name => name) {
+// Returns "name+0x12" for an offset in the program.
+function locationOf(at, named = name => name) {
     const stretch = stretchAt(at);
     const first = stretch.symbol.stretches[0].begin;
     return named(stretch.symbol.name) +
         (at > first && !stretch.symbol.name.startsWith('(') ? '+0x' + hex(at - first) : '');
 }
-// The number of the instruction that begins there, or of the first one behind.
+// Returns the index of the instruction that begins at `at`, or of the next one.
 const instructionFrom = at => countBelow(at, instructions.length, i => instructions[i].at);
 
-// A name for where there is little room: without parameters and the namespace that most have.
+// Shortens a name where there is little space: without parameters and the most common namespace.
 let commonSpace;
 function shortName(name) {
     if (name.startsWith('(') && !name.startsWith('(anonymous')) return name;

@@ -1,7 +1,7 @@
-// All bytes as cells, coloured by cost, row after row. Only what is in view is drawn.
-const gutter = 72;  // for addresses
+// All bytes as cells, coloured by cost, row by row. Only visible rows are drawn.
+const gutter = 72;  // width of the addresses, in pixels
 let cell, columnCount, canvas, cursor = 0;
-let chosen = null;  // a bit for each byte that belongs to what was chosen, or null
+let chosen = null;  // 1 for each byte of the chosen part; null: no part is chosen
 
 const rowCount = () => Math.ceil(bytes.length / columnCount);
 
@@ -39,8 +39,8 @@ function drawHeat() {
     const every = Math.max(1, Math.ceil(48 / cell));
     for (let row = Math.ceil(first / every) * every; row < first + rows; row += every)
         context.fillText(address(row * columnCount), 4, row * cell - scrollTop + Math.max(9, cell / 2 + 4));
-    // What the listing shows, and the byte that it is about
-    const [from, to] = listed();
+    // Mark the bytes of the listing, and the cursor
+    const [from, to] = listedBytes();
     context.fillStyle = '#7ab7ff';
     context.fillRect(
         gutter - 5, Math.floor(from / columnCount) * cell - scrollTop, 3,
@@ -54,7 +54,7 @@ function drawHeat() {
 const heatCache = [];
 const heatOf = units => heatCache[units] ??= heat(units / report.unit);
 
-// The byte under the mouse, or -1
+// Returns the byte under the mouse, or -1.
 function byteUnder(event) {
     const box = $('heat').getBoundingClientRect();
     const column = Math.floor((event.clientX - box.left - gutter) / cell),
@@ -66,11 +66,11 @@ function byteUnder(event) {
 function tipOfByte(at) {
     const stretch = stretchAt(at),
           where = [stretch.object?.name, stretch.room?.name, stretch.section.name].filter(Boolean);
-    return `${address(at)}: ${hex(bytes[at], 2)}, ${number(costs[at] / report.unit, 2)} bits\n${place(at)}\n${
+    return `${address(at)}: ${hex(bytes[at], 2)}, ${number(costs[at] / report.unit, 2)} bits\n${locationOf(at)}\n${
         where.join(', ')}`;
 }
 
-// Moves the cursor, and both views to it.
+// Moves the cursor and scrolls both views to it.
 function goTo(at, scrollListing = true) {
     if (!bytes.length) return;
     cursor = Math.max(0, Math.min(bytes.length - 1, at));
@@ -82,7 +82,7 @@ function goTo(at, scrollListing = true) {
     drawHeat();
 }
 
-// Shows which bytes belong to a part; without a name, all.
+// Highlights the bytes of a part; without a name, all bytes.
 function choose(name, stretches = []) {
     chosen = null;
     if (name && stretches.length && bytes.length) {

@@ -1,6 +1,6 @@
-// Hex with what each byte costs, and the instructions beside it. Lines are made when they come into view.
+// The listing: bits, hex bytes coloured by cost, and instructions. Only visible lines are made.
 const lineHeight = 18, dataWidth = 16;
-// A line begins at lineAt; its kind: 0 data, 1 an instruction, 2 the name of what follows, 3 zeros
+// The first byte and the kind of each line: 0 data, 1 an instruction, 2 the name of the next symbol, 3 zeros
 let lineAt = [], lineKind = [], firstLine = 0;
 
 function buildLines() {
@@ -44,12 +44,12 @@ const lineEnd = line => {
     return line < lineAt.length ? lineAt[line] : bytes.length;
 };
 const linesInView = () => Math.max(1, Math.floor($('listing').clientHeight / lineHeight));
-// From which byte to which the listing shows
-function listed() {
+// Returns the range of visible bytes.
+function listedBytes() {
     const last = Math.min(lineAt.length, firstLine + linesInView()) - 1;
     return last < 0 ? [0, 0] : [lineAt[firstLine], lineEnd(last)];
 }
-// Browsers limit how tall an element may be, so a long listing scrolls faster than its lines are tall
+// Browsers limit the height of an element, so in a long listing a pixel is more than a pixel of lines
 const listingHeight = () => Math.min(lineAt.length * lineHeight, 8e6);
 
 function scrollListingTo(at) {
@@ -89,14 +89,14 @@ function fillLine(line, div) {
     if (kind === 3) hexes.textContent = `00, ${number(end - begin)} times`;
     const text = make('span', '', 'text');
     if (kind === 1) {
-        // The address that a jump or rip leads to stands last
+        // The target of a jump or of an operand relative to rip is last
         const {text: all} = instructions[instructionFrom(begin)];
         const [, before, last] = /^(.* )([0-9a-f]+)$/.exec(all) ?? [];
         const target = parseInt(last, 16) - report.base;
         if (target >= 0 && target < bytes.length) {
-            const link = make('a', place(target, shortName));
+            const link = make('a', locationOf(target, shortName));
             link.href = `#${address(target)}`;
-            link.title = `${address(target)}: ${place(target)}`;
+            link.title = `${address(target)}: ${locationOf(target)}`;
             text.append(before, link);
         } else
             text.append(all);
@@ -145,7 +145,7 @@ function startListing() {
         if (event.key !== 'Enter' || !text) return;
         const at = /^(0x)?[0-9a-f]+$/i.test(text) ? parseInt(text.replace(/^0x/i, ''), 16) - report.base : -1;
         if (at >= 0 && at < bytes.length) return goTo(at);
-        // The same text again goes to the next name that has it
+        // The same text again: go to the next name that contains it
         next = text === last ? next + 1 : 0;
         last = text;
         const found =

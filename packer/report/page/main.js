@@ -1,4 +1,4 @@
-// Puts the page together.
+// Starts the page, with its head and budget.
 function showTip(event, text = '') {
     $('tip').textContent = text;
     if (!text) return;
@@ -26,7 +26,7 @@ function showHead() {
     }
 }
 
-// Rooms, or sections, as parts of the budget.
+// Shows rooms, or sections, as parts of the budget.
 function showBudget() {
     const all = Math.max(report.file, report.budget), rows = report.rooms.length ? report.rooms : report.sections;
     const sorted = rows.filter(row => row.units > 0).sort((a, b) => b.units - a.units);
@@ -49,7 +49,7 @@ function showBudget() {
     }
 }
 
-// #404a10 is an address. Without one the page begins with the symbol that costs most.
+// Goes to the address in the page's own address, such as #404a10, or else to the costliest symbol.
 function goToHash() {
     const at = parseInt(location.hash.slice(1), 16) - report.base;
     if (at >= 0 && at < bytes.length) return goTo(at);

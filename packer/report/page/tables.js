@@ -34,13 +34,13 @@ const columns = {
         title: 'counted',
         value: row => row.counted,
         show: row => number(row.counted),
-        tip: 'packed bytes, with its part of what no room names; to compare with its share'
+        tip: 'packed bytes, with a proportional part of the bytes that no room names; to compare with the share'
     },
     share: {
         title: 'share',
         value: row => row.share ?? -1,
         show: row => row.share === null ? '' : number(row.share),
-        tip: 'bytes that it may take'
+        tip: 'bytes that the room may take'
     },
     left: {
         title: 'left',
@@ -59,7 +59,7 @@ const tables = {
     kinds: {title: 'instructions', rows: kindsOfInstructions, columns: 'name packed bytes bits part count'},
 };
 
-// What no room names is divided among the rooms in proportion to what they take.
+// Divides the bytes that no room names among the rooms, in proportion to their size.
 function countRooms() {
     const stub = row => !row.stretches.length && !row.name.startsWith('(end');
     const own = report.rooms.filter(row => row.stretches.length && !row.name.startsWith('('));
@@ -69,7 +69,7 @@ function countRooms() {
         row.counted = own.includes(row) ? inBytes(row.units / sum * rest) : stub(row) ? inBytes(row.units) : 0;
 }
 
-// Instructions by name, and a row for all else, so that the sum is the file.
+// Returns instructions by name, and a row for everything else, so that the sum is the file.
 let kindRows;
 function kindsOfInstructions() {
     if (kindRows) return kindRows;

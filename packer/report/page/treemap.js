@@ -1,4 +1,4 @@
-// The treemap: rooms of files of functions; or sections and functions, if there was no map.
+// The treemap: rooms, files, functions; without a map, sections and functions.
 let root, shownNode, byChange = false;
 
 function buildTree() {
@@ -20,7 +20,7 @@ function buildTree() {
             add();
         }
     }
-    // Stub and the payload's end are no part of the program
+    // Add stub and payload's end, which do not belong to the program
     for (const row of report.sections)
         if (!row.stretches.length && row.units) {
             const child = node(row.name, row, root);
@@ -31,7 +31,7 @@ function buildTree() {
     const sort = at => {
         at.children = [...at.children.values()].sort((a, b) => b.units - a.units);
         at.children.forEach(sort);
-        // Skip a level that holds one thing without another name
+        // Skip a level that has one part with the same name or none
         const [only, ...others] = at.children;
         if (only && !others.length && (only.name === at.name || only.name.startsWith('(nothing named')))
             at.children = only.children;
@@ -39,10 +39,10 @@ function buildTree() {
     sort(root);
 }
 
-const leastArea = 12;  // of a box, in pixels
+const leastArea = 12;  // of a box, in square pixels
 
-// Divides a rectangle among nodes, largest first: into two parts of nearly the same size, across its longer side, and
-// these again. Calls draw(node, x, y, width, height).
+// Divides a rectangle among nodes, which are ordered by size. Halves the nodes by size and cuts the longer side of the
+// rectangle, then divides both parts in the same way. Calls draw(node, x, y, width, height).
 function divide(nodes, x, y, width, height, draw) {
     const all = nodes.filter(n => n.units > 0), sum = all.reduce((all, n) => all + n.units, 0);
     if (!all.length || width * height < leastArea) return;
@@ -116,7 +116,7 @@ function chooseNode(node) {
         choose(node.name, node.stretches);
 }
 
-// Zooms to a group, and shows the bytes of any part.
+// Zooms to a group, and highlights the bytes of any node.
 function openNode(node) {
     if (node.children.length) showTree(node);
     chooseNode(node);

@@ -84,8 +84,8 @@
     press($('find'), 'Enter');
     check(
         'a name is found',
-        $('lines').querySelector('.here') && place(cursor) === 'odrazMain(int, char**)' ||
-            place(cursor) === 'odrazMain');
+        $('lines').querySelector('.here') && locationOf(cursor) === 'odrazMain(int, char**)' ||
+            locationOf(cursor) === 'odrazMain');
     location.hash = `#${address(instructions[1000].at)}`;
     await new Promise(done => setTimeout(done, 50));
     check('an address in the link is found', cursor === instructions[1000].at);

@@ -9,14 +9,14 @@ using namespace pack;
 
 namespace {
 
-// The name of each byte's claim, for one byte each; '.' for none.
+// Returns the first letter of the claim of each byte; '.' for none.
 std::string text(std::vector<Claim> claims) {
     std::string all;
-    for (uint32_t i : owners(claims, 0, 10)) all += i == kNobody ? '.' : claims[i].name[0];
+    for (uint32_t i : assignClaims(claims, 0, 10)) all += i == kUnclaimed ? '.' : claims[i].name[0];
     return all;
 }
 
-// Bytes of the given costs, in one section; two objects and three symbols.
+// Makes a report of bytes with these costs, in two sections, two objects and three symbols.
 Report example(std::vector<float> bits, const Rooms *rooms = nullptr) {
     std::vector<Stretch> stretches = {{0, 2, ".text", "a.o", "liba.a", "f(int)"},
                                       {2, 1, ".text", "a.o", "liba.a", "(nothing named in .text)"},
@@ -32,7 +32,7 @@ double sum(const Costs &costs) {
     return all;
 }
 
-// Whether the text is read as a report, not refused.
+// Whether the text is read as a report and not refused.
 bool reads(const std::string &text) {
     return thrown<common::Refused>([&] { readJson(text); }).empty();
 }
@@ -41,7 +41,7 @@ bool reads(const std::string &text) {
 
 // --- The symbol of each byte ---
 
-TEST(Attribution, GivesWhatOverlapsToOne) {
+TEST(Attribution, GivesEachByteToOneClaim) {
     EXPECT_EQ(text({}), "..........");
     EXPECT_EQ(text({{5, 9, "b"}, {0, 4, "a"}}), "aaaa.bbbb.");
     EXPECT_EQ(text({{0, 10, "out"}, {3, 5, "in"}}), "oooiiooooo"); // nested
@@ -50,13 +50,13 @@ TEST(Attribution, GivesWhatOverlapsToOne) {
     EXPECT_EQ(text({{0, 8, "long"}, {0, 3, "short"}}), "ssslllll..");
     EXPECT_EQ(text({{2, 4, "b"}, {0, 9, "a"}, {3, 6, "c"}}), "aabcccaaa.");
     std::vector<Claim> outside = {{0, 90, "a"}, {20, 30, "b"}, {95, UINT64_MAX, "c"}};
-    EXPECT_EQ(owners(outside, 25, 10), (std::vector<uint32_t>{1, 1, 1, 1, 1, 0, 0, 0, 0, 0}));
+    EXPECT_EQ(assignClaims(outside, 25, 10), (std::vector<uint32_t>{1, 1, 1, 1, 1, 0, 0, 0, 0, 0}));
 }
 
 TEST(Attribution, FindsObjectAndArchiveInPaths) {
     auto both = [](const std::string &path) {
-        Home home = homeOf(path);
-        return home.object + " in " + home.room;
+        Origin origin = originOf(path);
+        return origin.object + " in " + origin.room;
     };
     EXPECT_EQ(both("lib/x86/libc.a(printf.o)"), "printf.o in libc.a");
     EXPECT_EQ(both("src/main.o"), "main.o in src");
@@ -97,14 +97,14 @@ TEST(Report, GroupsObjectsByRooms) {
     EXPECT_EQ(r.rooms.at("hall").bits, 24);
     EXPECT_EQ(r.rooms.at(kNothingNamed).bits, 8); // b.o
     EXPECT_EQ(r.stubRoom, "stub");
-    EXPECT_EQ(r.roomOf.at("c.o"), "hall"); // which earlier builds may have
+    EXPECT_EQ(r.roomOf.at("c.o"), "hall"); // an object that earlier builds may have
     for (const char *wrong : {"hall\n", "hall ten a.o\n", "hall -5 a.o\n", "hall 5x\n"})
         EXPECT_THROW(readRooms(wrong), common::Refused) << wrong;
 }
 
 // --- JSON ---
 
-TEST(Json, ReadsNamesWithAnySigns) {
+TEST(Json, ReadsNamesWithAnyCharacters) {
     Report r = makeReport({{0, 1, ".text", "a \"b\" \\ c\n.o", "ž", "operator<<(x, y)\x01"}}, {8}, 11, 10);
     Report read = readJson(printJson(r));
     EXPECT_EQ(read.objects.begin()->first, "a \"b\" \\ c\n.o");
@@ -113,7 +113,7 @@ TEST(Json, ReadsNamesWithAnySigns) {
 }
 
 TEST(Json, ReadsEarlierReportsAndLaterOnes) {
-    // As a ledger keeps it, which has no symbols; and with members of a later version
+    // A report of a ledger, without symbols, and with members of a later version
     Report r = readJson("{\"file\": 20, \"overhead\": 10, \"later\": {\"x\": {\"y\": \"z\"}},\n"
                         "\"sections\": {\".text\": {\"bytes\": 9, \"bits\": 80}}, \"objects\": {\n"
                         "\"cc7sCLLD.ltrans0.ltrans.o\": {\"bytes\": 9, \"bits\": 80, \"more\": 1}}}");
@@ -121,7 +121,7 @@ TEST(Json, ReadsEarlierReportsAndLaterOnes) {
     EXPECT_EQ(r.objects.at("(optimised as a whole)").bits, 80);
 }
 
-TEST(Json, RefusesWhatIsNoReport) {
+TEST(Json, RefusesOtherTexts) {
     const std::string good = printJson(example({1, 2, 3, 4}));
     EXPECT_TRUE(reads(good));
     for (const std::string wrong :
@@ -133,7 +133,7 @@ TEST(Json, RefusesWhatIsNoReport) {
     for (int i = 0; i < 100000; ++i) deep += "{\"a\":";
     EXPECT_FALSE(reads(deep));
     for (size_t size = 0; size + 1 < good.size(); ++size) EXPECT_FALSE(reads(good.substr(0, size))) << size;
-    // Whatever is changed, it reads it or refuses it
+    // Random changes are read or refused
     std::mt19937 random(3);
     for (int round = 0; round < 20000; ++round) {
         std::string changed = good;
@@ -156,7 +156,7 @@ TEST(Markdown, HasTotalBudgetAndLargestChanges) {
     EXPECT_NE(printMarkdown("a", now, &now, -1).find("No symbol changed by four bytes or more."),
               std::string::npos);
     EXPECT_NE(printMarkdown("a", now, nullptr, -1).find("|      100 | `(stub)` |"), std::string::npos);
-    // What is gone, and a report without symbols
+    // A symbol that no longer exists, and a report without symbols
     before.symbols["old"].bits = 16000;
     EXPECT_NE(printMarkdown("a", now, &before, -1).find("|   -2,000 |        0 |    2,000 | `old` |"),
               std::string::npos);
@@ -172,7 +172,7 @@ TEST(Markdown, HasTenLinesAtMost) {
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 + 2 + 10);
 }
 
-TEST(Markdown, ComparesRoomsOfWhatIsGone) {
+TEST(Markdown, ComparesRoomsOfRemovedObjects) {
     Report before = example({8, 8, 8, 8}), now = example({8, 8, 8, 8});
     before.objects["gone.o"].bits = 80;
     before.roomOf["gone.o"] = "attic";
@@ -184,7 +184,7 @@ TEST(Markdown, ComparesRoomsOfWhatIsGone) {
 
 // --- The command line ---
 
-TEST(Options, RefusesWhatDoesNotGoTogether) {
+TEST(Options, RefusesContradictions) {
     auto why = [](const std::vector<std::string> &words) {
         return thrown<common::Refused>([&] {
             common::CommandLine line("pack", words);
@@ -198,8 +198,8 @@ TEST(Options, RefusesWhatDoesNotGoTogether) {
         {{}, "it takes IN -o OUT"},
         {{"in"}, "it takes IN -o OUT"},
         {{"in", "-o", "out", "--test", "in"}, "it takes IN -o OUT"},
-        {{"--test", "in", "--budget", "1"}, "--budget is for packing alone"},
-        {{"-d", "in", "-o", "out", "--plain"}, "--plain is for packing alone"},
+        {{"--test", "in", "--budget", "1"}, "--budget is only for packing"},
+        {{"-d", "in", "-o", "out", "--plain"}, "--plain is only for packing"},
         {{"in", "-o", "out", "--budget", "64k"}, "--budget needs a number of bytes, or none, not '64k'"},
         {{"in", "-o", "out", "--budget", "1.5"}, "--budget needs"},
         {{"in", "-o", "out", "--effort", "more"}, "--effort needs fast, normal, best or a number of seconds"},
