@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# build.sh PACK FOLDER [--pe]: makes FOLDER/hello.elf and packs it to FOLDER/hello; with --pe the same for Windows,
+# build.sh PACK FOLDER [--pe]: builds FOLDER/hello.elf and packs it to FOLDER/hello. With --pe, for Windows:
 # FOLDER/hello_windows.elf and hello.exe.
 set -euo pipefail; unset CDPATH
 here=$(cd "$(dirname "$0")" && pwd)
 name=hello out=hello library=libdl.so.2 functions=(dlopen dlsym) packing=()
 [ "${3-}" != --pe ] || name=hello_windows out=hello.exe library=kernel32.dll functions=(LoadLibraryA GetProcAddress) packing=(--pe)
-# What the linker sees of the library
+# A library with only the imported functions, for the linker
 printf 'void %s(void) {}\n' "${functions[@]}" >"$2/$library.c"
 gcc -shared -nostdlib -Wl,-soname,$library,--build-id=none "$2/$library.c" -o "$2/$library.so"
 g++ -Os -ffreestanding -fno-exceptions -fno-asynchronous-unwind-tables -fno-stack-protector -fcf-protection=none \

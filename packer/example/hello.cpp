@@ -1,8 +1,7 @@
-// The smallest program that pack takes; build.sh makes it. The contract, in short (all of it is in
-// ../README.md): a fixed-base executable that starts at _start without crt1, keeps written data on separate
-// pages after code and constants, has no constructors and no thread-local storage, and imports dlopen and
-// dlsym, nothing else. Libraries are opened by name; libc is there, because the program has an
-// interpreter.
+// The smallest program made for the packer; build.sh builds it. The rules in short (../README.md has all): a
+// fixed-base executable that starts at _start without crt1, has its writable data on separate pages after
+// code and constants, has no constructors and no thread-local storage, and imports only dlopen and dlsym. It
+// opens libraries by name. libc is already loaded, because the program has an interpreter.
 extern "C" {
 __attribute__((noplt)) void *dlopen(const char *name, int mode);
 __attribute__((noplt)) void *dlsym(void *library, const char *name);
@@ -14,7 +13,7 @@ __asm__(".globl _start\n"
         "    mov %rsp, %rdi\n"
         "    call start\n");
 
-static int theSum = 40; // data must survive packing, too
+static int theSum = 40; // data must survive packing too
 static int theZeros[1000];
 
 extern "C" [[noreturn]] void start(long *stack) {

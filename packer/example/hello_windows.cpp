@@ -1,6 +1,6 @@
-// The smallest program that pack --pe takes; build.sh makes it. It is linked as ELF like hello.cpp and has to
-// keep the same contract, except that it imports LoadLibraryA and GetProcAddress from kernel32.dll. Calls to
-// and from Windows use Microsoft's convention, ms_abi; everything else is as on Linux.
+// The smallest program for pack --pe; build.sh builds it. It is linked as ELF like hello.cpp and must keep
+// the same rules, except that it imports LoadLibraryA and GetProcAddress from kernel32.dll. Calls to and from
+// Windows use Microsoft's convention, ms_abi; everything else is as on Linux.
 #define WINDOWS __attribute__((ms_abi))
 
 extern "C" {
@@ -8,10 +8,10 @@ __attribute__((noplt)) WINDOWS void *LoadLibraryA(const char *name);
 __attribute__((noplt)) WINDOWS void *GetProcAddress(void *library, const char *name);
 }
 
-static int theSum = 40; // data must survive packing, too
+static int theSum = 40; // data must survive packing too
 static int theZeros[1000];
 
-// Windows calls this function, so it has the convention of Windows.
+// Windows calls this function, so it has Microsoft's convention.
 extern "C" [[noreturn]] WINDOWS void _start() {
     void *kernel = LoadLibraryA("kernel32.dll");
     auto output = (void *(WINDOWS *)(unsigned))GetProcAddress(kernel, "GetStdHandle");
