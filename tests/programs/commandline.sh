@@ -25,7 +25,7 @@ check "--dump reports a full disk" refuses 1 "cannot write standard output: no s
 check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c 'set -o pipefail; "$0" --dump - --size 320x180 --quality draft | head -c 99 >/dev/null' "$film"
 not_to_terminal() { # it refuses, and writes no picture
     script -qec "${film@Q} --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
-    [ $? != 0 ] && grep -q 'not to the terminal' "$WORK/terminal" && lacks P6 "$WORK/terminal"
+    [ $? != 0 ] && grep -q 'binary data to the terminal' "$WORK/terminal" && lacks P6 "$WORK/terminal"
 }
 check "it does not dump to a terminal" not_to_terminal
 check "--dump refuses a folder that it may not write to" refuses 1 "cannot write /proc/frame-000050.ppm" "$film" --dump /proc "${small[@]}"
