@@ -1,4 +1,4 @@
-# tools/measure/all, which measures and writes RESULTS.md. It measures one section into another file. What --check
+# Tests tools/measure/all, which measures and writes RESULTS.md: it measures one section into another file. What --check
 # prints is tested in a scratch repository with two sections that take no time.
 . "$(dirname "$0")/common.sh"
 skip_unless python3 git objcopy g++ ninja

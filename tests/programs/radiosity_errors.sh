@@ -1,6 +1,6 @@
 # Compares solutions with path tracing at random points: a room's error stays below a limit in percent, and coarser
-# settings have larger errors. With "all" as the second argument the same for two other rooms, with more points and
-# paths, and limits for two models of many small polygons.
+# settings have larger errors. With "all" as the second argument it also checks two other rooms, with more points and
+# paths, and the errors of two models of many small polygons.
 . "$(dirname "$0")/radiosity_program.sh"
 needs_built radiosity_errors
 paths=(500 24)

@@ -21,7 +21,7 @@ sky=(--sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --up z --element 0.02 --rays 32)
 check "solve bumps" prints '^800 triangles' "$radiosity" solve bumps.obj -o bumps.rad "${sky[@]}"
 
 # --- Pictures are the tracer's, except on edges, where the samples differ, and within elements, where triangles
-# interpolate a little differently. Measured: 48 to 56 dB; 30 in the logarithm's tone, where edges are darkest ---
+# interpolate a little differently. Measured: 48 to 56 dB; 30 in the log tone, whose darkest pixels are edges ---
 compared() { # compared DB SOLUTION OPTION...
     local least=$1
     shift
@@ -62,7 +62,7 @@ check "wireframe" view plate.rad "${front[@]}" --layer wireframe --screenshot wi
 # A plate of width 2 at the distance of 2 takes 173 of 200 pixels
 check "... is a rectangle's edges, with nothing between" eval '[ "$(convert wire.png -trim -format "%[fx:w>=172&&w<=176]" info:)" = 1 ] && [ "$(convert wire.png -crop 160x160+20+20 -format "%[fx:maxima]" info:)" = 0 ]'
 check "the back is not shown" eval 'view plate.rad --size 200x200 --eye 0,0,-2 --at 0,0,0 --screenshot back.png --layer elements && [ "$(convert back.png -format "%[fx:maxima]" info:)" = 0 ]'
-# The middle of the cube's far wall sees the red wall on its right, the green one on its left, the lamp above. Its
+# From the middle of the cube's far wall the red wall is on the right, the green one on the left, the lamp above. Its
 # hemicube lies in the lower right corner: 4 x 37 pixels wide, 8 from the borders; the top face in its middle
 check "hemicube" view cube.rad --size 480x300 "${inside[@]:2}" --layer hemicube --screenshot hemicube.png
 check "... red on its right" eval 'less "$(part hemicube.png 20x40+448+198 g)" "$(most hemicube.png 20x40+448+198 r)"'
