@@ -35,13 +35,13 @@ const release = why => {
 
 // --- Each refresh of the screen ---
 const begin = t => {
-  const needs = x.can(from) == 1, share = x.ready()
+  const needs = x.can(from) == kLater, share = x.ready()
   bar.style.width = 100 * (needs ? solved * 0.8 : 0.8 + share / 5) + '%'
   say(needs ? 'The light of the hall is being solved.' : '')
   const sounds = audio?.state == 'running'
   if (!sounds && t - since > 1500) silent = 1
   const audible = silent || sounds && waiting.length > 3
-  if (audible && (share == 1 || x.can(from) == 2)) bar.style.width = 0, release('start')
+  if (audible && (share == 1 || x.can(from) == kNever)) bar.style.width = 0, release('start')
 }
 const step = (t = now()) => {
   if (over) return
@@ -51,9 +51,9 @@ const step = (t = now()) => {
     if (!silent && audio.currentTime > zero) t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
     const film = x.at(t), can = x.can(Math.max(film, from))
     if (film >= duration) return end()
-    if (can == 1) hold('hall')
-    say(can == 2 ? unlit : '')
-    if (can == 2) draw.fillRect(0, 0, w, h)
+    if (can == kLater) hold('hall')
+    say(can == kNever ? unlit : '')
+    if (can == kNever) draw.fillRect(0, 0, w, h)
     showDue(film, t)
   } else if (holds.has('hall')) {
     say('The light of the hall is being solved.')

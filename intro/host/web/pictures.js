@@ -3,6 +3,7 @@ const pictures = new Map, cores = navigator.hardwareConcurrency || 2
 // count: number of tracers; idle: tracers without a picture; spare: free buffers; lit: number of tracers with the hall's
 // light; solved: progress of the solver, 0 .. 1; unlit: why the hall has no light
 let count, w, h, tracers = [], solver, idle, spare = [], lit, solved, unlit
+const kNow = 0, kLater = 1, kNever = 2 // when a picture can be traced: Traceable of page_player.h
 let turn = 0, shown = 0, skipped = 0, first = 0 // turn: number of seeks; first: when the first picture was shown
 const startWorker = (receive, ...first) => {
   const k = new Worker(url)
@@ -28,11 +29,11 @@ const assign = () => {
 const light = hall => {
   const to = tracers[lit++] ?? solver
   to.postMessage(['light', hall], [hall.pages.buffer])
-  if (lit == count) x.hall(0), release('hall'), assign()
+  if (lit == count) x.hall(kNow), release('hall'), assign()
 }
 const leaveOut = why => {
   unlit = `The light of the hall could not be solved (${why}): its scenes are left out.`
-  x.hall(2), release('hall'), assign()
+  x.hall(kNever), release('hall'), assign()
 }
 const receiveFromTracer = (d, k) => {
   if (d.hall) return light(d.hall)
@@ -67,7 +68,7 @@ const prepare = () => {
   solver?.terminate()
   canvas.width = w = wide, canvas.height = h = high
   idle = [], unlit = null, lit = solved = 0
-  x.hall(1), beginPictures() // 0: the hall is lit, 1: not yet, 2: never (Traceable of page_player.h)
+  x.hall(kLater), beginPictures()
   spare = []
   tracers = Array.from({ length: count }, () => startWorker(receiveFromTracer, 'trace', module, w, h))
   tracers[0].postMessage(['picture', { time: 35, level: 1, width: 0, height: 0, still: 1 }])
