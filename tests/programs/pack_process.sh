@@ -62,7 +62,7 @@ both() {
     [ "$(wc -l <got)" -gt 1 ] && diff wanted got
 }
 check "\$ORIGIN, /proc/self/exe, headers, vDSO" both 'exec ./run'
-check "... it got through" grep -q '^42: .* 1 vdso' got
+check "... which it found" grep -q '^42: .* 1 vdso' got
 check "any argv[0]" both 'exec -a "another name" ./run'
 check "... it is printed" grep -q 'called another name, is run' got
 check "by a path from elsewhere" both 'cd /; exec "$OLDPWD/run" x'

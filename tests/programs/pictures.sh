@@ -67,7 +67,7 @@ for words in "base.ppm b.ppm --diff ./base.ppm" "b.ppm base.ppm --diff base.ppm"
 done
 check "a picture into a pipe" eval '"$BUILD/compare" --png "$WORK/a.ppm" /dev/stdout | cat >"$WORK/a.png" && "$BUILD/compare" "$WORK/a.png" "$WORK/a.ppm" >/dev/null'
 check "a name like an option" refuses 2 "unknown option '-dash.png'; if it is a file, write ./-dash.png" "$BUILD/compare" -dash.png "$WORK/a.ppm"
-check "contact_sheet spares its film" refuses 2 "would be overwritten" "$BUILD/contact_sheet" "$WORK/a.ppm" "$WORK/a.ppm"
+check "contact_sheet does not write over its film" refuses 2 "would be overwritten" "$BUILD/contact_sheet" "$WORK/a.ppm" "$WORK/a.ppm"
 
 # All channels, all bits and all pictures of a file count
 differ() { # differ PATTERN COMMAND...: exit status 1, and prints what matches
@@ -91,7 +91,7 @@ check "... against 8 bits, too" differ 'A has 16 bits, B has 8 bits' "$BUILD/com
 cat "$WORK/a.ppm" "$WORK/a.ppm" >"$WORK/aa.ppm"
 cat "$WORK/a.ppm" "$WORK/b.ppm" >"$WORK/ab.ppm"
 check "a second picture counts" differ '^picture 2: psnr .*, largest difference 20,' "$BUILD/compare" "$WORK/aa.ppm" "$WORK/ab.ppm"
-check "... as does its lack" refuses 2 "the numbers of pictures differ: 2 and 1" "$BUILD/compare" "$WORK/aa.ppm" "$WORK/a.ppm"
+check "... and so does a missing one" refuses 2 "the numbers of pictures differ: 2 and 1" "$BUILD/compare" "$WORK/aa.ppm" "$WORK/a.ppm"
 { printf 'P5\n1500 1500\n65535\n'; head -c 4500000 /dev/zero; } >"$WORK/large.pgm"
 check "one without memory for it is refused" refuses 2 "not enough memory" bash -c "ulimit -v 20000; '$BUILD/compare' '$WORK/large.pgm' '$WORK/large.pgm'"
 exr=$SOURCE/tests/support/pictures

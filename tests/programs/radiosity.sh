@@ -78,7 +78,7 @@ even() { table out.csv "if (\$9 < 0.999 * $1 || \$9 > 1.001 * $1) ++off" 'off + 
 # A furnace: all surfaces emit 1 and reflect a half, so their radiance is 2, at any size
 furnace="usemtl all\nf 4 3 2 1\nf 6 7 8 5\nf 2 6 5 1\nf 4 8 7 3\nf 5 8 4 1\nf 3 7 6 2\n"
 check "a furnace of a millimetre" eval 'printf "mtllib out.mtl\n${points//1/0.001}$furnace" >out.obj; solved out out.obj --element 4e-9'
-check "... comes out even, everywhere within .2 %" table out.csv 'if ($9 < 1.996 || $9 > 2.004 || $10 < 1.3307 || $10 > 1.336 || $11 != 1) ++off' 'off + 0 == 0'
+check "... has the same light everywhere, within .2 %" table out.csv 'if ($9 < 1.996 || $9 > 2.004 || $10 < 1.3307 || $10 > 1.336 || $11 != 1) ++off' 'off + 0 == 0'
 check "... and of a kilometre, by hemicubes" eval 'printf "mtllib out.mtl\n${points//1/1000}$furnace" >out.obj; solved out out.obj --element 4000 --patch 10000 --hemicube 32'
 # (near edges hemicubes are less exact)
 check "... in the mean" table out.csv 'a += $8; r += $8 * $9; g += $8 * $10; b += $8 * $11' 'r / a > 1.985 && r / a < 2.015 && g / a > 1.32 && g / a < 1.347 && b / a > 0.999 && b / a < 1.001'
@@ -114,8 +114,8 @@ sees_all() { # sees_all OPTION...: the plate touches no edge of the picture, and
         [ "$(convert all.png -threshold 2% -format '%@' info: | awk -F '[x+]' '{ print ($3 > 0 && $4 > 0 && $1 + $3 < 160 && $2 + $4 < 90 && ($3 < 8 || $4 < 5 || $1 + $3 > 152 || $2 + $4 > 85)) }')" = 1 ]
 }
 lit "$plate" && cp out.rad plate.rad
-check "a plate is seen whole by a wide lens" sees_all --lens 120
-check "... by a long one" sees_all --lens 5
+check "a wide lens shows all of a plate" sees_all --lens 120
+check "... and so does a long one" sees_all --lens 5
 check "... and the camera that it prints makes the same picture" eval '"$radiosity" render plate.rad -o again.png --size 160x90 --lens 5 $(cat out) && cmp all.png again.png'
 lit 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl grey\nf 4 3 2 1\n' && cp out.rad plate.rad
 check "... where z is up and it faces down" sees_all --up z

@@ -12,7 +12,7 @@ awk 'BEGIN {
     n = split("1 5 6 2|3 4 8 7|1 3 7 5|2 6 8 4|1 2 4 3|5 7 8 6", f, "|")
     for (i = 1; i <= n; ++i) { split(f[i], p, " "); print "f " p[1] "/1 " p[2] "/2 " p[3] "/3 " p[4] "/4" } }' >room.obj
 check "a furnace of checks" solved room room.obj --hemicube 32 --patch 0.01 --element 0.01
-check "... has their mean times Kd, silently" eval '[ ! -s room.err ] && table room.csv "a += \$8; r += \$8 * \$9; g += \$8 * \$10; b += \$8 * \$11" "r / a > 1.135 && r / a < 1.153 && g / a > 1.325 && g / a < 1.347 && b / a > 1.059 && b / a < 1.076"'
+check "... reflects their mean times Kd, and prints nothing" eval '[ ! -s room.err ] && table room.csv "a += \$8; r += \$8 * \$9; g += \$8 * \$10; b += \$8 * \$11" "r / a > 1.135 && r / a < 1.153 && g / a > 1.325 && g / a < 1.347 && b / a > 1.059 && b / a < 1.076"'
 
 # A floor under an even sky of 1 has its reflectance as radiance: red on the left, blue on the right, black above
 mkdir -p 'sub/my pictures'
@@ -28,7 +28,7 @@ shows() { # shows RED BLUE: colours as conditions on X, Y, -1 .. 1 from below; n
 }
 check "a picture that is scaled" floor 'map_Kd -s 2 2 my pictures/Floor.png\n'
 check "... repeats" shows '(X < -0.5 || (X > 0 && X < 0.5)) && (Y < -0.5 || (Y > 0 && Y < 0.5))' '(X > 0.5 || (X < 0 && X > -0.5)) && (Y < -0.5 || (Y > 0 && Y < 0.5))'
-check "... with -clamp on, and moved, goes on as its border is" floor 'map_Kd -clamp on -s 2 2 -o 0.5 0 my pictures/Floor.png\n'
+check "... with -clamp on, and moved, is continued by its border" floor 'map_Kd -clamp on -s 2 2 -o 0.5 0 my pictures/Floor.png\n'
 check "... which is blue" shows 0 'Y < -0.5'
 check "a floor, its picture in another folder, by backslashes and other capitals" floor 'map_Kd my pictures\\\\floor.PNG\n'
 check "... has the picture in its place" shows 'X < 0 && Y < 0' 'X > 0 && Y < 0'

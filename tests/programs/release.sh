@@ -59,7 +59,7 @@ if [ "$pages" = 1 ]; then
 fi
 check "the tools alone" prints "odraz-tools-.*gz\$" "$release" --built --unclean --only tools --to "$WORK/tools"
 check "... have the same files, in one archive" diff <(tar -tzf "$WORK"/tools/*) <(tar -tzf "$WORK"/one/odraz-tools-*)
-check "... nothing else can be alone" refuses 2 "--only takes tools, not 'film'" "$release" --only film
+check "... nothing else can be made alone" refuses 2 "--only takes tools, not 'film'" "$release" --only film
 
 # The tools' archive, which also runs on older systems
 tools=odraz-tools-${name#odraz-}-linux-x86_64
@@ -83,13 +83,13 @@ for program in compare pack radiosity; do
     fi
 done
 check "radiosity solves" bash -c './radiosity generate cube -o "$1/cube.obj" >/dev/null && ./radiosity solve "$1/cube.obj" -o "$1/cube.rad" >/dev/null 2>&1' - "$WORK"
-check "... what the one of build/ solves" bash -c '"$2" solve "$1/cube.obj" -o "$1/same.rad" >/dev/null 2>&1 && cmp "$1/cube.rad" "$1/same.rad"' - "$WORK" "$BUILD/radiosity"
+check "... with the same result as the one in build/" bash -c '"$2" solve "$1/cube.obj" -o "$1/same.rad" >/dev/null 2>&1 && cmp "$1/cube.rad" "$1/same.rad"' - "$WORK" "$BUILD/radiosity"
 check "... and reports what is wrong with a file" refuses 2 "cannot read" ./radiosity solve "$WORK/needs.obj" -o "$WORK/x"
 cd "$WORK" || exit 1
 
 # Wrong arguments and programs are refused
-check "a poster that is none" refuses 2 "is no PNG" "$release" --poster "$BUILD/odraz"
-check "a folder that cannot be" refuses 1 "cannot write into" "${made[@]}" --to /proc/here
+check "a poster that is no picture" refuses 2 "is no PNG" "$release" --poster "$BUILD/odraz"
+check "a folder that cannot be made" refuses 1 "cannot write into" "${made[@]}" --to /proc/here
 check "programs that are not there" env BUILD="$WORK" bash -c '"$@" 2>&1 | grep -q "is not built"' - "${made[@]}" --to "$WORK/three"
 refuses_unclean() { # the + of a program's version marks that its tree differed
     mkdir "$WORK/other"

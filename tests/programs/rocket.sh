@@ -58,7 +58,7 @@ drawn
 kept step
 order key point:keyLight 0 0 3
 check "a ramp" comes '! is step'
-check "... is another picture than a smooth track" eval '! is light'
+check "... gives another picture than a smooth track" eval '! is light'
 order key point:keyLight 0 0 2
 check "... which is the film's" comes 'is light'
 order row 168

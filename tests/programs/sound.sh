@@ -22,7 +22,7 @@ check "a part is its slice" shard 60 61.5 2880000 2952000 1.500000
 check "... to the sample" shard 71.123456 71.2 3413926 3417600 0.076542
 check "... at the end" shard 163.5 164 7848000 7872000 0.500000
 "$odraz" --wav "$WORK/none.wav" --from 3 --to 3
-check "a part of nothing is a header" test "$(stat -c %s "$WORK/none.wav")" = 44
+check "an empty part is just a header" test "$(stat -c %s "$WORK/none.wav")" = 44
 check "a part to compare with" shard 8 8.5 384000 408000 0.500000
 check "a pipe gets the same" cmp "$WORK/shard.wav" <("$odraz" --wav - --from 8 --to 8.5 | cat)
 mkfifo "$WORK/fifo"

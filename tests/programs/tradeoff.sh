@@ -59,6 +59,6 @@ check "... all of them" grep -q '^4096,' "$WORK/csv"
 check "a knob that is not there" \
     refuses 2 "unknown knob 'colour': use one of grid" "$tradeoff" --setting play,colour=1
 check "a quality that is not there" refuses 2 "unknown quality 'fine'" "$tradeoff" --setting fine
-check "a level that is none" refuses 2 "level" "$tradeoff" --setting level=3
-check "a number of contexts that cannot be" refuses 2 "a multiple of 4" "$BUILD/bench_pack" --contexts 5 "$WORK/sample"
+check "an invalid level" refuses 2 "level" "$tradeoff" --setting level=3
+check "an invalid number of contexts" refuses 2 "a multiple of 4" "$BUILD/bench_pack" --contexts 5 "$WORK/sample"
 finish

@@ -87,7 +87,7 @@ check "ignored signals" same plain bash -c 'trap "" INT TERM HUP CHLD PIPE USR1;
 for personality in -X -Z -B -L -3 -S --uname-2.6; do check "setarch $personality" same plain setarch $personality; done
 check "setarch -X, for the hall" same hall setarch -X
 for display in :99999999 nowhere.invalid:0 / :0.99 unix/:7 "$long"; do
-    check "a display that is none: ${display:0:20}" refuses 1 "no X display" env DISPLAY="$display" "$odraz" --window
+    check "an invalid display: ${display:0:20}" refuses 1 "no X display" env DISPLAY="$display" "$odraz" --window
 done
 
 # --- Environments that only root can make ---

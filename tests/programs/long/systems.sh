@@ -13,7 +13,7 @@ declare -A SUITES=([debian11]=bullseye [debian13]=trixie [sid]=sid)
 [ $# -gt 0 ] || set -- debian11 sid
 LEAST=45 # dB of PSNR that the hall must reach where Mesa differs
 mirror=$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' 2>/dev/null | head -n 1)
-[ -n "$mirror" ] || { echo "SKIPPED: apt knows no mirror of Debian"; exit 77; }
+[ -n "$mirror" ] || { echo "SKIPPED: apt lists no mirror of Debian"; exit 77; }
 
 declare -A PARTS=(
     [frames]="--dump - --from 20 --to 60 --fps 1/4 --size 320x180"
