@@ -111,12 +111,12 @@ template <class Player, class G> void makePictures(Player &player, G &governor, 
         float make = 0;
         for (int i = 1; i <= count; ++i) {
             player.await(bufferFreeAt[buffer]);
-            int64_t begun = player.now();
+            int64_t makingBegan = player.now();
             double share = 1 - (double)((count + 1 - i) * governor.spacing()) / gap;
             FinishedPicture b = {};
             b.time = last + (time - last) * share;
             player.between(b, !slot, slot, share, buffer);
-            b.make = (float)(player.now() - begun) * 1e-9f;
+            b.make = (float)(player.now() - makingBegan) * 1e-9f;
             make += b.make;
             bufferFreeAt[buffer] = player.add(b);
             buffer = (buffer + 1) % kBetweenBuffers;
