@@ -69,8 +69,8 @@ inline constexpr Quality kQualities[] = {
 };
 static_assert(inOrder(kQualities, &Quality::id), "a row for every name, in the enum's order");
 
-// A quality between a (share 0) and b (share 1). The depth changes in steps. Faint textures cost 5 to 9 %, so
-// only blends close to `film` have them.
+// A quality between a (share 0) and b (share 1). The depth changes in steps. Only blends close to `film` have
+// faint textures, which cost 5 to 9 %.
 inline Quality blend(const Quality &a, const Quality &b, float share) {
     auto mix = [&](float x, float y) { return x + (y - x) * share; };
     return {.coarse = share < 0.5f ? a.coarse : b.coarse,

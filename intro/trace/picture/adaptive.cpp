@@ -7,10 +7,9 @@ namespace odraz {
 
 namespace {
 
-// Width of the texture filter of samples, in pixels. Pixels are means of their corners, which blurs them, so
-// textures in mirrors are filtered over only half a pixel. With a whole pixel, PSNR is 0.9 dB worse; with
-// less than half, they shimmer. Lines between patches are often narrower than a pixel: with half a pixel they
-// would be dashed where surfaces meet.
+// Width of a sample, in pixels, by which textures are filtered. Pixels are means of their corners, which
+// blurs them, so half a pixel is best in mirrors: with a whole one, PSNR is 0.9 dB worse; with less, textures
+// shimmer. But lines between patches are narrow: with half a pixel they would be dashed where surfaces meet.
 float filterOf(const Scene &scene) { return scene.lines != 0 ? 1 : 0.5f; }
 
 ODRAZ_INLINE void request(TileScratch &s, uint32_t point) {
@@ -61,8 +60,8 @@ void makeMiddles(Tile &t, Square q, int half, Split why) {
     makeMiddle(t, c[2], c[3], middle + down, half, calm);
 }
 
-// Makes those quarters of a square that are in the tile, and their corners. Returns their number; may write
-// one more.
+// Makes a square's quarters that are in the tile, and their corners. Returns their number; may write one
+// more.
 [[gnu::noinline]] int quarter(Tile &t, Square a, int half, Split why, Square *to) {
     bool right = a.x + half < t.width, below = a.y + half < t.height;
     uint8_t x = (uint8_t)(a.x + half), y = (uint8_t)(a.y + half);
@@ -125,8 +124,8 @@ int splitSquares(Tile &t, int count, int size) {
             else
                 squares[left++] = a;
         }
-        // Split more squares because of samples that were traced for neighbours. Test all squares before one
-        // splits, because a split adds corners
+        // Split more squares because of samples that were traced for neighbours. Test all before the first
+        // split
         for (int before = 0; size > 1 && splits > before;) {
             before = splits;
             traceRequested(t);
@@ -150,8 +149,7 @@ int splitSquares(Tile &t, int count, int size) {
     return rough;
 }
 
-// The number of samples, among kMostInside, that a pixel takes first. The weight of a corner of a pixel with
-// these samples, and with all samples.
+// The number of samples that a pixel takes first; the weight of its corners with these, and with all samples.
 constexpr int kFirst = 3;
 constexpr float kCornerWeight = 0.078f, kCornerWeightAll = 0.038f;
 

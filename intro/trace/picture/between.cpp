@@ -18,8 +18,7 @@ namespace {
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // a tile with a border of one pixel; rows are padded
 constexpr int kRowStep = 8;                         // rows at this distance are always traced; a power of two
 constexpr int kBlock = 8; // side of the blocks of pixels that are carried by their corners
-// Tolerated difference at a gap of two sixtieths of a second. It grows in proportion to the gap, in flat
-// mirrors at most to kMirrorTolerance.
+// Tolerated difference at a gap of 2/60 s. It grows in proportion to the gap; its limit in flat mirrors.
 constexpr float kTolerance = 0.06f, kMirrorTolerance = 0.09f;
 // Distances, in radians from the eye, by which reflections move across a ball between the pictures. Beyond
 // kTorn, parts of the ball that only one picture shows do not count. Beyond kGhosts the tolerance shrinks:
@@ -90,8 +89,7 @@ struct Sources {
     }
 }
 
-// Traces pixels: with one sample where one shape fills them, else with kSamples, in different rows and
-// columns.
+// Traces pixels: with one sample if one shape fills them, else with kSamples in different rows and columns.
 void tracePixels(Tile &t, const uint16_t *pixels, int count) {
     TileScratch &s = t.s;
     const __m128 white = _mm_set1_ps(whiteOf(t.scene));
@@ -366,7 +364,7 @@ void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neig
     Quality relaxed = quality;
     relaxed.fine = max(relaxed.fine, 2), relaxed.coarse = 32;
     relaxed.threshold *= 2, relaxed.markThreshold *= 2, relaxed.edge *= 2;
-    forTiles(tracer, workers, *now.scene, now.view, relaxed, now.frame, makeTile, &from);
+    forTiles(tracer, workers, *now.scene, now.view, relaxed, now.frame, {makeTile, &from});
 }
 
 int64_t retracedPixels(Between &between) {

@@ -26,8 +26,8 @@ void makeToneCurve(ToneCurve &curve) {
 
 namespace {
 
-// Keeps x in a register or on the stack. Otherwise the compiler makes a constant again in every round of a
-// loop, in up to three instructions.
+// Keeps x in a register or on the stack. Otherwise each round of a loop makes a constant again, in up to
+// three instructions.
 template <class T> ODRAZ_INLINE T kept(T x) {
 #ifndef __wasm__ // WebAssembly has no registers
     asm("" : "+x"(x));
@@ -75,6 +75,30 @@ struct GlareRow {
     }
 };
 
+// Clamps eight pixels to the brightest of their neighbours, which are at these offsets. A pixel brighter than
+// all of them is mostly a sample that hit something thin by chance, which the next picture will not show.
+ODRAZ_INLINE Float8 withoutSparks(const float *at, ptrdiff_t left, ptrdiff_t right, ptrdiff_t above,
+                                  ptrdiff_t below) {
+    auto most = [&](const float *p) { return max(load(p + left), load(p + right)); };
+    const float *up = at + above, *under = at + below;
+    Float8 others = max(max(most(up), most(under)), max(load(up), load(under)));
+    return min(max(most(at), others), load(at));
+}
+
+// Packs the colours of eight pixels to bytes, which clamps them to 0 .. 255, and writes up to `count` pixels.
+ODRAZ_INLINE void write(uint8_t *out, const Int8 (&shown)[3], Int8 opaque, ptrdiff_t x, ptrdiff_t width) {
+    const Int8 kOrder = {0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703,
+                         0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703};
+    __m256i pixels = _mm256_packus_epi16(_mm256_packs_epi32((__m256i)shown[0], (__m256i)shown[1]),
+                                         _mm256_packs_epi32((__m256i)shown[2], (__m256i)opaque));
+    pixels = _mm256_shuffle_epi8(pixels, (__m256i)kOrder);
+    // Do not write beyond the row's end: another worker writes the next row
+    if (x + 8 <= width)
+        _mm256_storeu_si256((__m256i *)(out + x * 4), pixels);
+    else
+        _mm256_maskstore_epi32((int *)(out + x * 4), (__m256i)(kLanes < (int)(width - x)), pixels);
+}
+
 } // namespace
 
 void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
@@ -102,23 +126,18 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
                       above = y > 0 ? -f.stride : below, left = f.width > 8, row = (ptrdiff_t)y * f.stride;
             GlareRow of(spread ? glare->level[1] : Glare::Level{}, y);
             Uint8 pixel = (Uint8)(kLanes + y * kMaxWidth);
-            Float8 aside = toFloat(kLanes) + (0.5f - midX);
+            Float8 across = toFloat(kLanes) + (0.5f - midX);
             for (ptrdiff_t x = 0; x < f.width; x += 8) {
                 Uint8 noise = pcg(pixel ^ salts);
                 // Grain: the sum of two random 16-bit numbers, each as often negative as not
                 Int8 grain = (Int8)_mm256_madd_epi16((__m256i)((Int8)pcg(noise) ^ signs), (__m256i)amplitude);
                 grain += half;
-                Float8 gain = fmadd(aside * aside, fall, rest);
+                Float8 gain = fmadd(across * across, fall, rest);
                 ptrdiff_t right = x + 8 < f.width ? 1 : left;
                 Int8 shown[3];
                 for (int c = 0; c < 3; ++c) {
                     const float *at = f.plane[c] + (row + x);
-                    // Clamp to the brightest neighbour. A pixel brighter than all of them is mostly a
-                    // sample that hit something thin by chance, which the next picture will not show
-                    auto most = [&](const float *p) { return max(load(p + left), load(p + right)); };
-                    const float *up = at + above, *under = at + below;
-                    Float8 others = max(max(most(up), most(under)), max(load(up), load(under)));
-                    Float8 v = min(max(most(at), others), load(at));
+                    Float8 v = withoutSparks(at, left, right, above, below);
                     if (spread) v = fmadd(of.at(c, x) - v, spreadShare, v);
                     // Clamp to the table's range; NaN becomes 0
                     v = min(max(fmadd(v, gain, foot), foot), head);
@@ -130,21 +149,10 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
                     shown[c] = (value + (Int8)(noise >> 11) + grain) >> 21;
                     noise <<= 10;
                 }
-                // Pack to bytes, which clamps to 0 .. 255
-                const Int8 kOrder = {0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703,
-                                     0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703};
-                __m256i pixels = _mm256_packus_epi16(_mm256_packs_epi32((__m256i)shown[0], (__m256i)shown[1]),
-                                                     _mm256_packs_epi32((__m256i)shown[2], (__m256i)opaque));
-                pixels = _mm256_shuffle_epi8(pixels, (__m256i)kOrder);
-                // Do not write beyond the row's end: another worker writes the next row
-                if (x + 8 <= f.width)
-                    _mm256_storeu_si256((__m256i *)(out + x * 4), pixels);
-                else
-                    _mm256_maskstore_epi32((int *)(out + x * 4), (__m256i)(kLanes < (int)(f.width - x)),
-                                           pixels);
+                write(out, shown, opaque, x, f.width);
                 left = -1;
                 pixel += (Uint8)eight;
-                aside += 8;
+                across += 8;
             }
         }
     };

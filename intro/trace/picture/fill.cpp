@@ -71,6 +71,20 @@ struct Bilinear {
     return sum;
 }
 
+// Keeps a row of fewer than eight pixels until its neighbours are filled, too.
+ODRAZ_INLINE static void keepRow(float (&to)[3][kTile * kTile + 8], int p, int size, const Rgb8 &v) {
+    Int8 inside = kLanes < size;
+    _mm256_maskstore_ps(to[0] + p, (__m256i)inside, v.x);
+    _mm256_maskstore_ps(to[1] + p, (__m256i)inside, v.y);
+    _mm256_maskstore_ps(to[2] + p, (__m256i)inside, v.z);
+}
+
+// The order in which the albedo of eight rows is computed. Three are evaluated; the others are interpolated,
+// unless the albedo changes from the row above to the row below.
+static constexpr struct {
+    uint8_t row, above, below;
+} kRowOrder[] = {{0, 0, 0}, {4, 0, 0}, {7, 0, 0}, {2, 0, 4}, {6, 4, 7}, {1, 0, 2}, {3, 2, 4}, {5, 4, 6}};
+
 void fill(Tile &t, Square q, int size) {
     TileScratch &s = t.s;
     uint32_t c[4];
@@ -93,8 +107,7 @@ void fill(Tile &t, Square q, int size) {
         for (__m128 &v : rest) darkest = _mm_min_ps(darkest, v), v = _mm_min_ps(v, white), r += v * 0.25f;
         for (int i = 0; i < size * size; ++i) {
             int x = i % size, y = i / size, p = at + y * kTile + x;
-            __m128 v = counting ? colourByCoverage(t, x0 + x, y0 + y, c, rest, r) : r;
-            v = _mm_max_ps(v, darkest);
+            __m128 v = _mm_max_ps(counting ? colourByCoverage(t, x0 + x, y0 + y, c, rest, r) : r, darkest);
             for (int k = 0; k < 3; ++k) s.light[k][p] = l[k], s.rest[k][p] = v[k];
             s.shape[p] = shape;
         }
@@ -102,17 +115,11 @@ void fill(Tile &t, Square q, int size) {
     }
     // A row of the square is one packet
     float step = 1.f / (float)size;
-    Int8 inside = kLanes < size;
     Float8 u = (toFloat(kLanes) + 0.5f) * step;
     Bilinear lights(light), rests(rest);
     __m128i shapes = _mm_set1_epi16((short)shape);
-    // Evaluate the albedo of three among eight rows, and of others only where it changes between the rows
-    // above and below; else interpolate
-    constexpr struct {
-        uint8_t row, above, below;
-    } kOrder[] = {{0, 0, 0}, {4, 0, 0}, {7, 0, 0}, {2, 0, 4}, {6, 4, 7}, {1, 0, 2}, {3, 2, 4}, {5, 4, 6}};
     Rgb8 albedo[8];
-    for (const auto &[y, above, below] : kOrder) {
+    for (const auto &[y, above, below] : kRowOrder) {
         if (size < 8 || !lit) break;
         const Rgb8 &a = albedo[above], &b = albedo[below];
         albedo[y] = below == 0 || any(abs(b.y - a.y) >= a.y * (t.quality.textureEdge * 0.025f))
@@ -130,13 +137,8 @@ void fill(Tile &t, Square q, int size) {
             _mm_storeu_si128((__m128i *)(s.shape + p), _mm_set1_epi16((short)kDone));
             continue;
         }
-        auto keep = [&](float(&to)[3][kTile * kTile + 8], const Rgb8 &v) {
-            _mm256_maskstore_ps(to[0] + p, (__m256i)inside, v.x);
-            _mm256_maskstore_ps(to[1] + p, (__m256i)inside, v.y);
-            _mm256_maskstore_ps(to[2] + p, (__m256i)inside, v.z);
-        };
-        keep(s.rest, r);
-        if (lit) keep(s.light, lights.row(v, u));
+        keepRow(s.rest, p, size, r);
+        if (lit) keepRow(s.light, p, size, lights.row(v, u));
         if (size == 4)
             _mm_storel_epi64((__m128i *)(s.shape + p), shapes);
         else

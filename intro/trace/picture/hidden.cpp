@@ -34,8 +34,8 @@ static void addDisc(Tile &t, int index) {
 }
 
 // Returns a point in whose direction the eye sees p: p itself or, in a mirror, its image. In a flat shape
-// this is the reflected p; on a ball, the point where the normal bisects the directions to eye and p. The
-// first estimate of that normal points to the eye.
+// this is the reflected p; on a ball, the point where the normal bisects the directions to eye and p. (At
+// first the normal points to the eye.)
 [[gnu::noinline]] static Vec3 imageOf(const Shape *mirror, const Vec3 &eye, const Vec3 &p) {
     if (!mirror) return p;
     if (!mirror->isBall()) return p - mirror->frame.v * (dot(p - mirror->centre, mirror->frame.v) * 2);

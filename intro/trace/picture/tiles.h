@@ -10,8 +10,13 @@ namespace odraz {
 // Finds the shapes that primary rays may hit through a square of `size` pixels from (x, y) of the tile on.
 void findCandidates(const Tile &tile, int x, int y, int size, Candidates &found);
 
+// A function that makes a tile, and its first argument.
+struct TileWork {
+    void (*make)(const void *with, Tile &tile, int worker);
+    const void *with;
+};
 // Calls make(with, tile, worker) for every tile of a frame. tile.s.candidates are those of the whole tile.
 void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
-              Frame &frame, void (*make)(const void *with, Tile &tile, int worker), const void *with);
+              Frame &frame, TileWork work);
 
 } // namespace odraz

@@ -82,33 +82,31 @@ bool makeTracer(Tracer &tracer, Arena &arena, int workers) {
 }
 
 void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
-              Frame &frame, void (*make)(const void *with, Tile &tile, int worker), const void *with) {
+              Frame &frame, TileWork work) {
     for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i]->sampleCount = 0;
     int across = (frame.width + kTile - 1) / kTile, down = (frame.height + kTile - 1) / kTile;
     parallelFor(workers, across * down, [&](int piece, int worker) {
-        // Work from the bottom up, because tiles at the bottom mostly take longer: the last tiles, during
-        // which other workers wait, should be quick
+        // Start with the bottom tiles, which mostly take longer, so that no worker waits long for the last
+        // tiles
         int last = across * down - 1 - piece, x = last % across * kTile, y = last / across * kTile;
         Tile tile = {
             *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),
             min(kTile, frame.height - y)};
         // The border of one pixel allows for rounding errors
         findCandidates(tile, -1, -1, kTile + 2, tile.s.candidates);
-        make(with, tile, worker);
+        work.make(work.with, tile, worker);
     });
 }
 
 void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view,
                 const Quality &quality, Frame &frame) {
-    forTiles(
-        tracer, workers, scene, view, quality, frame,
-        [](const void *, Tile &tile, int) {
-            if (tile.quality.grid > 0)
-                traceGrid(tile);
-            else
-                traceAdaptive(tile);
-        },
-        nullptr);
+    auto make = [](const void *, Tile &tile, int) {
+        if (tile.quality.grid > 0)
+            traceGrid(tile);
+        else
+            traceAdaptive(tile);
+    };
+    forTiles(tracer, workers, scene, view, quality, frame, {make, nullptr});
 }
 
 int64_t tracedSamples(const Tracer &tracer) {

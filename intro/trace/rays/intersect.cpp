@@ -136,15 +136,16 @@ struct Stack {
 };
 
 // Calls meet(with, shape, t) for every unbounded shape, and for every bounded one that an active ray hits
-// before its limit, near nodes first if `sorted`. `t` holds the distances to the shape. meet may lower
+// before its limit, near nodes first for Flat::Seen. `t` holds the distances to the shape. meet may lower
 // `limit` and clear lanes of `active`. (A function pointer, so that this large loop is compiled once.)
-[[gnu::noinline, gnu::noclone]] void traverse(const Scene &scene, const Ray8 &ray, Flat flat, bool sorted,
-                                              Float8 &limit, Int8 &active,
+[[gnu::noinline, gnu::noclone]] void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit,
+                                              Int8 &active,
                                               void (*meet)(const void *with, int shape, Float8 t),
                                               const void *with) {
     for (int i = 0; i < scene.unboundedCount; ++i)
         meet(with, scene.unbounded[i], distance(scene.shapes[scene.unbounded[i]], ray, flat));
     if (!scene.nodeCount || !any(active)) return;
+    const bool sorted = flat == Flat::Seen;
     Slabs slabs = Slabs::from(ray);
     const Packet packet(ray, slabs, active);
     Float8 reach = select(active, min(limit, kFar), -1.f), farthest = broadcast(-least(-reach));
@@ -252,7 +253,7 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
         return hit;
     }
     traverse(
-        scene, ray, Flat::Seen, true, hit.t, active,
+        scene, ray, Flat::Seen, hit.t, active,
         [](const void *hit, int shape, Float8 t) { updateNearest(*(Hit8 *)hit, t, shape); }, &hit);
     return hit;
 }
@@ -274,7 +275,7 @@ Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active
         if (any(hit)) dim(scene, scene.shapes[index], hit, share, active);
     };
     traverse(
-        scene, ray, Flat::BothSides, false, tMax, active,
+        scene, ray, Flat::BothSides, tMax, active,
         [](const void *f, int shape, Float8 t) { (*(decltype(meet) *)f)(shape, t); }, &meet);
     return share;
 }

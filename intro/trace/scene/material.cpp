@@ -28,8 +28,7 @@ Rgb8 albedo(const Material &m, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, 
     for (float part = 0.5f - kParts * 0.5f; part < kParts * 0.5f; ++part)
         sum +=
             squareWave(fmadd(alongX, part, x), halfX, perX) * squareWave(fmadd(alongZ, part, z), halfZ, perZ);
-    // Exceed 0 .. 1 a little before clamping, so that rounding errors do not mix the two textures inside a
-    // cell, where one of them need not be evaluated
+    // Exceed 0 .. 1 a little before clamping, so that rounding errors do not mix two textures inside a cell
     Float8 even = saturate(fmadd(sum, 0.504f / kParts, 0.5f));
     Int8 sharp = fmadd(max(abs(alongX), abs(alongZ)), kParts, narrow) < 0.5f;
     auto number = [](Float8 x) { return toInt(floor(clamp(x * 2.f, -1e6f, 1e6f))); };

@@ -1,8 +1,8 @@
 // A scene, posed for one frame: shapes, materials, lights, sky, and the tree over the shapes.
 //
-// show/ fills it for every frame (clear, add, finish); nothing here allocates. By convention world units
-// are metres. y is up, coordinates are right-handed. What does not fit replaces the last item of its kind,
-// and `overflow` reports it.
+// show/ fills it for every frame (clear, add, finish); nothing here allocates. World units are metres by
+// convention; y is up, coordinates are right-handed. What does not fit replaces the last item of its kind;
+// `overflow` reports it.
 #pragma once
 
 #include "trace/scene/bounds.h"

@@ -4,42 +4,55 @@
 
 namespace odraz {
 
+// Eight surface points. size: magnitude of the shape, for errorBound(); curve: 1 / radius of a ball, else 0.
+struct Points {
+    Vec3x8 p, n;
+    Int8 id;
+    Float8 size, curve = {};
+};
+
+// The points on balls, one ball in each lane.
+ODRAZ_INLINE static void hitBalls(const Scene &scene, Int8 index, const Ray8 &ray, Float8 t, Points &at) {
+    int32_t ball[8];
+    store(ball, index);
+    Vec3x8 centre;
+    Float8 radius;
+    for (int k = 0; k < 8; ++k) {
+        const Shape &s = scene.shapes[ball[k]];
+        centre.x[k] = s.centre.x, centre.y[k] = s.centre.y, centre.z[k] = s.centre.z;
+        radius[k] = s.half.x;
+    }
+    at.n = normalize(fmadd(ray.d, t, ray.o - centre));
+    at.p = fmadd(at.n, radius, centre);
+    at.size = sumAbs(centre) + radius;
+    at.curve = 1.f / radius;
+    at.id = packHit(index, 0);
+}
+
+// The points on one shape.
+ODRAZ_INLINE static void hitShape(const Scene &scene, int index, const Ray8 &ray, Float8 t, Points &at) {
+    const Shape &shape = scene.shapes[index];
+    Surface8 surface = surfaceAt(shape, ray, t);
+    at.p = surface.p, at.n = surface.n;
+    at.size = broadcast(magnitude(shape));
+    if (shape.isBall()) at.curve = broadcast(1 / shape.half.x);
+    at.id = packHit(index, surface.face);
+}
+
 // Computes eight hits of a run.
 static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) {
     const Scene &scene = c.scene;
-    const Shape &shape = scene.shapes[run.shape];
-    const Material &m = scene.materials[shape.material];
+    const Material &m = scene.materials[scene.shapes[run.shape].material];
     EightRays rays(run.ray + i);
     Ray8 ray = {rays(in.o), rays(in.d)};
-    Float8 t = rays(in.t);
-    Vec3x8 p, n;
-    Int8 id;
-    Float8 size, spread = rays(in.spread), width = rays(in.width), curve = {};
-    if (run.balls) {
-        // Each lane has its own ball
-        Int8 index = rays(in.shape);
-        int32_t at[8];
-        store(at, index);
-        Vec3x8 centre;
-        Float8 radius;
-        for (int k = 0; k < 8; ++k) {
-            const Shape &s = scene.shapes[at[k]];
-            centre.x[k] = s.centre.x, centre.y[k] = s.centre.y, centre.z[k] = s.centre.z;
-            radius[k] = s.half.x;
-        }
-        n = normalize(fmadd(ray.d, t, ray.o - centre));
-        p = fmadd(n, radius, centre);
-        size = sumAbs(centre) + radius;
-        curve = 1.f / radius;
-        id = packHit(index, 0);
-    } else {
-        Surface8 at = surfaceAt(shape, ray, t);
-        p = at.p, n = at.n;
-        size = broadcast(magnitude(shape));
-        if (shape.isBall()) curve = broadcast(1 / shape.half.x);
-        id = packHit(run.shape, at.face);
-    }
+    Float8 t = rays(in.t), spread = rays(in.spread), width = rays(in.width);
+    Points at;
+    if (run.balls)
+        hitBalls(scene, rays(in.shape), ray, t, at);
+    else
+        hitShape(scene, run.shape, ray, t, at);
     // Turn the normal to the side that the ray came from
+    auto [p, n, id, size, curve] = at;
     Float8 side = select(dot(n, ray.d) > 0.f, -1.f, 1.f);
     n = n * side;
     // A ball of glass focuses what enters it: inside it a sample hardly widens

@@ -99,8 +99,8 @@ ODRAZ_INLINE void addAmbient(const Scene &scene, const Shape &shape, const Occlu
 }
 
 // Phong's lobe around the mirrored rays of eight hits. On a ball the normal varies within a sample, which
-// blurs highlights: the variance of the normals is added to the lobe's variance, 1 / exponent (Kaplanyan et
-// al., "Filtering Distributions of Normals", 2016).
+// blurs highlights: the normals' variance is added to the lobe's, 1 / exponent (Kaplanyan et al., "Filtering
+// Distributions of Normals", 2016).
 struct Lobe {
     Vec3x8 d = {}; // directions of the rays
     Float8 dn = {}, wider = {};

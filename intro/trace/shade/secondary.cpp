@@ -7,8 +7,8 @@ namespace odraz {
 namespace {
 
 // Appends rays to a stream, eight at a time, if their share of the picture is above the cutoff. Other rays
-// are terminated and add the average ambient light, or terminated paths would be darker than followed ones,
-// and black at the greatest depth.
+// end and add the average ambient light, or they would be darker than followed ones, and black at the
+// greatest depth.
 struct Emitter {
     const Shading &c;
     const RayStream &in;
