@@ -23,7 +23,7 @@ static int run(common::CommandLine &line) {
     Mesh mesh = readModel(model, {}, notes);
     Solution solution(file);
     Surroundings around = mesh.lights;
-    around.moveTo(mesh.place);
+    around.moveTo(mesh.origin);
     if (!emitsLight(mesh) && !around.any()) around.sky = evenSky({1, 1, 1});
     Workers workers = allProcessors();
     auto all = placeMeshProbes(solution, probes);

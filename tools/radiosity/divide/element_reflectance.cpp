@@ -87,12 +87,12 @@ void addTriangle(std::vector<ColourSum> &sums, const Chart &c, const ChartTriang
     if (t.flat()) return;
     auto [left, right] = std::minmax({t.corners[0].u, t.corners[1].u, t.corners[2].u});
     auto [low, high] = std::minmax({t.corners[0].v, t.corners[1].v, t.corners[2].v});
-    float wide = c.width / (float)c.across, tall = c.height / (float)c.down;
+    float cellWidth = c.width / (float)c.across, cellHeight = c.height / (float)c.down;
     auto first = [](float x, int count) { return std::clamp((int)x, 0, count - 1); };
-    for (int y = first(low / tall, c.down); y <= first(high / tall, c.down); ++y)
-        for (int x = first(left / wide, c.across); x <= first(right / wide, c.across); ++x) {
-            float u0 = (float)x * wide, v0 = (float)y * tall, u1 = (float)(x + 1) * wide,
-                  v1 = (float)(y + 1) * tall;
+    for (int y = first(low / cellHeight, c.down); y <= first(high / cellHeight, c.down); ++y)
+        for (int x = first(left / cellWidth, c.across); x <= first(right / cellWidth, c.across); ++x) {
+            float u0 = (float)x * cellWidth, v0 = (float)y * cellHeight, u1 = (float)(x + 1) * cellWidth,
+                  v1 = (float)(y + 1) * cellHeight;
             addTo(sums[(size_t)(c.firstCell + y * c.across + x)], {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}}, t,
                   texture, clamp);
         }
@@ -126,9 +126,9 @@ std::vector<ColourSum> sumPictures(const Mesh &mesh, const std::vector<int> &cha
 
 } // namespace
 
-void ElementReflectance::find(const Mesh &mesh, const std::vector<int> &chartOf,
-                              std::span<const Chart> charts, std::span<const Cell> cells,
-                              std::vector<std::string> &notes) {
+void ElementReflectance::compute(const Mesh &mesh, const std::vector<int> &chartOf,
+                                 std::span<const Chart> charts, std::span<const Cell> cells,
+                                 std::vector<std::string> &notes) {
     ofCell.clear(), ofChart.clear();
     std::vector<ColourSum> sums = sumPictures(mesh, chartOf, charts, cells, notes);
     if (sums.empty()) return;

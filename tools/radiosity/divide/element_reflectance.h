@@ -12,8 +12,8 @@ struct ElementReflectance {
     std::vector<Rgb> ofCell, ofChart; // both empty if no material has a readable picture
 
     // Computes both. `chartOf`: each triangle's chart. Materials whose picture is unreadable reflect Kd.
-    void find(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
-              std::span<const Cell> cells, std::vector<std::string> &notes);
+    void compute(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
+                 std::span<const Cell> cells, std::vector<std::string> &notes);
     // Sets each patch's reflectance to the mean of its cells.
     void toPatches(Model &model) const;
 };

@@ -57,14 +57,14 @@ struct FormFactorRows {
 
 // A row is the mean of `each` hemicubes at `eyeOf`; null: at the patch's middle, rotated differently.
 struct RowSettings {
-    std::vector<uint8_t> lit; // patches that have a row and are part of rows
+    std::vector<uint8_t> lit; // patches to find rows for; rows contain only these
     size_t memory;            // bytes
     int each = 1;
     const EyeOf &eyeOf;
 };
 
 // Finds the rows of visible patches, in an order that spreads the first ones over the model. Calls
-// progress(done), 0 .. 1, after every picture; stops and returns false if it returns false. Throws
+// progress(done), 0 .. 1, after every picture; stops, and returns false, if that returns false. Throws
 // std::runtime_error if the rows need more memory.
 bool findRows(AnyHemicubes &hemicubes, const Model &model, const RowSettings &settings, FormFactorRows &rows,
               Workers &workers, const std::function<bool(float done)> &progress);

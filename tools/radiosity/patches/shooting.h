@@ -42,7 +42,7 @@ public:
     // Up to `count` shooters that have light, the brightest first.
     std::vector<int> brightest(int count) const;
 
-    // The light that a shooter sends out, and the patch that it leaves.
+    // The light that a shooter sends out, and the patch that it comes from.
     struct Shot {
         int patch;
         Rgb power; // radiance times area

@@ -50,8 +50,8 @@ void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double l
           u = mesh.points[(size_t)t.corners[1]] - q, v = mesh.points[(size_t)t.corners[2]] - q;
     double area = length(normal) / 2;
     Vec3 n = toFloat(normalize(normal));
-    auto least = (float)(2 * area / std::max({length(u), length(v), length(u - v)}));
-    wholes.push_back({{toFloat(q), toFloat(q + u), toFloat(q + v)}, n, (float)area, radiance, power, least});
+    auto height = (float)(2 * area / std::max({length(u), length(v), length(u - v)}));
+    wholes.push_back({{toFloat(q), toFloat(q + u), toFloat(q + v)}, n, (float)area, radiance, power, height});
     int rows = std::clamp((int)std::lround(std::sqrt(samples * area / largest)), 1, 64);
     auto at = [&](int row, int step) {
         return toFloat(q + u * ((double)(row - step) / rows) + v * ((double)step / rows));
@@ -64,7 +64,7 @@ void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double l
                          (float)(area / (rows * rows)),
                          radiance,
                          power,
-                         least / (float)rows};
+                         height / (float)rows};
             if (k & 1) p.corner[1] = at(r + 1, j + 1), p.corner[2] = at(r, j + 1);
             parts.push_back(p);
         }

@@ -64,7 +64,7 @@ bool LampRays::Emitter::visible(const RayTree &tree, const Vec3 &p, float a, flo
     Vec3 d = point(a, b) - p;
     if (a + b > 1) a = 1 - a, b = 1 - b; // as point() does
     float distance = length(d);
-    bool nearSide = std::min(std::min(a, b), 1 - a - b) * least < distance * 1.1e-4f;
+    bool nearSide = std::min(std::min(a, b), 1 - a - b) * height < distance * 1.1e-4f;
     return distance > 0 && !tree.blocked(p, d * (1 / distance), distance * (nearSide ? 1.000001f : 0.9999f),
                                          nearSide ? &n : nullptr);
 }
@@ -76,17 +76,18 @@ float LampRays::formFactor(const Emitter &e, const Vec3 &p, const Vec3 &n, float
     float square = dot(to, to);
     if (square > e.area * near) {
         // In the plane of the emitter or of the receiver, only rounding errors remain
-        float here = dot(to, n), there = -dot(to, e.n), least = 1e-6f * std::sqrt(square);
-        return here > least && there > least ? here * there / square * e.area / (kPi * square + e.area) : 0;
+        float atReceiver = dot(to, n), atEmitter = -dot(to, e.n), least = 1e-6f * std::sqrt(square);
+        if (!(atReceiver > least && atEmitter > least)) return 0;
+        return atReceiver * atEmitter / square * e.area / (kPi * square + e.area);
     }
     // Clip the emitter at the horizon
     Vec3 corner[4];
     int corners = 0;
     for (int k = 0; k < 3; ++k) {
         const Vec3 &a = e.corner[k], &b = e.corner[(k + 1) % 3];
-        float here = dot(a - p, n), there = dot(b - p, n);
-        if (here > 0) corner[corners++] = a;
-        if ((here > 0) != (there > 0)) corner[corners++] = a + (b - a) * (here / (here - there));
+        float heightA = dot(a - p, n), heightB = dot(b - p, n);
+        if (heightA > 0) corner[corners++] = a;
+        if ((heightA > 0) != (heightB > 0)) corner[corners++] = a + (b - a) * (heightA / (heightA - heightB));
     }
     float factor = corners > 2 ? polygonFormFactor(p, n, corner, corners) : 0;
     return factor > 1e-7f ? factor : 0; // smaller values are rounding errors
@@ -143,9 +144,9 @@ Rgb LampRays::fromParts(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint3
 
 Rgb LampRays::at(const RayTree &tree, const Surroundings &surroundings, const Receiver &r) const {
     Rgb sum = {};
-    int rays = (std::min((int)parts.size(), kMost) + r.sharers - 1) / r.sharers;
+    int rays = (std::min((int)parts.size(), kMostRays) + r.sharers - 1) / r.sharers;
     // Each lamp needs at least one ray: use whole lamps only if that does not take many more rays
-    bool whole = !wholes.empty() && (int)wholes.size() <= std::max(kFew, 2 * rays * r.count);
+    bool whole = !wholes.empty() && (int)wholes.size() <= std::max(kFewLamps, 2 * rays * r.count);
     for (int k = 0; k < r.count; ++k) {
         uint32_t seed = r.seed * 4 + (uint32_t)k;
         float shift = std::fmod(r.shift + (float)k / (float)r.sharers, 1.f);

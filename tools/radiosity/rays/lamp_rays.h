@@ -18,7 +18,7 @@ inline constexpr double kLargeLamps = 0.25;
 
 class LampRays {
 public:
-    static constexpr int kMost = 128, kFew = 32, kMostWhole = 256;
+    static constexpr int kMostRays = 128, kFewLamps = 32, kMostWhole = 256;
 
     // Divides the largest emitting polygon into about `samples` parts.
     LampRays(const Mesh &mesh, const Regions &regions, int samples);
@@ -38,12 +38,12 @@ public:
     Rgb at(const RayTree &tree, const Surroundings &surroundings, const Receiver &receiver) const;
 
 private:
-    struct Emitter {
+    struct Emitter { // a triangle that emits, or a part of one
         Vec3 corner[3], n;
         float area;
         Rgb radiance;
-        float power; // brightness, as a share of the brightest one's
-        float least; // its least height
+        float power;  // brightness, as a share of the brightest one's
+        float height; // the least of its three
         Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
         // Maps the unit square evenly to the triangle.
         Vec3 point(float a, float b) const {

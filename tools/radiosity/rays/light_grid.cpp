@@ -84,8 +84,8 @@ LightGrid::Spot LightGrid::spotAt(int chart, const Vec3 &p) const {
 float LightGrid::weigh(const Spot &spot, float (&weight)[4]) const {
     float sum = 0;
     for (int k = 0; k < 4; ++k) {
-        bool known = siteOf[(size_t)spot.cell->corner[k]] != kNone;
-        weight[k] = known ? (k & 1 ? spot.x : 1 - spot.x) * (k & 2 ? spot.y : 1 - spot.y) + 1e-6f : 0;
+        bool hasSite = siteOf[(size_t)spot.cell->corner[k]] != kNone;
+        weight[k] = hasSite ? (k & 1 ? spot.x : 1 - spot.x) * (k & 2 ? spot.y : 1 - spot.y) + 1e-6f : 0;
         sum += weight[k];
     }
     return sum;
@@ -196,7 +196,7 @@ void LightGrid::useSitesAsPatches() {
 
 // Visits the texels of the chart around one.
 template <class Visit> static void forNeighbours(const Chart &c, int texel, const Visit &visit) {
-    int wide = c.across + 1, i = (texel - c.firstTexel) % wide, j = (texel - c.firstTexel) / wide;
+    int columns = c.across + 1, i = (texel - c.firstTexel) % columns, j = (texel - c.firstTexel) / columns;
     for (int y = std::max(j - 1, 0); y <= std::min(j + 1, (int)c.down); ++y)
         for (int x = std::max(i - 1, 0); x <= std::min(i + 1, (int)c.across); ++x)
             if (x != i || y != j) visit((size_t)c.texel(x, y));

@@ -73,7 +73,7 @@ bool RaySystem::restore(std::string_view from, size_t &at) {
         return false;
     for (size_t i = 0; i < count; ++i)
         if (firstOf[i] >= firstOf[i + 1] || excluded[i] + 1 >= 1 << grid.sites[i].pointCount) return false;
-    // Without a sky, clear the light of the previous one
+    // The rows may have been found with a sky: clear its light
     if (!surroundings.sky.width)
         std::fill(sky.begin(), sky.end(), Rgb{}), std::fill(skySquare.begin(), skySquare.end(), 0.f);
     bool good = true;
@@ -238,8 +238,7 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
                       radiosity.begin() + (ptrdiff_t)first);
         }
         ++done;
-        double change = 0;
-        for (double c : changes) change += c;
+        double change = std::accumulate(changes.begin(), changes.end(), 0.);
         auto left = (float)(change / initial);
         on = afterSweep(left) && (bounces || left > residual);
     }

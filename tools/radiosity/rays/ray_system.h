@@ -28,8 +28,7 @@ inline constexpr float kShared = 0.2f;
 
 class RaySystem {
 public:
-    static constexpr uint32_t kDark =
-        0xffffffff; // a ray that hits the sky, a back, or a point without a site
+    static constexpr uint32_t kDark = 0xffffffff; // the ray hits the sky, a back, or no site
     static constexpr uint16_t kLeastRays = 32, kMostRays = 512;
     static constexpr double kAllRays = 24e6;
 

@@ -2,7 +2,7 @@
 // ray is tested against eight boxes or triangles at once, so rays need not be coherent.
 //
 // Triangles are hit from both sides. No ray passes between neighbours that share corners (Woop, Benthin and
-// Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). A ray among N triangles takes about log N.
+// Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). The time of a ray grows with log N.
 #pragma once
 
 #include "base/vec3.h"

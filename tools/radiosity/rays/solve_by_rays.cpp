@@ -67,9 +67,9 @@ private:
     const RayTree &tree;
     LightGrid &grid;
     RaySystem system;
-    double kept = common::wallSeconds(); // when rows were last saved
-    bool refined = false;                // whether the number of rays of each site is final
-    std::vector<Rgb> direct;             // direct light of each texel
+    double savedAt = common::wallSeconds(); // when rows were last saved
+    bool refined = false;                   // whether the number of rays of each site is final
+    std::vector<Rgb> direct;                // direct light of each texel
     std::vector<Rgb> directAtSites, reflects;
 
     void resume() {
@@ -89,9 +89,9 @@ private:
         put(rows, std::vector<uint8_t>{refinedRows});
         system.save(rows);
         s.keep(rows);
-        kept = common::wallSeconds();
+        savedAt = common::wallSeconds();
     }
-    bool keepIsDue() const { return common::wallSeconds() - kept > s.keepEvery; }
+    bool keepIsDue() const { return common::wallSeconds() - savedAt > s.keepEvery; }
 
     // Finds the missing rows for these numbers of rays. Reports progress in the range `from` .. `to`.
     void findRows(const std::vector<uint16_t> &rays, bool refinedRows, float from, float to) {

@@ -35,7 +35,7 @@ public:
         deepest = 0;
         while (deepest < 6 && given.size() << (2 * (deepest + 1)) <= kMostParts) ++deepest;
         shades.clear(), parts.clear();
-        texture = &picture, glow = mesh.materials[(size_t)material].glow;
+        texture = &picture, source = mesh.materials[(size_t)material].emissionPicture;
         for (size_t i = 0; i < given.size(); ++i) divide(given[i].corners, coordinates[i], 0);
         addParts(material);
     }
@@ -52,7 +52,7 @@ private:
     };
     Mesh &mesh;
     const ReflectancePicture *texture = nullptr;
-    MeshPicture glow;
+    MeshPicture source;
     int deepest = 0;
     std::vector<ShadedTriangle> parts;
     std::map<Shade, ShadeSum> shades;
@@ -61,9 +61,9 @@ private:
     Rgb meanOf(const std::array<float, 6> &at) const {
         std::vector<TexturePoint> corners;
         for (size_t k = 0; k < 3; ++k)
-            corners.push_back({(double)(at[2 * k] * glow.scale[0] + glow.offset[0]),
-                               (double)(at[2 * k + 1] * glow.scale[1] + glow.offset[1])});
-        return texture->mean(corners, glow.clamp);
+            corners.push_back({(double)(at[2 * k] * source.scale[0] + source.offset[0]),
+                               (double)(at[2 * k + 1] * source.scale[1] + source.offset[1])});
+        return texture->mean(corners, source.clamp);
     }
 
     int middle(int a, int b) {
@@ -114,7 +114,7 @@ private:
             if (!numbers.empty()) mesh.materials.push_back(original);
             numbers[shade] = number;
             for (size_t k = 0; k < 3; ++k)
-                mesh.materials[(size_t)number].emits[k] = glow.tint[k] * (float)(sum.light[k] / sum.area);
+                mesh.materials[(size_t)number].emits[k] = source.tint[k] * (float)(sum.light[k] / sum.area);
         }
         for (const ShadedTriangle &p : parts) {
             mesh.triangles.push_back({p.corners, numbers[p.shade]});
@@ -128,19 +128,19 @@ private:
 void divideByEmission(Mesh &mesh, std::vector<std::string> &notes) {
     EmissionDivider divider(mesh);
     for (int i = 0, count = (int)mesh.materials.size(); i < count; ++i) {
-        const MeshPicture glow = mesh.materials[(size_t)i].glow;
-        if (glow.path.empty() || std::none_of(mesh.triangles.begin(), mesh.triangles.end(),
-                                              [&](const Triangle &t) { return t.material == i; }))
+        const MeshPicture source = mesh.materials[(size_t)i].emissionPicture;
+        if (source.path.empty() || std::none_of(mesh.triangles.begin(), mesh.triangles.end(),
+                                                [&](const Triangle &t) { return t.material == i; }))
             continue;
         try {
-            pictures::Picture picture = glow.read();
+            pictures::Picture picture = source.read();
             // Scale the picture to at most 1, and the tint by the inverse
             float most = 1;
             for (float x : picture.light) most = std::max(most, x);
             for (float &x : picture.light) x /= most;
-            for (float &x : mesh.materials[(size_t)i].glow.tint)
+            for (float &x : mesh.materials[(size_t)i].emissionPicture.tint)
                 if (!((double)(x *= most) <= kMostPower))
-                    throw common::Refused(glow.path + ": its light times Ke exceeds 1e12");
+                    throw common::Refused(source.path + ": its light times Ke exceeds 1e12");
             divider.divide(i, ReflectancePicture(picture));
         } catch (const common::Refused &e) {
             notes.push_back(std::string(e.what()) + "; the material's emission is used");

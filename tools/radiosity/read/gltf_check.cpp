@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostDepth = 64; // tinygltf is recursive
 
-// FB_ngon_encoding groups triangles into polygons: they are joined in any case
+// FB_ngon_encoding only groups triangles, which are joined in any case
 const std::set<std::string> kExtensions = {"KHR_lights_punctual",   "KHR_materials_emissive_strength",
                                            "KHR_materials_unlit",   "KHR_materials_pbrSpecularGlossiness",
                                            "KHR_mesh_quantization", "KHR_texture_transform",
@@ -24,7 +24,7 @@ const std::set<std::string> kExtensions = {"KHR_lights_punctual",   "KHR_materia
 
 bool isWhole(const json &x, int bits) { return x.is_number_unsigned() && x.get<uint64_t>() >> bits == 0; }
 
-// A type that a property must have: its name for error messages, and the test for it.
+// The type of a property: its name for errors, and a test for it.
 struct ValueType {
     std::string name;
     bool (*is)(const json &);

@@ -28,7 +28,7 @@ public:
 
     tinygltf::Model model; // without buffers and images
 
-    // The item at an index of one of the model's lists, or Refused. `what` names the list.
+    // Returns the item at an index, or throws Refused. `what` names the list.
     template <class T> static const T &at(const std::vector<T> &list, int index, const char *what) {
         if (index < 0 || (size_t)index >= list.size()) refuseIndex(what, index);
         return list[(size_t)index];
@@ -36,7 +36,7 @@ public:
 
     // The components of all items of an accessor of `type` TINYGLTF_TYPE_..; normalised ones are -1 .. 1.
     std::vector<double> numbers(int accessor, int type) const;
-    // The picture of a texture. Its path is empty if no format of it is read; a URI with a scheme stays one.
+    // A texture's picture. The path is empty if its format is not read, and the URI if that has a scheme.
     MeshPicture picture(int texture);
 
 private:

@@ -90,13 +90,14 @@ private:
         const bool pictured = !to.mesh.picture.path.empty();
         // Reflectance where the picture is missing
         for (size_t k = 0; k < 3 && pictured; ++k) to.mesh.reflects[k] *= 0.7f;
-        GltfMaterial glow = to;
-        readPicture(glow, m.emissiveTexture, to.mesh.glow, to.mesh.emits);
-        if (!to.mesh.glow.path.empty() && pictured && (glow.set != to.set || glow.uv != to.uv)) {
+        GltfMaterial emission = to;
+        MeshPicture &picture = to.mesh.emissionPicture;
+        readPicture(emission, m.emissiveTexture, picture, to.mesh.emits);
+        if (!picture.path.empty() && pictured && (emission.set != to.set || emission.uv != to.uv)) {
             note("emissiveTexture has other coordinates than baseColorTexture: its mean is used");
-            to.mesh.glow.scale = {}, to.mesh.glow.offset = {NAN, NAN};
+            picture.scale = {}, picture.offset = {NAN, NAN};
         } else if (!pictured)
-            to.set = glow.set, to.uv = glow.uv;
+            to.set = emission.set, to.uv = emission.uv;
         noteUnused(m, colour[3]);
         return to;
     }

@@ -8,8 +8,7 @@ namespace odraz::radiosity {
 
 struct GltfMaterial {
     MeshMaterial mesh;
-    // Its pictures' coordinates: the set TEXCOORD_n, then u' = uv[0] u + uv[1] v + uv[2] and
-    // v' = uv[3] u + uv[4] v + uv[5]
+    // Coordinates of pictures: TEXCOORD_set, u' = uv[0] u + uv[1] v + uv[2], v' = uv[3] u + uv[4] v + uv[5]
     int set = 0;
     std::array<double, 6> uv = {1, 0, 0, 0, 1, 0};
 };

@@ -123,7 +123,6 @@ private:
         return found == p.attributes.end() ? -1 : found->second;
     }
 
-    // A triangle list, strip or fan of a node's mesh.
     void readPrimitive(const tinygltf::Primitive &p, const std::string &name, const Transform &transform,
                        const std::vector<double> &weights, PointSets &pointSets) {
         if (p.mode >= 0 && p.mode < TINYGLTF_MODE_TRIANGLES)

@@ -107,9 +107,9 @@ bool isModel(const std::string &path) {
 
 bool claimOutput(const std::string &path) {
     std::error_code none;
-    const std::string there = std::filesystem::canonical(path, none); // empty: no file
-    common::need(!std::filesystem::is_regular_file(there, none) || !isModel(there) ||
-                     common::readStart(there, kStart).starts_with(kExportedObj),
+    const std::string target = std::filesystem::canonical(path, none); // empty: no file
+    common::need(!std::filesystem::is_regular_file(target, none) || !isModel(target) ||
+                     common::readStart(target, kStart).starts_with(kExportedObj),
                  path + " is a model and would be overwritten: give another name");
     return common::claimOutput(path);
 }

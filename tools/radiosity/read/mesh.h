@@ -22,9 +22,8 @@ struct ModelError : common::Refused {
 
 // A map_Kd or map_Ke: its value is `tint` times the picture at coordinates * `scale` + `offset`.
 struct MeshPicture {
-    std::string path; // empty: no picture
-    std::shared_ptr<const std::string> bytes =
-        nullptr; // the picture's file, if it is part of another; `path`: a name
+    std::string path;                                   // empty: no picture
+    std::shared_ptr<const std::string> bytes = nullptr; // the file, if embedded; `path`: its name
     std::array<float, 3> tint = {1, 1, 1};
     std::array<float, 2> scale = {1, 1}, offset = {};
     bool clamp = false; // outside 0 .. 1: true repeats the border, false the picture
@@ -34,10 +33,10 @@ struct MeshPicture {
 
 struct MeshMaterial {
     std::string name;
-    std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka if that is above 1, 0 ..
-    MeshPicture picture = {}, glow = {};  // of the reflectance; of the emission
-    bool twoSided = false;                // both sides are lit
-    bool hasPicture() const { return !(picture.path.empty() && glow.path.empty()); }
+    std::array<float, 3> reflects, emits; // 0 .. 1 (Kd); 0 .. (Ke, or Ka if that is above 1)
+    MeshPicture picture = {}, emissionPicture = {};
+    bool twoSided = false; // both sides are lit
+    bool hasPicture() const { return !(picture.path.empty() && emissionPicture.path.empty()); }
 };
 
 struct Triangle {
@@ -46,14 +45,14 @@ struct Triangle {
 };
 
 struct Mesh {
-    Vec3 place = {}; // the origin of `points` in the model's coordinates; not 0 if the model is far from 0
+    Vec3 origin = {};          // the points', in the model's coordinates: 0 unless the model is far from it
     std::vector<Vec3d> points; // all different
     std::vector<Triangle> triangles;
     // Texture coordinates of each triangle's corners, NaN: none; empty if no material has a picture
     std::vector<std::array<float, 6>> coordinates;
     std::vector<MeshMaterial> materials;
-    Surroundings lights;     // suns and balls that the model has, in its coordinates
-    int flat = 0, twice = 0; // the number of triangles left out: without area; duplicates
+    Surroundings lights;          // suns and balls that the model has, in its coordinates
+    int flat = 0, duplicates = 0; // numbers of triangles left out; flat: without area
 
     double size() const; // the diagonal of its bounding box
     Vec3d middle() const;

@@ -59,12 +59,12 @@ void noteKinds(const std::string &path, const NotedKinds &kinds, std::vector<std
 
 std::vector<int> findMaterials(const std::vector<std::string> &names,
                                const std::vector<MeshMaterial> &materials) {
-    std::map<std::string, int> known;
-    for (size_t i = 0; i < materials.size(); ++i) known.try_emplace(materials[i].name, (int)i);
+    std::map<std::string, int> indexOf;
+    for (size_t i = 0; i < materials.size(); ++i) indexOf.try_emplace(materials[i].name, (int)i);
     std::vector<int> found;
     for (const std::string &name : names) {
-        auto at = known.find(name);
-        found.push_back(at == known.end() ? -1 : at->second);
+        auto at = indexOf.find(name);
+        found.push_back(at == indexOf.end() ? -1 : at->second);
     }
     return found;
 }
@@ -82,7 +82,7 @@ public:
         for (const MeshMaterial &m : mesh.materials) pictured |= m.hasPicture();
         weldPoints();
         collectTriangles();
-        dropTwice();
+        dropDuplicates();
         overlaps = cutOverlaps(mesh, polygonOf, grid * 2);
         if (mesh.triangles.empty()) throw ModelError(path + ": holds no polygon with an area");
         divideByEmission(mesh, notes);
@@ -109,7 +109,7 @@ private:
     int shortPolygons = 0;  // with fewer than three points
     bool pictured = false;  // a material has a picture, so texture coordinates are kept
 
-    // The size and the first corner of a small polygon: the 1/16 quantile of at most 4096, spread over all.
+    // The size and the first corner of a small polygon: the 1/16 quantile of up to 4096 of them.
     std::pair<double, size_t> smallPolygon() const {
         std::vector<std::pair<double, size_t>> sizes = {{HUGE_VAL, 0}};
         const auto &all = given.polygons;
@@ -143,9 +143,9 @@ private:
         // Place the origin near the model, where floats are finest
         Vec3d middle = (lo + hi) / 2;
         if (small < size * 1e-4)
-            mesh.place = toFloat(given.points[(size_t)given.corners[corner].point]);
+            mesh.origin = toFloat(given.points[(size_t)given.corners[corner].point]);
         else if (length(middle) >= 4 * size)
-            mesh.place = toFloat(middle);
+            mesh.origin = toFloat(middle);
         if (!(length(middle) < 1e15)) throw ModelError(path + ": lies further than 1e15 from the origin");
         if (size < length(middle) * 1e-11)
             notes.push_back(path + ": lies too far from the origin for precise coordinates: move it closer");
@@ -163,7 +163,7 @@ private:
                 int &entry = table[at & (table.size() - 1)];
                 if (entry < 0) {
                     entry = (int)cells.size();
-                    cells.push_back(cell), mesh.points.push_back(p - toDouble(mesh.place));
+                    cells.push_back(cell), mesh.points.push_back(p - toDouble(mesh.origin));
                 } else if (cells[(size_t)entry] != cell)
                     continue;
                 number.push_back(entry);
@@ -249,7 +249,7 @@ private:
     }
 
     // Drops triangles that have the same corners in the same order as an earlier one.
-    void dropTwice() {
+    void dropDuplicates() {
         using Key = std::pair<std::array<int, 3>, int>; // corners, the smallest first; triangle
         std::vector<Key> keys;
         for (const Triangle &t : mesh.triangles) {
@@ -260,7 +260,7 @@ private:
         std::sort(keys.begin(), keys.end());
         std::vector<bool> drop(keys.size());
         for (size_t i = 1; i < keys.size(); ++i)
-            if (keys[i].first == keys[i - 1].first) drop[(size_t)keys[i].second] = true, ++mesh.twice;
+            if (keys[i].first == keys[i - 1].first) drop[(size_t)keys[i].second] = true, ++mesh.duplicates;
         size_t kept = 0;
         for (size_t i = 0; i < drop.size(); ++i)
             if (!drop[i]) {
@@ -278,7 +278,7 @@ private:
         };
         note(shortPolygons, "polygon", " with fewer than three points left out");
         note(mesh.flat, "triangle", " without area left out");
-        note(mesh.twice, "triangle", " given twice left out");
+        note(mesh.duplicates, "triangle", " given twice left out");
         std::vector<std::string> lines;
         for (int i : crossing) lines.push_back(lineOf(i));
         noteLines("polygons cross themselves, and may be lit wrongly: ", lines);

@@ -50,9 +50,9 @@ std::vector<int> findMaterials(const std::vector<std::string> &names,
 void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
                std::vector<std::string> &notes);
 
-// Divides triangles whose material has a picture of emission (MeshMaterial::glow) until the picture has about
-// one colour in each part. Parts of equal colour share a material, with the original's name. Adds a note for
-// a picture that cannot be read; its materials emit Ke.
+// Divides triangles whose material has an emissionPicture until it has about one colour in each part. Equal
+// colours share a material, with the original's name. Adds a note for a picture that cannot be read; its
+// materials emit Ke.
 void divideByEmission(Mesh &mesh, std::vector<std::string> &notes);
 
 using PolygonPair = std::pair<int, int>; // the one in front, the one behind

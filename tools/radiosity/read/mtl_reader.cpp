@@ -34,7 +34,7 @@ struct MtlReader {
     std::vector<std::string> &notes;
     std::vector<MeshMaterial> materials = {};
     NotedKinds unused = {};                       // features, such as maps
-    std::set<std::string> files = {}, known = {}; // libraries read; names of materials
+    std::set<std::string> files = {}, names = {}; // libraries read; names of materials
 
     void note(const std::string &name, const std::string &what) {
         notes.push_back(model + ": material " + name + ": " + what);
@@ -82,7 +82,7 @@ struct MtlReader {
 
     void begin(const std::string &name) {
         finish();
-        if (!known.insert(name).second) note(name, "it is given again; the first one is used");
+        if (!names.insert(name).second) note(name, "it is given again; the first one is used");
         m = {name, {}, {}};
         kd = ke = ka = {};
         hasKd = false, noKd = "it has no Kd";
@@ -96,15 +96,15 @@ struct MtlReader {
             ke = ka;
             note(m.name, "its Ka is above 1 and is used as Ke");
         }
-        bool pictured = !m.picture.path.empty(), glows = !m.glow.path.empty();
+        bool pictured = !m.picture.path.empty(), glows = !m.emissionPicture.path.empty();
         if (!hasKd && (pictured || (ke == Colour{} && !glows))) {
             kd = {0.7, 0.7, 0.7};
             if (!pictured) note(m.name, noKd + ": it reflects 0.7");
         }
         setColours(m, kd, ke, {"Kd", "Ke"}, model, notes);
-        // A picture is multiplied by the colour, unless that is 0: then the picture alone is meant
+        // The colour multiplies the picture, unless it is 0: then the picture alone is meant
         if (pictured && hasKd && kd != Colour{}) m.picture.tint = m.reflects;
-        if (glows && ke != Colour{}) m.glow.tint = m.emits;
+        if (glows && ke != Colour{}) m.emissionPicture.tint = m.emits;
         materials.push_back(m);
     }
 
@@ -167,7 +167,7 @@ struct MtlReader {
                 picture(folderOf(path), lines, m.picture);
                 break;
             case kEmissionMap:
-                picture(folderOf(path), lines, m.glow);
+                picture(folderOf(path), lines, m.emissionPicture);
                 break;
             default:
                 if (isMap(lines.word) && !rest.empty())

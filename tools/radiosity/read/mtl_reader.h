@@ -8,9 +8,8 @@ namespace odraz::radiosity {
 // The folder in a path, with its slash; empty if there is none.
 std::string folderOf(const std::string &path);
 
-// Finds a file whose name was written by another program: it may have backslashes, folders of another system,
-// or different capitals. Searches `folder`, which ends with a slash or is empty. Returns folder and name
-// joined if there is no such file.
+// Finds a file that another program named: with backslashes, folders of another system, or in another case.
+// Searches `folder`, which ends with a slash or is empty. Returns folder + name if there is no such file.
 std::string findFile(const std::string &folder, std::string name);
 
 // Reads all libraries. Each is the text after an mtllib: one name, which may have blanks, or several names.

@@ -189,7 +189,7 @@ private:
     double tiny;
     std::map<std::array<int64_t, 3>, int> pointAt; // by cell of a grid
 
-    // The index of the point at p. If there is none, `number` becomes it, or a new point if that is below 0.
+    // The index of the point at p. If there is none yet, registers `number`, or adds a point if it is -1.
     int point(const Vec3d &p, int number = -1) {
         std::array<int64_t, 3> cell;
         for (size_t k = 0; k < 3; ++k) cell[k] = std::llround(p[k] / tiny);

@@ -21,7 +21,7 @@ double areaOf(const Polygon &p) {
     return twice / 2;
 }
 
-// The part of a polygon on one side of a line across an axis: above it, or below if `sign` is -1.
+// The part of a polygon whose coordinate along `axis` is above `at`, or below it if `sign` is -1.
 Polygon cut(const Polygon &in, size_t axis, double at, double sign) {
     return clip(
         in, [&](const TexturePoint &p) { return (p[axis] - at) * sign; },

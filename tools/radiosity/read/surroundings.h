@@ -1,8 +1,8 @@
-// Light that no surface of a model emits, from options or a glTF file: a sky, suns, and balls as lamps.
+// Light that no surface of a model emits, from options or a glTF file: a sky, suns and lamps.
 //
 // The sky has a radiance in every direction, below the horizon too: one colour, or a picture of all
 // directions (latitude and longitude, of any format that pictures::readPicture reads). The middle of the
-// picture lies towards -z if y is up, towards +y if z is up, with +x to its right. Pixels more than eight
+// picture is towards -z if y is up, towards +y if z is up, with +x to its right. Pixels more than eight
 // times as bright as the mean become suns, because a few rays would miss them: at most 24, found by cuts that
 // halve their light (Debevec, "A Median Cut Algorithm for Light Probe Sampling", 2005).
 #pragma once
@@ -16,7 +16,7 @@
 namespace odraz::radiosity {
 
 struct Sun {
-    Vec3 towards; // of length 1
+    Vec3 towards; // unit direction
     Rgb light;    // irradiance over pi on a surface that faces it
 };
 
@@ -59,8 +59,7 @@ pictures::Picture readPanorama(const std::string &path, std::vector<std::string>
 SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns,
                    std::vector<std::string> *notes = nullptr);
 
-// The direction to a sun. Both angles are in degrees: elevation above the horizon, azimuth from -z (+y if z
-// is up) towards +x.
+// The direction to a sun, in degrees above the horizon and from -z (+y if z is up) towards +x.
 Vec3 sunTowards(double elevation, double azimuth, bool upIsZ);
 
 } // namespace odraz::radiosity

@@ -116,7 +116,7 @@ private:
         --left;
     }
 
-    // Whether the outline turns back on itself at a corner, or repeats it, so that no area is lost.
+    // Whether the outline turns back at a corner, or repeats it: cutting it off loses no area.
     bool isSpike(int b) const {
         int a = before[(size_t)b], c = after[(size_t)b];
         if (left < 3 || c < 0) return false;
@@ -266,7 +266,7 @@ private:
         }
     }
 
-    // Replaces the longest side of triangles lower than `least` by the other diagonal of both its triangles.
+    // Flips the longest side of triangles lower than `least` to the other diagonal of the two that share it.
     void flipFlat(const std::vector<Vec3d> &corners, double least) {
         constexpr size_t kMost = 1000; // the time grows with the square
         for (size_t i = 0; i < triangles.size() && triangles.size() < kMost; ++i) {

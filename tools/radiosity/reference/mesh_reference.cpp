@@ -40,8 +40,8 @@ size_t indexAbove(const std::vector<double> &until, double value) {
 
 class PathTracer {
 public:
-    PathTracer(const Mesh &mesh, const Surroundings &around)
-        : mesh(mesh), around(around), triangles(trianglesOf(mesh)), obstacles(triangles),
+    PathTracer(const Mesh &mesh, const Surroundings &surroundings)
+        : mesh(mesh), surroundings(surroundings), triangles(trianglesOf(mesh)), obstacles(triangles),
           most(mesh.size() * 1e-5) {
         for (const MeshMaterial &m : mesh.materials)
             if (!m.picture.path.empty()) try {
@@ -70,7 +70,8 @@ public:
             Vec3d d = byCosine(n, depth == 0 ? inCell(sampler, k, side) : inCell(sampler, 0, 1));
             Obstacles::Hit hit = obstacles.nearest(from, d);
             if (!hit.met())
-                return around.sky.width ? sum + weight * toDouble(around.sky.radiance(toFloat(d))) : sum;
+                return surroundings.sky.width ? sum + weight * toDouble(surroundings.sky.radiance(toFloat(d)))
+                                              : sum;
             if (hit.back) {
                 backs += depth == 0;
                 return sum;
@@ -87,7 +88,7 @@ public:
 
 private:
     const Mesh &mesh;
-    const Surroundings &around;
+    const Surroundings &surroundings;
     std::vector<Obstacles::Triangle> triangles;
     Obstacles obstacles;
     double most; // largest distance of rays' origins from their surface
@@ -124,30 +125,30 @@ private:
         Vec3d z = to / distance,
               x = normalize(cross(z, std::fabs(z.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0})),
               y = cross(z, x), d = z * cosine + x * (across * std::cos(turn)) + y * (across * std::sin(turn));
-        double here = dot(d, n);
-        if (!(here > 0) || obstacles.blocked(p, d, distance * 0.9999)) return {};
+        double facing = dot(d, n);
+        if (!(facing > 0) || obstacles.blocked(p, d, distance * 0.9999)) return {};
         // The cone's solid angle is 2 pi (1 - least)
-        return toDouble(ball.radiance) * (2 * sine * sine / (1 + least) * here);
+        return toDouble(ball.radiance) * (2 * sine * sine / (1 + least) * facing);
     }
     // The light of suns, balls, and one triangle that represents all: `pick`, 0 .. 1, selects it by power.
     Vec3d direct(Vec3d p, Vec3d n, double pick, Sampler &sampler) const {
         Vec3d sum = {};
-        for (const Sun &sun : around.suns) {
+        for (const Sun &sun : surroundings.suns) {
             Vec3d towards = normalize(toDouble(sun.towards));
             if (double c = dot(towards, n); c > 0 && !obstacles.blocked(p, towards, INFINITY))
                 sum = sum + toDouble(sun.light) * c;
         }
-        for (const BallLamp &ball : around.lamps) sum = sum + directFromBall(ball, p, n, sampler);
+        for (const BallLamp &ball : surroundings.lamps) sum = sum + directFromBall(ball, p, n, sampler);
         if (lamps.empty()) return sum;
         size_t i = lamps[indexAbove(until, pick * until.back())];
         Vec3d to = onTriangle(triangles[i], inCell(sampler, 0, 1)) - p;
-        double distance = length(to), here = dot(to, n) / distance,
-               there = -dot(to, normalize(normalOf(mesh, mesh.triangles[i]))) / distance;
-        if (!(here > 0 && there > 0) || obstacles.blocked(p, to / distance, distance * (1 - 1e-9)))
+        double distance = length(to), cosine = dot(to, n) / distance,
+               lampCosine = -dot(to, normalize(normalOf(mesh, mesh.triangles[i]))) / distance;
+        if (!(cosine > 0 && lampCosine > 0) || obstacles.blocked(p, to / distance, distance * (1 - 1e-9)))
             return sum;
         Vec3d e = emitted(i);
-        return sum +
-               e * (until.back() / brightness(e) * here * there / (std::numbers::pi * distance * distance));
+        return sum + e * (until.back() / brightness(e) * cosine * lampCosine /
+                          (std::numbers::pi * distance * distance));
     }
 };
 
@@ -209,10 +210,10 @@ void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes) {
     for (MeshProbe &p : probes) p.solved = solution.lightAt(p.chart, p.p);
 }
 
-void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
+void tracePaths(const Mesh &mesh, const Surroundings &surroundings, std::vector<MeshProbe> &probes, int side,
                 Workers &workers, const int *stop) {
     int paths = side * side;
-    PathTracer tracer(mesh, around);
+    PathTracer tracer(mesh, surroundings);
     std::vector<uint8_t> inside(probes.size());
     parallelFor(workers, (int)probes.size(), [&](int i, int) {
         if (stop && __atomic_load_n(stop, __ATOMIC_RELAXED)) return;

@@ -25,12 +25,12 @@ void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes);
 // Traces two sets of side x side paths from every probe. Directions are cosine-distributed, the first ones
 // stratified; shadow rays sample the lamps; Russian roulette ends the paths. Drops the probes inside closed
 // bodies. Balls emit and block nothing, as in solutions. If `stop` becomes nonzero, other probes stay black.
-void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
+void tracePaths(const Mesh &mesh, const Surroundings &surroundings, std::vector<MeshProbe> &probes, int side,
                 Workers &workers, const int *stop = nullptr);
 
 // Errors of luminance, in percent. rms and noise are shares of the root mean square of the reference's light;
 // the paths' noise is subtracted from rms in quadrature. median and worst20 (the 95 % quantile) are relative
-// errors where there is 1/1000 of the mean light. NaN: no such points; without light, the first three are 0.
+// errors at points with 1/1000 of the mean light or more. NaN: none. Without light, the first three are 0.
 struct MeshErrors {
     double median, worst20, rms, bias, noise;
 };

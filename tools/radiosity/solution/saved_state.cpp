@@ -47,7 +47,7 @@ static uint64_t sumOfPicture(const MeshPicture &p) {
 uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
     std::string all;
     std::map<std::string, uint64_t> pictures;
-    put(all, mesh.points), put(all, std::vector<Vec3>{mesh.place});
+    put(all, mesh.points), put(all, std::vector<Vec3>{mesh.origin});
     for (const Triangle &t : mesh.triangles) {
         const int words[4] = {t.corners[0], t.corners[1], t.corners[2], t.material};
         all.append((const char *)words, sizeof words);

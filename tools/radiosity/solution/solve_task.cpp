@@ -38,8 +38,8 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
         report.notes.push_back(std::to_string(coarse) + " polygons are longer than " +
                                std::to_string(kMaxAcross) +
                                " elements: their elements are longer than --element asks");
-    solution.place = mesh.place;
-    this->settings.surroundings.moveTo(mesh.place);
+    solution.place = mesh.origin;
+    this->settings.surroundings.moveTo(mesh.origin);
     std::vector<int> begin; // offset of each material's name
     for (const MeshMaterial &m : mesh.materials) {
         begin.push_back((int)solution.names.size());
@@ -66,7 +66,7 @@ void SolveTask::lap(SolveStep step) {
 
 void SolveTask::findPictured(std::span<const Chart> charts, std::span<const Cell> cells,
                              std::vector<std::string> &notes) {
-    pictured.find(mesh, regions.chartOf, charts, cells, notes);
+    pictured.compute(mesh, regions.chartOf, charts, cells, notes);
     solution.cellReflects = pictured.ofCell;
     if (!pictured.ofChart.empty()) solution.reflects = pictured.ofChart;
 }

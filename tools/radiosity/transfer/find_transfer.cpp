@@ -30,7 +30,7 @@ std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
         if (!used[i] || !(std::max({m.emits[0], m.emits[1], m.emits[2]}) > 0)) continue;
         // Make one lamp of the parts of a picture
         auto whole = std::find_if(lamps.begin(), lamps.end(), [&](const LampSource &lamp) {
-            return !m.glow.path.empty() && lamp.name == m.name;
+            return !m.emissionPicture.path.empty() && lamp.name == m.name;
         });
         if (whole == lamps.end())
             lamps.push_back({m.name, {i}, {}});

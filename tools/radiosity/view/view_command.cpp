@@ -110,7 +110,7 @@ int runView(common::CommandLine &line) {
     std::vector<std::string> notes;
     Mesh mesh = readModel(job.in, job.solve.read, notes);
     job.solve.addLights(mesh, job.solve.settings.surroundings, notes);
-    job.camera.moveTo(mesh.place);
+    job.camera.moveTo(mesh.origin);
     job.view.camera = job.camera.settings;
     ViewWindow window(job.view);
     keys();

@@ -151,13 +151,13 @@ TEST(GltfReader, PlacesNodes) {
                kMesh));
     expectNear(r.facing(), {0, -6, 0});
     auto [lo, hi] = boxOf(r.mesh.points);
-    expectNear(lo + toDouble(r.mesh.place), {12, 2, 2}, 1e-5);
-    expectNear(hi + toDouble(r.mesh.place), {14, 2, 5}, 1e-5);
+    expectNear(lo + toDouble(r.mesh.origin), {12, 2, 2}, 1e-5);
+    expectNear(hi + toDouble(r.mesh.origin), {14, 2, 5}, 1e-5);
     EXPECT_EQ(r.notes, Lines{"m.gltf: one of its 2 scenes is read"});
     // Matrices are stored by columns. A mirrored triangle still faces the same side
     const Read placed(square("'nodes':[{'mesh':0,'matrix':[-2,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}]," + kMesh));
     expectNear(placed.facing(), {0, 0, 2});
-    expectNear(boxOf(placed.mesh.points).second + toDouble(placed.mesh.place), {5, 7, 7});
+    expectNear(boxOf(placed.mesh.points).second + toDouble(placed.mesh.origin), {5, 7, 7});
     // Without a scene all root nodes are used. Nodes may share a mesh
     EXPECT_NEAR(Read(square("'nodes':[{'mesh':0},{'mesh':0,'translation':[3,0,0],'children':[2]},"
                             "{'mesh':0,'translation':[3,0,0]}]," +

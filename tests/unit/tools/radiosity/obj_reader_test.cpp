@@ -217,9 +217,9 @@ TEST(ObjReader, MovesFarModels) {
         "v 460123 210 5411233\nv 460123 210 5411235.5\nv 460125 210 5411235.5\nv 460125 210 5411233\nf "
         "1 2 3 4\n");
     EXPECT_NEAR(far.area(), 5, 1e-8);
-    EXPECT_GT(length(far.mesh.place), 5e6f);
+    EXPECT_GT(length(far.mesh.origin), 5e6f);
     for (const Vec3d &p : far.mesh.points) EXPECT_LT(length(p), 4);
-    EXPECT_EQ(length(ReadObj(kObjSquare + "f 1 2 3 4\n").mesh.place), 0);
+    EXPECT_EQ(length(ReadObj(kObjSquare + "f 1 2 3 4\n").mesh.origin), 0);
     // Points that no polygon uses do not count
     ReadObj stray("v 0 0 0\nv 5411233 210 460123\nv 5411233 210 460123.5\nv 5411233.5 210 460123\nf 2 3 4\n");
     EXPECT_NEAR(stray.area(), 0.125, 1e-8);
