@@ -1,4 +1,4 @@
-// Visible faults of the adaptive picture: flicker, squares, dashes, stairs, blinking points.
+// Visible faults of adaptive pictures: flicker, squares, dashes, stairs, blinking points.
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_picture.h"
 
@@ -8,8 +8,8 @@
 
 using namespace odraz;
 
-// Flicker is an error that changes: while a camera moves by a quarter of a pixel each picture, the error must
-// hardly change from one to the next.
+// Flicker is an error that changes: if a camera moves by a quarter of a pixel a picture, the error must
+// hardly change between pictures.
 TEST(AdaptiveFaults, DoesNotFlicker) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     constexpr int kWidth = 320, kHeight = 180, kPictures = 8;
@@ -39,8 +39,8 @@ TEST(AdaptiveFaults, DoesNotFlicker) {
     EXPECT_LT(share, 0.05);
 }
 
-// Where squares meet, the picture must be as smooth as inside them. A grid is not seen while lines bend by
-// less than a quarter more than their surroundings.
+// Where squares meet, the picture must be as smooth as inside them. A viewer does not notice the grid if
+// second differences there are less than a quarter larger than inside.
 TEST(AdaptiveFaults, ShowsNoSquares) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     TracedPicture p = traced(kTable, 100, kTableView, named(QualityName::Play), 640, 360),
@@ -50,7 +50,7 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
         int count = 0;
         for (int y = 0; y < 360; ++y)
             for (int x = 8 + phase; x < 632; x += 8) {
-                // Look at second differences of smooth parts only: edges would hide all else
+                // Compare second differences of smooth parts only: edges would hide all else
                 int left = q.at(x - 2, y, 1), a = q.at(x - 1, y, 1), b = q.at(x, y, 1),
                     right = q.at(x + 1, y, 1);
                 int bend = std::abs(right - b - (a - left));
@@ -68,7 +68,7 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
     EXPECT_LT(excess, usual * 1.25);
 }
 
-// A bright face seen edge-on, thinner than the distance of samples, must not be hit here and there.
+// A bright face seen edge-on is thinner than the distance of samples. It must not be hit only here and there.
 TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
     auto face = [](float side, const Quality &quality) {
         auto s = shining({5, 5, 5}, rect({side, 0, -10}, {0, 0, -1}, {0, -1, 0}, 0.25f, 3));
@@ -86,15 +86,15 @@ TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
         EXPECT_GT(face(1.5f, named(name)), 150);
     }
     EXPECT_GT(face(0.11f, named(QualityName::Reference)), 100);
-    // A few pixels to a tenth of one: all of it, or nothing
+    // From a few pixels to a tenth of one: the whole face is seen, or nothing
     for (float side = 3; side > 0.1f; side *= 0.9f) {
         int lit = face(side, named(QualityName::Play));
         EXPECT_TRUE(lit > 150 || !lit) << side << ": " << lit << " of 165 rows";
     }
 }
 
-// The share of a pixel beyond an edge shows at every slope of the edge, even near the axes, where stairs are
-// long.
+// A pixel on an edge shows the share that the edge covers, at every slope, even near the axes, where stairs
+// would be long.
 TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto s = shining({1, 1, 1}, rect({0, -100, -10}, {1, 0, 0}, {0, 1, 0}, 200, 100));
@@ -118,7 +118,7 @@ TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
     }
 }
 
-// Nor do steep edges of shadows on one surface, in `draft` either.
+// Steep edges of shadows on one surface have no stairs, not even in `draft`.
 TEST(AdaptiveFaults, EdgesOfShadowsHaveNoStairs) {
     auto s = emptyScene();
     s->add(matte({1, 1, 1}));
@@ -133,8 +133,8 @@ TEST(AdaptiveFaults, EdgesOfShadowsHaveNoStairs) {
     for (int i = 0; i < 160 * 90; ++i) EXPECT_NEAR(p.frame.plane[0][i], truth.frame.plane[0][i], 0.3) << i;
 }
 
-// A camera moves by fractions of a pixel through 64 positions. Returns in how many a bright point blinks: its
-// brightest pixel is below half of its maximum. A viewer takes one of sixteen for a sparkle.
+// A camera moves by fractions of a pixel through 64 positions. A bright point blinks in a position if its
+// brightest pixel is below half of its maximum. If it blinks in one of sixteen, a viewer sees it sparkle.
 constexpr int kSparkles = 64 / 16;
 static int blinks(QualityName quality, const std::function<void(Scene &)> &pose) {
     auto s = emptyScene();
@@ -155,7 +155,7 @@ static int blinks(QualityName quality, const std::function<void(Scene &)> &pose)
     return dark;
 }
 
-// The highlight of a ball of six pixels, which is dim, is found at most positions between corners.
+// The dim highlight of a ball of six pixels is found in most positions between corners.
 TEST(AdaptiveFaults, HighlightsOfSmallBallsSeldomBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
@@ -166,8 +166,8 @@ TEST(AdaptiveFaults, HighlightsOfSmallBallsSeldomBlink) {
     EXPECT_LE(blinks(QualityName::Play, pose), 2 * kSparkles);
 }
 
-// A lamp mirrored in a small ball, less than a pixel wide, is found wherever it lies. (Where it lies in one
-// pixel alone, this is taken for a spark, and dimmed.)
+// A lamp mirrored in a small ball, less than a pixel wide, is found in every position. (If it lights only one
+// pixel, this is dimmed as a spark.)
 TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
@@ -177,8 +177,8 @@ TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
     for (QualityName name : {QualityName::Draft, QualityName::Play}) EXPECT_LE(blinks(name, pose), kSparkles);
 }
 
-// A ball of two pixels is found wherever it lies, beside an edge too, where the corners that split a square
-// do so for the edge alone. (In one pixel alone it is dimmed, as above.)
+// A ball of two pixels is found in every position, also next to an edge, which alone splits the squares
+// there. (If it lights only one pixel, this is dimmed, as above.)
 TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
@@ -188,8 +188,8 @@ TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
     for (QualityName name : {QualityName::Draft, QualityName::Play}) EXPECT_LE(blinks(name, pose), kSparkles);
 }
 
-// A pixel on the edge of a lamp is as white as the lamp covers it, however bright the lamp is: of a picture
-// of 255 it shows what a lamp just as bright as white would. The edge is steep, so that stairs would be long.
+// A pixel on the edge of a lamp shows the share that the lamp covers, as if the lamp were just white, however
+// bright it is. The edge is steep, so that stairs would be long.
 TEST(AdaptiveFaults, EdgesOfLampsHaveNoStairs) {
     auto edge = [](float radiance, const Quality &quality) {
         auto s = shining(Rgb{1, 1, 1} * radiance, rect({-100, 0, -10}, {1, 0, 0}, {0, 1, 0}, 100, 100));
@@ -204,12 +204,12 @@ TEST(AdaptiveFaults, EdgesOfLampsHaveNoStairs) {
             ++partly;
             EXPECT_NEAR(v, bright.at(i, 0), 8) << quality.name;
         }
-        EXPECT_GT(partly, 50) << quality.name; // a pixel of each row
+        EXPECT_GT(partly, 50) << quality.name; // one pixel in each row
     }
 }
 
-// Lines between patches are narrower than a pixel, and stand where two surfaces meet that look almost alike:
-// the edge must be one even line, not dashes.
+// Lines between patches are narrower than a pixel. They also run along edges of surfaces that look almost
+// alike: there the line must be even, not dashed.
 TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
     Chart charts[2] = {};
     charts[0].v = {0, -1, 0}, charts[0].n = {0, 0, 1};
@@ -233,7 +233,7 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
     s->lines = -16;
     s->finish();
     for (QualityName quality : {QualityName::Draft, QualityName::Play, QualityName::Film}) {
-        // Seen from aside, so that the edge climbs by a pixel in three to five
+        // Look from the side, so that the edge climbs by a pixel in three to five
         TracedPicture p = traced(*s, {0, {-5, 2, 6}, {0, 0, 0}, 0, 50}, named(quality), 320, 180);
         double least = 1e9, most = 0;
         for (int x = 80; x < 240; ++x) {
@@ -247,8 +247,8 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
     }
 }
 
-// Two surfaces that are alike but for their textures meet in a line without steps. A step of a quarter of a
-// pixel is not seen: a quarter of the way from black to white.
+// Two surfaces that differ only in their textures meet in a line without steps. A viewer does not notice a
+// step of a quarter of a pixel, a quarter of the way from black to white.
 TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
     auto s = emptyScene();
     Material tiles = matte({0.2f, 0.2f, 0.2f});
@@ -275,8 +275,8 @@ TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
     }
 }
 
-// The light of a whole picture of a scene, for cameras that turn by a seventh of a pixel each, compared with
-// that of the picture traced in full: nearly the same on the average, and never half lost.
+// Compares the light of a whole picture with the light of a picture traced in full, for cameras that turn by
+// a seventh of a pixel each: the means are nearly equal, and half of it is never lost.
 static void expectLightAtEveryPlace(Scene &scene, const CameraKey &camera, QualityName name, double off) {
     constexpr int kPlaces = 15;
     double mean = 0;
@@ -298,7 +298,7 @@ static void expectLightAtEveryPlace(Scene &scene, const CameraKey &camera, Quali
     EXPECT_NEAR(mean, 1, off) << (int)name;
 }
 
-// The image of a tube, a pixel wide or less, in a ball or a wall that mirrors has neither gaps nor dashes.
+// The image of a tube in a mirroring ball or wall, a pixel wide or less, has neither gaps nor dashes.
 TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (bool wall : {false, true}) {
@@ -323,7 +323,7 @@ TEST(AdaptiveFaults, KeepsTheLightOfLampsInGlass) {
     expectLightAtEveryPlace(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 24}, QualityName::Draft, 0.1);
 }
 
-// Nor is a highlight that is smaller than a square.
+// A highlight that is smaller than a square is never lost either.
 TEST(AdaptiveFaults, KeepsTheLightOfSmallHighlights) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (float x : {0.f, 0.1f, 0.2f, 0.3f, 0.4f}) {

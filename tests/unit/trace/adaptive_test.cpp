@@ -1,4 +1,4 @@
-// Compares the adaptive picture with one traced in full; it depends on nothing but the scene.
+// Compares adaptive pictures with pictures traced in full. They depend on nothing but the scene.
 #include "show/scenes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_picture.h"
@@ -24,13 +24,12 @@ TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
     EXPECT_GT(film, 36); // at this size crystals and boards have detail finer than a pixel
 }
 
-// The steps between qualities that the governor takes: each saves samples and costs accuracy, and none is
-// large.
+// The governor's steps between qualities are small, and each saves samples and costs accuracy.
 TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     TracedPicture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);
     double samples = 1e30, quality = 1e30;
-    for (int i = 2; i <= 40; ++i) { // level 1 is left out: it has features that only film has
+    for (int i = 2; i <= 40; ++i) { // level 1 is left out: only film has some features
         float level = (float)i / 20;
         Quality q = level < 1 ? blend(named(QualityName::Film), named(QualityName::Play), level)
                               : blend(named(QualityName::Play), named(QualityName::Draft), level - 1);
@@ -39,7 +38,8 @@ TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
         EXPECT_LT(taken, samples * 1.02) << level;
         EXPECT_LT(db, quality + 0.3) << level;
         if (i > 2) {
-            EXPECT_GT(taken, samples * 0.5) << level; // 0.55 where squares of a quarter of a pixel end
+            EXPECT_GT(taken, samples * 0.5)
+                << level; // 0.55 at the level that ends squares of a quarter of a pixel
             EXPECT_GT(db, quality - 1.5) << level;
         }
         samples = taken;
@@ -47,8 +47,8 @@ TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
     }
 }
 
-// Veins seen through glass are thinner than a coarse square; no block of them may be missing. A viewer does
-// not see it where one pixel of two hundred is off, along veins of a pixel.
+// Veins seen through glass are thinner than a coarse square, but no block of them may be missing. A viewer
+// does not notice one wrong pixel of two hundred along veins that are a pixel wide.
 TEST(Adaptive, ShowsTexturesInGlassAndMirrors) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     CameraKey close = {0, {-0.62f, 0.8f, 2.7f}, {-0.8f, 0.5f, 0.6f}, 0, 36};
@@ -83,15 +83,14 @@ TEST(Adaptive, TakesEverySize) {
         }
 }
 
-// Compares the shape shown in every pixel with rays through the pixels' middles: nothing small is lost,
-// nothing is in the wrong place. Compares interpolated pixels with the same quality without squares wider
-// than a pixel.
+// Compares the shape shown in every pixel with rays through the pixels' middles: no small thing is lost or
+// misplaced. Compares interpolated pixels with the same quality without squares wider than a pixel.
 TEST(Adaptive, MistakesNoPixel) {
     struct {
         const char *name;
         void (*pose)(Scene &);
         CameraKey camera;
-        double mostOff; // per cent
+        double mostOff; // percent
     } const scenes[] = {
         {"A", posePeerA, kPeerCameraA, 0.05},
         {"B", [](Scene &s) { posePeerB(s); }, kPeerCameraB, 0.05},
@@ -145,7 +144,7 @@ TEST(Adaptive, TakesTheLargestFrame) {
     auto scene = emptyScene();
     posePeerA(*scene);
     scene->finish();
-    auto sumAt = [&](int part) { // of the width and the height
+    auto sumAt = [&](int part) { // the picture has a part of the width and the height
         TracedPicture p =
             traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth / part, kMaxHeight / part);
         double sum = 0;
@@ -189,5 +188,5 @@ TEST(Adaptive, TakesFewSamplesWhereMirroredTexturesAreDark) {
         return traced(*s, {0, {0, 4, 6}, {0, -1, 0}, 0, 36}, named(QualityName::Draft), 320, 180).samples;
     };
     int64_t bright = samples(0.5f), dark = samples(0.01f);
-    EXPECT_LT(dark * 2, bright); // calm sides are not traced
+    EXPECT_LT(dark * 2, bright); // sides with little change are not traced
 }

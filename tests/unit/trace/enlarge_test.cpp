@@ -1,4 +1,5 @@
-// Enlarged pictures against the filter in double precision; no halos, no seams, the same on any thread.
+// Compares enlarged pictures with the filter in double precision: no halos, no seams, the same with any
+// number of threads.
 #include "tests/support/threads.h"
 #include "trace/picture/enlarge.h"
 
@@ -16,7 +17,7 @@ constexpr size_t kBeside = 8;
 
 struct Pixels {
     int width, height;
-    std::vector<uint8_t> bytes; // with some more before and behind, which must not count
+    std::vector<uint8_t> bytes; // with more bytes before and after it, which must not count
 
     Pixels(int w, int h, uint8_t beside = 0)
         : width(w), height(h), bytes((size_t)w * (size_t)h * 4 + kBeside + 32, beside) {}
@@ -77,7 +78,7 @@ const Sizes kSizes[] = {{4, 4, 8, 8},          {5, 6, 9, 7},           {640, 360
 
 } // namespace
 
-// Weights are in 64ths, and rows are rounded to bytes: on noise of full contrast that shows.
+// Weights are in 64ths, and rows are rounded to bytes. Noise of full contrast shows the largest errors.
 TEST(Enlarge, IsTheCubic) {
     for (const Sizes &s : kSizes) {
         Pixels from = noisy(s.width, s.height), to = made(from, s.toWidth, s.toHeight);
@@ -103,7 +104,7 @@ TEST(Enlarge, LeavesAsManyPixelsAsTheyAre) {
 TEST(Enlarge, LeavesAnEvenPictureEven) {
     for (const Sizes &s : kSizes)
         for (int value : {0, 1, 77, 128, 254, 255}) {
-            // What lies beside the picture is of another colour
+            // The surroundings of the picture have another colour
             Pixels from(s.width, s.height, (uint8_t)(255 - value));
             std::fill(from.rgba(), from.rgba() + s.width * s.height * 4, (uint8_t)value);
             Pixels to = made(from, s.toWidth, s.toHeight);
@@ -113,7 +114,7 @@ TEST(Enlarge, LeavesAnEvenPictureEven) {
         }
 }
 
-// Beside an edge the plain cubic would leave a halo.
+// The plain cubic would leave a halo along edges.
 TEST(Enlarge, DoesNotRing) {
     Pixels from(100, 100);
     for (int y = 0; y < 100; ++y)
@@ -124,7 +125,7 @@ TEST(Enlarge, DoesNotRing) {
         ASSERT_GE(to.rgba()[i], 60);
         ASSERT_LE(to.rgba()[i], 200);
     }
-    // ... and it is sharp: an upright edge, from one pixel to the next, is not wider than two of these
+    // It is sharp: a vertical edge between two pixels gets no wider than two of these pixels
     Pixels edge(64, 8);
     for (int i = 0; i < 64 * 8 * 4; ++i) edge.rgba()[i] = i / 4 % 64 < 32 ? 0 : 255;
     Pixels wide = made(edge, 256, 32);
@@ -132,7 +133,7 @@ TEST(Enlarge, DoesNotRing) {
     EXPECT_EQ(wide.at(32 * 4 + 4, 16, 0), 255);
 }
 
-// A slope stays a slope: no stairs where pixels of the smaller picture meet.
+// A slope stays a slope, without stairs where pixels of the smaller picture meet.
 TEST(Enlarge, KeepsSlopes) {
     Pixels from(128, 16);
     for (int i = 0; i < 128 * 16 * 4; ++i) from.rgba()[i] = (uint8_t)(i / 4 % 128 * 2);

@@ -24,10 +24,10 @@ Material plain(float diffuse) {
 
 } // namespace
 
-// Rays from one to a million radii away, at every distance from the middle, most of them near the edge. A ray
-// counts as misjudged if the oracle, which gets the same floats, disagrees and the ray is farther from the
-// edge than half a unit in the last place of its coordinates could move it. The usual b^2 - c misjudges rays
-// far outside of that.
+// Rays start one to a million radii away and pass at every distance from the middle, most of them near the
+// edge. A ray counts as misjudged if the oracle, which gets the same floats, disagrees and half a unit in the
+// last place of the coordinates could not move the ray across the edge. The usual b^2 - c misjudges rays that
+// are far from the edge.
 TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
     Dice dice(5);
     for (float ratio : {1.f, 2.f, 10.f, 100.f, 1e3f, 1e4f, 1e5f, 1e6f}) {
@@ -154,7 +154,7 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
     EXPECT_LT(worst, 0.03); // errors grow with every bounce, as they must
 }
 
-// Inside a cube of glass, beyond the critical angle: no light enters or leaves at any bounce.
+// Inside a cube of glass, beyond the critical angle, no light enters or leaves at any bounce.
 TEST(Extremes, TotalReflectionHoldsEveryRay) {
     RayTracer g;
     Material glass = plain(0);
@@ -178,7 +178,7 @@ TEST(Extremes, TotalReflectionHoldsEveryRay) {
     EXPECT_NEAR(s.radiance().x, 1 - (across * across + along * along) / 2, 1e-4);
 }
 
-// Lights that touch surfaces or lie inside them, things that coincide, cameras inside, below and on surfaces.
+// Lights touch surfaces or lie inside them, shapes coincide, cameras are inside, below and on surfaces.
 TEST(Extremes, PicturesStayFinite) {
     Dice dice(5);
     Material glass = plain(0.2f), mirror = plain(0.3f), matte = plain(0.8f);

@@ -85,7 +85,7 @@ struct Developed {
     }
 };
 
-// By the definition.
+// The exact value, by the definition.
 double exact(float radiance) { return 255 * (double)encodeSrgb(filmic(broadcast(radiance)))[0]; }
 
 // The noise of a flat picture: the shown values minus their mean, for `seed` and colour `c`.
@@ -117,8 +117,8 @@ TEST(Develop, WritesEveryPixelOfOddSizes) {
     }
 }
 
-// A pixel that is brighter than all around it shows the brightest of these; lines, corners and pairs stay. In
-// a picture of odd size, also at its edges, which have fewer neighbours.
+// A pixel that is brighter than all its neighbours shows the brightest of these; lines, corners and pairs
+// stay. Tried in a picture of odd size, also at its edges, where there are fewer neighbours.
 TEST(Develop, ShowsNoSparks) {
     constexpr int kWidth = 21, kHeight = 9;
     for (int at = 0; at < kWidth * kHeight; ++at) {
@@ -137,8 +137,8 @@ TEST(Develop, ShowsNoSparks) {
     }
 }
 
-// With noise, the mean of many pixels has more precision than eight bits: it gives the table's value without
-// steps. 512 pixels give 1/40 of a step.
+// With noise, the mean of many pixels has more than eight bits: it gives the table's value without steps. The
+// mean of 512 pixels is exact to 1/40 of a step.
 TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
     std::vector<float> radiances;
     for (float x = 1e-6f; x < 1e5f; x *= 1.013f) radiances.push_back(x);
@@ -156,7 +156,7 @@ TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
     }
 }
 
-// The table itself, without noise, at every float near a few places and at many others.
+// The table itself, without noise, at every float near a few values and at many others.
 TEST(Develop, TheTableIsWithinAFortiethOfAStep) {
     ToneCurve curve;
     makeToneCurve(curve);
@@ -182,7 +182,7 @@ TEST(Develop, ExtremesAreBlackOrWhite) {
 }
 
 TEST(Develop, ColoursHaveIndependentNoise) {
-    for (int c = 0; c < 3; ++c) // of 131,072 pixels: 0.0028 is usual
+    for (int c = 0; c < 3; ++c) // 131,072 pixels: 0.0028 is usual
         EXPECT_LT(std::fabs(correlation(noiseOf(0, c), noiseOf(0, (c + 1) % 3))), 0.01);
 }
 
@@ -193,7 +193,7 @@ TEST(Develop, NoiseMovesWithItsSeedAndWithNothingElse) {
     EXPECT_EQ(first, noiseOf(0, 0));
 }
 
-// Where the film hardly moves, its noise does; the same time has the same noise.
+// The noise moves even where the film hardly does; the same time has the same noise.
 TEST(Develop, NoiseMovesWithTheFilm) {
     LoadedFilm film(1, 320, 180, false);
     auto shown = [&](double time, std::vector<float> &red) {

@@ -34,7 +34,8 @@ struct Glaring {
         for (int c = 0; c < 3; ++c)
             std::fill_n(frame.plane[c], (size_t)frame.stride * (size_t)frame.height, colour[c]);
     }
-    // What was spread, row by row; on request with the ends of rows, which are repeated.
+    // Returns the spread light, row by row, with `ends` more pixels, which are repeated, at both ends of a
+    // row.
     std::vector<float> spreadLight(int c, int ends = 0) const {
         std::vector<float> all;
         const Glare::Level &l = glare.level[1];
@@ -45,7 +46,7 @@ struct Glaring {
     }
     double sum(int c) const {
         std::vector<float> all = spreadLight(c);
-        return std::accumulate(all.begin(), all.end(), 0.) * 16; // pixels a place
+        return std::accumulate(all.begin(), all.end(), 0.) * 16; // a texel has 16 pixels
     }
 };
 
@@ -71,7 +72,7 @@ TEST(Glare, SpreadsWhatThereIsAndNoMore) {
         h.spread();
         EXPECT_NEAR(h.sum(1), 1000, 20); // the widest circles reach the picture's edges
         EXPECT_EQ(h.sum(0), 0);
-        // It falls with distance, equally to both sides
+        // The light falls with distance, equally on both sides
         const Glare::Level &l = h.glare.level[1];
         auto ring = [&](int by) {
             double all = 0;
@@ -96,7 +97,7 @@ TEST(Glare, IsTheSameForEveryNumberOfThreads) {
     }
 }
 
-// Development shows the light that went straight plus the spread light that each place receives.
+// Development shows the direct light of each pixel plus the spread light that it receives.
 TEST(Glare, IsSeenInTheDevelopedPicture) {
     Glaring h(256, 128);
     h.fill(0.2f, 0.2f, 0.2f);
@@ -110,7 +111,7 @@ TEST(Glare, IsSeenInTheDevelopedPicture) {
     std::vector<uint8_t> plain = developed(nullptr, kPlainLook);
     h.spread();
     EXPECT_EQ(developed(&h.glare, {0.3f, 0, 0}), plain); // an even picture: nothing to see
-    // A lamp in the middle: around it there is light, far away hardly
+    // A lamp in the middle: there is light around it, hardly any far away
     h.at(0, 128, 64) = 1e4f;
     h.spread();
     std::vector<uint8_t> lamp = developed(&h.glare, {0.05f, 0, 0});
@@ -126,7 +127,7 @@ TEST(Glare, IsSeenInTheDevelopedPicture) {
     EXPECT_NEAR(at(dark, 128, 64), at(plain, 128, 64), 1);
     EXPECT_LT(at(dark, 0, 0), at(plain, 0, 0) - 25);
     EXPECT_NEAR(at(dark, 0, 0), at(dark, 255, 127), 2);
-    // Grain: of the width given, with the right mean, equal in all colours; white and black stay in range
+    // Grain has the width given and the right mean, equal in all colours; white and black stay in range
     std::vector<uint8_t> grain = developed(nullptr, {0, 0, 96});
     double sum = 0, square = 0;
     int most = 0;
@@ -136,7 +137,7 @@ TEST(Glare, IsSeenInTheDevelopedPicture) {
     }
     double count = (double)grain.size() / 4;
     EXPECT_NEAR(sum / count, 0, 0.05);
-    EXPECT_NEAR(std::sqrt(square / count), 3 / std::sqrt(6.), 0.15); // of a triangle, and rounded
+    EXPECT_NEAR(std::sqrt(square / count), 3 / std::sqrt(6.), 0.15); // a triangular distribution, rounded
     EXPECT_LE(most, 3);
     for (float v : {0.f, 1e9f}) {
         h.fill(v, v, v);

@@ -1,5 +1,5 @@
-// Rays against shapes: closed forms, an oracle in double precision, brute force against the tree, and the
-// extremes.
+// Compares rays and shapes with closed forms and with an oracle in double precision, and the tree with brute
+// force; tries extremes.
 #include "tests/support/dice.h"
 #include "tests/support/model_bench.h"
 #include "tests/support/room.h"
@@ -21,7 +21,7 @@ Ray8 ray(Vec3 o, Vec3 d) { return {broadcast(o), broadcast(normalize(d))}; }
 
 float hit(const Shape &s, Vec3 o, Vec3 d) { return distance(s, ray(o, d))[0]; }
 
-// The solid shapes in turn: both of their sides are hit and stop light.
+// Returns the solid shapes in turn: both of their sides are hit and stop light.
 ShapeKind solid(int i) {
     std::vector<ShapeKind> kinds;
     for (const ShapeTraits &traits : kShapeTraits)
@@ -29,7 +29,7 @@ ShapeKind solid(int i) {
     return kinds[(size_t)i % kinds.size()];
 }
 
-// The distance to the nearest shape, by brute force.
+// Returns the distance to the nearest shape, by brute force.
 Float8 nearestOf(const Scene &scene, const Ray8 &r) {
     Float8 nearest = broadcast(kInfinity);
     for (int s = 0; s < scene.shapeCount; ++s) nearest = min(nearest, distance(scene.shapes[s], r));
@@ -115,11 +115,12 @@ TEST(Rect, IsMetFromItsLitSideOnly) {
     EXPECT_EQ(meet({0, 3, 2.01f}, {0, -1, 0}), kInfinity);
     EXPECT_EQ(meet({0, 3, 0}, {1, 0, 0}), kInfinity);
     EXPECT_EQ(meet({5, 1, 0}, {-1, 0, 0}), kInfinity); // in its plane
-    // Light does not pass from either side
+    // Light passes from neither side
     for (float side : {-1.f, 1.f}) {
         Ray8 r = {broadcast(Vec3{0, 1 + 2 * side, 0}), broadcast(Vec3{0, -side, 0})};
         EXPECT_EQ(transmittance(*scene, r, broadcast(9.f), kLanes < 8, broadcast(-1)).x[0], 0);
-        EXPECT_EQ(transmittance(*scene, r, broadcast(9.f), kLanes < 8, broadcast(0)).x[0], 1); // its own
+        EXPECT_EQ(transmittance(*scene, r, broadcast(9.f), kLanes < 8, broadcast(0)).x[0],
+                  1); // the rectangle that the ray starts on
     }
 }
 
@@ -152,7 +153,7 @@ TEST(Rect, RoomsAreTight) {
 
 // --- The tree ---
 
-// Packets, single rays and beams, in trees of mixed shapes and of balls alone.
+// Tries packets, single rays and beams, in trees of mixed shapes and of balls alone.
 TEST(Tree, FindsWhatBruteForceFinds) {
     Dice dice(7);
     auto scene = std::make_unique<Scene>();
@@ -202,7 +203,7 @@ TEST(Tree, FindsWhatBruteForceFinds) {
             Ray8 back = {fmadd(r.d, broadcast(25.f), r.o), -r.d};
             light = transmittance(*scene, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
             Rgb8 shared = transmittance(*scene, among, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
-            beam.limit[4] = -kInfinity; // for primary rays, that have no end
+            beam.limit[4] = -kInfinity; // primary rays have no end
             findCandidates(*scene, beam, among);
             Hit8 seen = intersect(*scene, among, common, r.d, kLanes >= 0);
             for (int k = 0; k < 8; ++k) {
@@ -214,8 +215,8 @@ TEST(Tree, FindsWhatBruteForceFinds) {
     }
 }
 
-// Boxes are culled for a packet as a whole. Rays leave a mirror from different places; some lanes are not
-// active and point elsewhere; many only just hit a ball, where its box ends.
+// Boxes are culled for a packet as a whole. Rays leave a mirror from different points; some lanes are not
+// active and point elsewhere; many rays only just hit a ball, where its box ends.
 TEST(Tree, CullsNothingThatAnActiveRayHits) {
     Dice dice(7);
     auto scene = std::make_unique<Scene>();

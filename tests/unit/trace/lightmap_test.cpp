@@ -15,7 +15,7 @@ struct Sheet {
     Chart chart = {};
     std::vector<float> texels, patches;
     Lightmap map = {};
-    // 6 x 4 cells over 3 x 1, standing upright somewhere; value(i, j) of each corner
+    // 6 x 4 cells over 3 x 1, upright, away from the origin; each corner has value(i, j)
     template <class Value> explicit Sheet(Value value) {
         chart.corner = {1, 2, -3};
         chart.u = {0, 0, 1}, chart.v = {0, 1, 0}, chart.n = {-1, 0, 0};
@@ -33,7 +33,7 @@ struct Sheet {
         for (int k = 0; k < 3; ++k) map.plane[k] = texels.data(), map.patch[k] = patches.data();
     }
     float at(float s, float t) const { return lightAt(map, chart, broadcast(chart.at(s, t))).y[3]; }
-    // The patch at a place, seen along d, and how much of a sample there is clear of lines.
+    // Returns the patch at (s, t), seen along d, and the share of a sample there that no line covers.
     std::pair<int, float> patchAndClear(float s, float t, Vec3 d, float cosine, float width) const {
         Float8 clear;
         Int8 patch = patchAt(chart, broadcast(chart.at(s, t)), broadcast(d), broadcast(cosine),
@@ -51,7 +51,7 @@ TEST(Lightmap, IsBilinearBetweenCorners) {
             EXPECT_NEAR(sheet.at(s, t), 10 * (s * 2) + t * 4, 1e-4f) << s << ' ' << t;
     EXPECT_FLOAT_EQ(sheet.at(0, 0), 0);
     EXPECT_FLOAT_EQ(sheet.at(3, 1), 64);
-    EXPECT_FLOAT_EQ(sheet.at(-1, -1), 0); // outside: the border, never another chart's texels
+    EXPECT_FLOAT_EQ(sheet.at(-1, -1), 0); // outside: the border's value, never another chart's texels
     EXPECT_FLOAT_EQ(sheet.at(9, 9), 64);
     EXPECT_FLOAT_EQ(sheet.at(std::nanf(""), 0.5f), sheet.at(0, 0)); // NaN gives a number
 }
@@ -65,7 +65,7 @@ TEST(Lightmap, OverItThePatchesAreAMosaic) {
             EXPECT_FLOAT_EQ(sheet.at(s, t), (float)(2 * (int)(t * 2) + (int)(s / 1.5f))) << s << ' ' << t;
     sheet.map.mosaic = 0.25f;
     EXPECT_FLOAT_EQ(sheet.at(2, 0.9f), 0.75f * 7 + 0.25f * 3);
-    // Interpolate between middles
+    // With sharpness 1 it interpolates between middles of patches
     sheet.map.mosaic = sheet.map.sharpness = 1;
     EXPECT_FLOAT_EQ(sheet.at(0.75f, 0.25f), 0);
     EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.25f), 0.5f);
@@ -83,12 +83,12 @@ TEST(Lightmap, FindsPatchesAndTheLinesBetweenThem) {
     EXPECT_EQ(look(0.1f, 0.9f).first, 102);
     EXPECT_EQ(look(2.9f, 0.9f).first, 103);
     EXPECT_NEAR(look(1.5f, 0.2f).second, 0, 1e-5f);
-    // From afar a line gets paler as it is spread out
+    // In a wide sample a line is paler
     EXPECT_GT(look(1.5f, 0.25f, 0.5f).second, 0.9f);
     EXPECT_LT(look(1.5f, 0.25f, 0.5f).second, 1);
 }
 
-// The lines between patches look as with many samples over twice the width, seen straight and at an angle.
+// Lines between patches look as with many samples over twice the width, seen straight and at an angle.
 TEST(Lightmap, LinesAreFilteredLikeManySamples) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;
@@ -98,7 +98,7 @@ TEST(Lightmap, LinesAreFilteredLikeManySamples) {
     for (float cosine : {1.f, 0.5f, 0.1f})
         for (float width : {0.004f, 0.02f, 0.05f})
             for (float s : {1.3f, 1.45f, 1.49f, 1.5f, 1.52f}) {
-                // Along u it gets longer with the angle
+                // Along u the footprint gets longer with the angle
                 Vec3 d = c.u * std::sqrt(1 - cosine * cosine) - c.n * cosine;
                 float wide = 2 * width / cosine;
                 double sum = 0;
@@ -134,16 +134,16 @@ TEST(Sky, RisesFromTheHorizonToTheZenith) {
     Sky sky = plainSky({1, 2, 3}, {0, 0, 0});
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, 1, 0})).x[0], 0);
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{1, 0, 0})).y[0], 2);
-    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 3); // no ground: as at the horizon
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 3); // below the horizon its colour stays
     sky.least = -1;
-    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 12); // or does not
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 12); // or the gradient goes on
     sky.least = 0;
     sky.sun = {0.6f, 0.8f, 0};
     sky.glow = sky.near = {0.5f, 0.5f, 0.5f};
     Sky without = plainSky({1, 2, 3}, {0, 0, 0});
     EXPECT_NEAR((double)(radiance(sky, broadcast(sky.sun)).x[0] - radiance(without, broadcast(sky.sun)).x[0]),
                 1, 1e-5);
-    // The near glow's irradiance on what faces the sun, by the midpoint rule
+    // The near glow's irradiance on a surface that faces the sun, by the midpoint rule
     double sum = 0;
     for (int i = 0; i < 10000; ++i) {
         double cosine = (i + 0.5) / 10000;

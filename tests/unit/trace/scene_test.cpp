@@ -1,4 +1,4 @@
-// A scene's own reports: the traits of its shapes, and which of its arrays is full.
+// What a scene reports: the traits of its shapes, and the array that is full.
 #include "tests/support/shapes.h"
 #include "trace/rays/intersect.h"
 #include "trace/shade/diffuse.h"
@@ -63,7 +63,7 @@ TEST(Shapes, HaveTheirTraits) {
     }
 }
 
-// Whether two shapes side by side continue each other's texture.
+// Two neighbouring shapes continue each other's texture, or do not.
 TEST(Shapes, JoinTheirTexturesOrNot) {
     Texture cloud = {.pattern = Pattern::Plaster, .scale = 1, .palette = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}};
     for (const ShapeTraits &traits : kShapeTraits) {

@@ -1,4 +1,4 @@
-// Where rectangles join, no light passes between them, neither straight nor by a mirror, and none is lost.
+// Where rectangles join, no light passes between them, directly or by a mirror, and none is lost.
 #include "tests/support/random.h"
 #include "tests/support/traced_ray.h"
 
@@ -9,7 +9,7 @@ using namespace odraz;
 
 namespace {
 
-// The size and place of a room, the distance of its light, and the light's height: the tangent of its angle.
+// The size and position of a room, the distance of its light, and the tangent of the light's elevation.
 struct Pose {
     float size, away, far, height;
 };
@@ -18,7 +18,7 @@ constexpr Pose kPoses[] = {
     {1, 100, 3000, 0.3f}, {1e-3f, 1e-3f, 1, 1}, {1e3f, 1e3f, 1e5f, 1},
 };
 
-// Steps of any size to both sides, from 1e-7 to 1e-2.
+// Returns offsets of any size to both sides, from 1e-7 to 1e-2.
 struct Near {
     Random random;
     float operator()() {
@@ -27,8 +27,8 @@ struct Near {
     }
 };
 
-// Looks at places around the joint of two rectangles at x, from above and to the right. Returns for how many
-// samples `which` is true.
+// Traces rays from above and from the right to points around the joint of two rectangles at x. Returns the
+// number of samples for which `which` is true.
 template <class Which> int count(RayTracer &g, const Pose &p, Which &&which) {
     Near near = {{5}};
     int count = 0;
@@ -57,7 +57,7 @@ TEST(Seam, OfFloorAndWallLetsNoLightIn) {
             g.scene->add(rect({x, 3 * s, 0}, {0, 1, 0}, {0, 0, 1}, 3 * s, 9 * s, 1));
             ASSERT_GT(g.scene->shapes[0].frame.v.y, 0);
             ASSERT_GT(g.scene->shapes[1].frame.v.x, 0);
-            // No light comes over a high wall from so low
+            // From so low no light passes over a high wall
             Vec3 sun = normalize(Vec3{-1, p.height, 0.2f}) * p.far;
             g.scene->add(Light{sun + Vec3{x, 0, 0}, Rgb{1, 1, 1} * (p.far * p.far)});
             g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});

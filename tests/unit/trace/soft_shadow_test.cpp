@@ -32,7 +32,8 @@ struct Eclipse {
     float at(float x) const { return at({broadcast(x), Float8{}, Float8{}}).x[0]; }
 };
 
-// The share of a lamp that a ball hides from (x, 0, 0), by rays to places spread evenly over the lamp's disc
+// Returns the share of a lamp that a ball hides from (x, 0, 0), by rays to points spread evenly over the
+// lamp's disc.
 double hiddenByRays(float x, float radius, float lamp, double height = 2) {
     Vec3 p = {x, 0, 0}, axis = normalize(Vec3{0, 10, 0} - p), u = normalize(cross(axis, Vec3{0, 0, 1})),
          v = cross(axis, u);
@@ -71,9 +72,9 @@ TEST(SoftShadow, IsOfWhatStandsBetweenAlone) {
     Eclipse e(0.5f, 0.5f, 0);
     EXPECT_EQ(e.blockers.count, 1);
     auto at = [&](float y, int own = -1) { return e.at(broadcast(Vec3{0, y, 0}), own).x[0]; };
-    EXPECT_LT(at(0), 0.01); // below it
-    EXPECT_EQ(at(0, 0), 1); // its own
-    EXPECT_EQ(at(5), 1);    // above it
+    EXPECT_LT(at(0), 0.01); // below the ball
+    EXPECT_EQ(at(0, 0), 1); // the ball itself
+    EXPECT_EQ(at(5), 1);    // above the ball
     EXPECT_EQ(at(12), 1);   // beyond the lamp
     Blockers none;
     findBlockers(*e.scene, e.light, {{20, 0, -1}, {21, 0, 1}}, none);
@@ -82,8 +83,9 @@ TEST(SoftShadow, IsOfWhatStandsBetweenAlone) {
     EXPECT_EQ(none.count, 0);
 }
 
-// The share of the light on a glass ball that arrives within a radius y on a plane z behind its middle (both
-// in its radii). The light comes from far away and is refracted in and out, by Fresnel's equations
+// Returns the share of the light on a glass ball that arrives within a radius on a plane at distance z beyond
+// the ball's middle, both in its radii. The light comes from far away and is refracted in and out, by
+// Fresnel's equations.
 static double withinByRays(double z, double within, double n) {
     double sum = 0;
     constexpr int kRays = 20000;
@@ -119,7 +121,7 @@ TEST(SoftShadow, OfGlassGathersWhatItTakes) {
             double truth = withinByRays(behind, within, 1.5);
             std::printf("  %.2f / %.2f", sum, truth);
             EXPECT_NEAR(sum, truth, 0.11) << behind << ' ' << within;
-            EXPECT_LT(sum, 0.85); // no more than it receives
+            EXPECT_LT(sum, 0.85); // no more than the ball receives
             EXPECT_NEAR(red, 0.6 * sum, 0.01);
         }
         std::printf("\n");

@@ -1,4 +1,4 @@
-// Compares shafts of sun with sums over many places along rays.
+// Compares shafts of sunlight with sums over many points along rays.
 #include "trace/shade/sunshafts.h"
 
 #include "base/maths.h"
@@ -32,7 +32,8 @@ bool lit(const Sunshafts &s, Vec3 p) {
     bool open = false;
     for (int i = 0; i < s.openings; ++i) open |= at.z > s.from[i] && at.z < s.to[i];
     if (!open || at.y < s.low || at.y > s.high) return false;
-    for (int k = 0; k < s.pillars; ++k) { // distance of its axis from the line to the sun, seen from above
+    for (int k = 0; k < s.pillars;
+         ++k) { // the distance of its axis from the line to the sun, seen from above
         float x = s.pillarX[k] - p.x, z = s.pillarZ[k] - p.z;
         float off = (x * s.sun.z - z * s.sun.x) / std::hypot(s.sun.x, s.sun.z);
         if (x < 0 && std::fabs(off) < s.pillarRadius) return false;
@@ -40,7 +41,7 @@ bool lit(const Sunshafts &s, Vec3 p) {
     return true;
 }
 
-// Expects a result between those for the thinnest and the thickest dust
+// Expects a result between the sums for the thinnest and the thickest dust.
 void expectSum(const Sunshafts &s, Vec3 o, Vec3 towards, float hit) {
     Vec3 d = normalize(towards);
     constexpr int kSteps = 20000;
@@ -69,7 +70,7 @@ TEST(Sunshafts, AreRightAtTheExtremes) {
     Vec3 inside = Vec3{-4, 3, 2.5f} - s.sun * 2.f;
     expectSum(s, inside, s.sun, 1e9f); // along the sun
     expectSum(s, inside, s.sun * -1.f, 1e9f);
-    expectSum(s, {0, 5.9f, 8.9f}, s.sun, 1e9f); // beside all shafts
+    expectSum(s, {0, 5.9f, 8.9f}, s.sun, 1e9f); // next to all shafts
     expectSum(s, inside, {0, 0, 1}, 1e9f);
     expectSum(s, inside, {0, 1, 0}, 1e9f);
     expectSum(s, inside, {1, 0, 0}, 1e9f);

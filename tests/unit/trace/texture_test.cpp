@@ -1,5 +1,4 @@
-// Noise and materials, compared with a plain implementation of the noise in double precision, and by
-// statistics.
+// Compares noise with a plain implementation in double precision; checks noise and materials by statistics.
 #include "show/materials.h"
 #include "tests/support/dice.h"
 #include "tools/engine/vec3d.h"
@@ -17,7 +16,7 @@ float noiseAt(double x, double y, double z) {
     return noise({broadcast((float)x), broadcast((float)y), broadcast((float)z)})[0];
 }
 
-// The noise written out, in double, corner by corner.
+// The noise in double precision, written out corner by corner.
 double plainNoise(double x, double y, double z) {
     double cell[3] = {std::floor(x), std::floor(y), std::floor(z)},
            f[3] = {x - cell[0], y - cell[1], z - cell[2]}, sum = 0;
@@ -30,7 +29,7 @@ double plainNoise(double x, double y, double z) {
         h = (h ^ h >> 15) * 0x2c1b3c6du;
         double p[3] = {f[0] - o[0], f[1] - o[1], f[2] - o[2]}, weight = 1;
         for (int k = 0; k < 3; ++k) weight *= o[k] ? fade(f[k]) : 1 - fade(f[k]);
-        // A cube's corner, by three bits, turned about x, y and z
+        // A cube's corner by three bits, turned around x, y and z
         double g[3];
         for (int k = 0; k < 3; ++k) g[k] = (h >> (29 + k) & 1 ? 1 : -1) * std::sqrt(2 / 3.);
         auto turn = [&](double &a, double &b, double angle) {
@@ -46,7 +45,7 @@ double plainNoise(double x, double y, double z) {
     return sum;
 }
 
-// The mean of colourAt(places), at random places.
+// Returns the mean of colourAt(points) over random points.
 template <class ColourAt> Vec3d meanColourAt(Dice &dice, int packets, ColourAt colourAt) {
     Vec3d sum = {};
     for (int i = 0; i < packets; ++i) {
@@ -88,7 +87,7 @@ TEST(Noise, LooksAlikeAlongEveryAxis) {
     Vec3 slope = {};
     for (int i = 0; i < 60000; ++i) {
         Vec3 p = dice.point(500);
-        // A step along each axis, in a lane each
+        // One lane for a step along each axis
         Float8 at = noise(broadcast(p) + Vec3x8{Float8{0.01f}, Float8{0, 0.01f}, Float8{0, 0, 0.01f}});
         Vec3 d = Vec3{at[0] - at[3], at[1] - at[3], at[2] - at[3]};
         slope += d * d;
@@ -124,8 +123,8 @@ static Material checker(float cell) {
     return {.texture = {Pattern::Plain, 1, {{1, 1, 1}}}, .other = {Pattern::Plain, 1, {}}, .cell = cell};
 }
 
-// How much the filtered checker differs from the average of the sharp one: at a place, seen along d, over a
-// footprint of a width across the view.
+// Returns how much the filtered checker differs from the mean of the sharp one, at a point seen along d, over
+// a footprint that is `across` wide across the view.
 static double offAverage(float cell, Vec3 place, Vec3 d, float across) {
     float cosine = -d.y, flat = std::hypot(d.x, d.z);
     Vec3 ahead = flat > 0 ? Vec3{d.x / flat, 0, d.z / flat} : Vec3{1, 0, 0}, aside = {-ahead.z, 0, ahead.x};
@@ -151,8 +150,7 @@ TEST(Checker, IsFilteredLikeManySamples) {
     }
 }
 
-// Seen along its diagonals, the two waves of a checker change together, so that the product of their means
-// is wrong.
+// Along its diagonals the two waves of a checker change together, so the product of their means is wrong.
 TEST(Checker, IsFilteredAlongASlantedView) {
     Dice dice(7);
     for (float degrees : {0.f, 20.f, 45.f, 70.f}) {
@@ -181,7 +179,7 @@ TEST(Materials, AreColoursEverywhere) {
                 }
 }
 
-// The shares in a pattern's row are measured ones, and sum to 1.
+// The shares in a pattern's row were measured, and sum to 1.
 TEST(Patterns, ShowTheirColoursInTheSharesOfTheirRows) {
     Dice dice(8);
     for (const PatternTraits &row : kPatterns) {
@@ -194,7 +192,7 @@ TEST(Patterns, ShowTheirColoursInTheSharesOfTheirRows) {
     }
 }
 
-// Radiosity uses the mean of a pattern: it must be the mean of what is seen.
+// Radiosity uses the mean of a pattern: it must be the mean of the colours that are seen.
 TEST(Material, MeanAlbedoIsTheMean) {
     Dice dice(5);
     for (const Material &m :

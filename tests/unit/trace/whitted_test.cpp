@@ -11,7 +11,7 @@ using namespace odraz;
 
 namespace {
 
-// Each has no other property.
+// Materials with one property each.
 Material clearGlass(float ior) { return {.ior = ior}; }
 Material mirror(float reflect) { return {.reflect = reflect}; }
 Material glowing(Rgb radiance) { return {.emit = radiance}; }
@@ -54,8 +54,8 @@ TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
     EXPECT_NEAR(g.trace(eye, {0, 0, 0}, coarse).radiance().x, expected, 1e-4);
 }
 
-// A highlight smaller than the area that a sample covers on the ball is drawn wider and paler, so that it
-// does not blink when the ball moves; its total light is the same.
+// A highlight that is smaller than a sample's footprint on the ball is drawn wider and paler, so that it does
+// not blink when the ball moves. Its total light is the same.
 TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
     RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(shiny({0, 0, 0}, 0.8f, 300))));
@@ -103,15 +103,15 @@ TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
     EXPECT_EQ(g.trace({0, 1, 3}, {0, 0, 0}).light.x, 0);
 }
 
-// A light too faint for the quality casts no shadow. Its shadow fades in with the light, and lights that
-// matter have all of it.
+// A light that is too faint for the quality casts no shadow. The shadow fades in with the light's strength,
+// up to the full shadow of lights that matter.
 TEST(Shadow, FadesInWithTheLightThatItTakes) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     Quality coarse = kExact;
     coarse.cutoff = 1 / 24.f;
     float before = 0, most = 0;
     for (int i = 0; i <= 400; ++i) {
-        float strength = 0.01f * (float)i / 100; // of what falls on the floor
+        float strength = 0.01f * (float)i / 100; // a share of the floor's light
         RayTracer g;
         g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
         g.scene->add(box({0, 3, 0}, {1, 0.1f, 1}, 0));
@@ -138,15 +138,14 @@ TEST(Mirror, ShowsWhatIsBehindTheViewer) {
     expectNear(g.trace({0, 3, 3}, {0, 0, 0}).radiance(), {0.8f, 0.4f, 0.2f}, 1e-5f);
 }
 
-// A lamp mirrored in a small ball, smaller there than what a sample covers, would blink as samples hit and
-// miss it. So it is drawn wider and paler, and bounded, because the average of samples shows no more than
-// white.
+// The image of a lamp in a small ball, smaller than a sample's footprint, would blink as samples hit and miss
+// it. So it is drawn wider and paler. It is bounded, because the mean of samples shows no more than white.
 TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(mirror(1))));
     g.scene->add(sphere({0, 0, 20}, 1, g.scene->add(glowing({60, 60, 60}))));
     Vec3 eye = {0, 8, 8}, place = {0, 0.4f, 0.9f};
-    // At its place: half-way between eye and lamp, as seen from the ball's face
+    // At the image's position: half-way between eye and lamp, as seen from the ball's surface
     for (int i = 0; i < 20; ++i)
         place = normalize(normalize(eye - place) + normalize(Vec3{0, 0, 20} - place));
     EXPECT_NEAR(g.trace(eye, place, kExact, 1e-6f).radiance().x, 60, 0.1);
@@ -156,14 +155,14 @@ TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     EXPECT_LT(pale, 20);
     EXPECT_LT(paler, pale * 0.5f);
     EXPECT_GT(paler, 0.005f);
-    // Beside it
+    // Next to the image
     Vec3 beside = normalize(place + Vec3{0.06f, 0, 0});
     EXPECT_EQ(g.trace(eye, beside).radiance().x, 0);
     EXPECT_GT(g.trace(eye, beside, kExact, 0.02f).radiance().x, 0.01f);
 }
 
-// Two facing mirrors that emit: the path ends at the depth limit, so the sum is a finite geometric series,
-// even of sixty-four bounces.
+// Two emitting mirrors face each other: the path ends at the depth limit, so the sum is a finite geometric
+// series, even of sixty-four bounces.
 TEST(Mirror, RecursionEndsByDepthAndByContribution) {
     auto seen = [](float reflect, int depth, float cutoff) {
         RayTracer g;
@@ -180,7 +179,7 @@ TEST(Mirror, RecursionEndsByDepthAndByContribution) {
     EXPECT_NEAR(seen(0.97f, kMaxDepth, 1e-6f), all, all * 1e-5);
 }
 
-// A path that ends, by depth or by its small share, returns the average light there, not darkness.
+// A path that ends, by depth or because its share is small, returns the average light, not darkness.
 TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
     RayTracer g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(mirror(0.5f))));
@@ -196,8 +195,8 @@ TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
     EXPECT_NEAR(g.trace({0, 2, 2}, {0, 0, 0}, q).radiance().x, 0.5 * (0.5 + 0.3 * std::sqrt(0.5)), 1e-4);
 }
 
-// A glass ball hit on its axis: Fresnel's R at both surfaces, with all orders of inner reflection. What is
-// not reflected goes through.
+// A ray along the axis of a glass ball: Fresnel's R at both surfaces, with all orders of inner reflection.
+// The rest passes through.
 TEST(Glass, KeepsEnergyOnTheAxis) {
     RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(clearGlass(1.5f))));
@@ -226,8 +225,8 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
     EXPECT_NEAR(g.trace({-4, -1, 0}, {0, 0, 0}).radiance().y, 1, 1e-4);
 }
 
-// Behind a ball of glass a sample widens as its rays do, most at the rim. A lamp narrower than that fades to
-// the average light.
+// Behind a ball of glass a sample's footprint widens with its rays, most at the rim. A lamp that is narrower
+// fades to the average light.
 TEST(Glass, FadesLampsNarrowerThanASampleBehindIt) {
     RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(clearGlass(1.5f))));
@@ -284,8 +283,8 @@ TEST(View, PutsTheTargetInTheMiddleAndUpOnTop) {
     EXPECT_NEAR(rolled.direction(50.f, 0.f).y, 0, 1e-5);
 }
 
-// A lamp's size softens shadows only where balls block light in closed form. Elsewhere shadows are hard, also
-// those of things that are nearer to the floor than the lamp's radius.
+// A lamp's size softens only shadows of balls, which have closed forms. All other shadows are hard, also the
+// shadows of objects that are nearer to the floor than the lamp's radius.
 TEST(Shadow, OfALargeLampReachesTheFloor) {
     auto s = emptyScene();
     s->add(matte({0.5f, 0.5f, 0.5f}));
