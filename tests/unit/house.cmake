@@ -55,7 +55,7 @@ odraz_test(packer pe_test 1 packing)
 target_sources(packer_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests/support/pe_rules.cpp)
 odraz_test(packer report_test 1 reporting)
 
-# The proof of the maths is not run under sanitizers. Usually it tests every 251st float; tools/test --long tests all
+# The proof of the maths is not run under sanitizers. Usually it tests one float in 251; tools/test --long tests all
 # floats, in billions of calls, and the whole film
 if(NOT ODRAZ_SANITIZE)
     odraz_program(base maths_exhaustive_test engine)
