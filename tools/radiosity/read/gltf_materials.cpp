@@ -116,7 +116,7 @@ private:
         if (!found.bytes && hasScheme(found.path))
             return note("a picture's URI has a scheme, and is not read");
         if (tint == std::array<float, 3>{})
-            return note(&picture == &to.mesh.picture ? "baseColorTexture is black by its factor"
+            return note(&picture == &to.mesh.picture ? "baseColorTexture is not used: its factor is black"
                                                      : "emissiveTexture needs an emissiveFactor");
         picture = found;
         picture.tint = tint;
@@ -125,7 +125,7 @@ private:
             const auto &wraps = GltfFile::at(file.model.samplers, texture.sampler, "sampler");
             picture.clamp = wraps.wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE && wraps.wrapT == wraps.wrapS;
             if (wraps.wrapS != wraps.wrapT || wraps.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT)
-                note("a picture that is mirrored, or repeated along one axis, is repeated");
+                note("a mirrored picture, or one that repeats along one axis only, repeats along both");
         }
         to.set = info.texCoord, to.uv = {1, 0, 0, 0, 1, 0};
         if (const Value *moved = find(info.extensions, "KHR_texture_transform")) {
