@@ -76,7 +76,7 @@ PackOptions parseOptions(common::CommandLine &line) {
     line.group("How to pack");
     line.flag("--loader", o.loader, "pack as any program, even if IN was made for packing");
     line.flag("--pe", o.pe, "write OUT for Windows; IN must be linked for it");
-    line.flag("--plain", o.plain, "do not pack: write OUT with the program as it lies in memory");
+    line.flag("--plain", o.plain, "do not pack: write OUT with the program's memory image");
     line.flag("--fast", o.fast, "use few contexts: 10 % larger, starts in less than half the time");
     line.option(
         "--budget", "BYTES|none", [&](const std::string &text) { o.budget = budgetOf(text); },
@@ -102,9 +102,9 @@ PackOptions parseOptions(common::CommandLine &line) {
         "--text", "FILE", o.text,
         "write the size and the ten largest changes to FILE, for a comment on a change; with - print only "
         "that");
-    line.option(
-        "--than", "OLD.json", o.than,
-        "with --html or --text, compare with an earlier --report; if there is none yet, a note says so");
+    line.option("--than", "OLD.json", o.than,
+                "with --html or --text, compare with an earlier --report; if it does not exist yet, pack "
+                "prints a note");
     line.option("--map", "FILE", o.map, "print the cost of each object file, by the linker's map in FILE");
     line.option("--symbols", "FILE", o.symbols,
                 "with --map, for a program linked with -flto: the output of `nm -A` for its object files");

@@ -174,7 +174,7 @@ std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const La
     return image;
 }
 
-// Compiled in encoder.cpp alone: the results of the arithmetic depend on the compiler's options
+// Compiled only in encoder.cpp: the results of the arithmetic depend on the compiler's options
 extern template Encoded encode<X86Tracker>(const std::vector<uint8_t> &, const Layout &,
                                            const ModelParameters &, Workspace &);
 extern template double measure<X86Tracker>(const std::vector<uint8_t> &, const Layout &,

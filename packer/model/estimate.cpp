@@ -225,7 +225,7 @@ Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate
     // Compute the inputs that `like` does not have. Each context has its share of the slots
     uint32_t slotBits = parameters.slotBits - (uint32_t)std::bit_width(parameters.contexts - 1);
     Sources from = {{}, {}, parameters.contexts, w.records.data()};
-    std::vector<int16_t> *late = nullptr; // the last ones are computed step by step, as far as needed
+    std::vector<int16_t> *late = nullptr; // the last inputs are computed step by step, as far as needed
     uint32_t lateContext = 0;
     for (uint32_t i = 0; i < parameters.contexts; ++i) {
         if (same(i))

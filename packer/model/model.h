@@ -23,7 +23,7 @@
 namespace pack {
 
 constexpr uint32_t kContextCounters = 3;
-constexpr uint32_t kMostContexts = 16; // 24 gained nothing
+constexpr uint32_t kMostContexts = 16; // 24 saved nothing
 constexpr uint32_t kSets = 8;
 constexpr uint32_t kRowBits = 14, kRows = 1 << kRowBits; // rows of a set's weights
 constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
@@ -94,8 +94,8 @@ constexpr uint32_t kFirstTrust = 14; // a new correction starts as if it had see
 // The nibble's bits so far select the step; a context's slot may be any of the four. (In the stub, all
 // slots of one way are adjacent.)
 struct Nibble {
-    uint32_t start;                                // a leading one, then the byte's bits before the nibble
-    uint32_t step;                                 // a leading one, then the nibble's bits so far: 1 .. 15
+    // Each has a leading one, then the byte's bits before the nibble, or the nibble's bits so far: 1 .. 15
+    uint32_t start, step;
     uint32_t number() const { return start ^ 16; } // the second nibble: 0 .. 15, the first: 17
 };
 inline Nibble nibbleOf(uint32_t bits) {

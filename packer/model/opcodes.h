@@ -1,5 +1,5 @@
-// x86-64 opcodes, as runs of successive opcodes of one OpcodeClass (x86.h): OPCODE_RUN(count, class). Count
-// 0 means 256. The maps in order: one byte, 0F, 0F 38, 0F 3A. For C++ and assembler.
+// x86-64 opcodes, as runs of opcodes of one OpcodeClass (x86.h): OPCODE_RUN(count, class), where a count of 0
+// means 256. The maps in order: one byte, 0F, 0F 38, 0F 3A. For C++ and assembler.
 // clang-format off
 // One byte. 00 to 07 stand for all arithmetic up to 3f
 OPCODE_RUN(4, 1) OPCODE_RUN(1, 2) OPCODE_RUN(1, 4)

@@ -103,9 +103,10 @@ struct Search {
     const OnProgress &onProgress;
     ModelParameters measured; // the best by measurement
     ModelParameters lastMeasured = measured;
-    std::shared_ptr<const Estimate> best = {};         // the best by estimate
-    double least = 0, measuring = 0, nextMeasure = 0;  // bytes of `measured`; seconds of a measurement
-    int tried = 0, kept = 0;                           // numbers of changes
+    std::shared_ptr<const Estimate> best = {}; // the best by estimate
+    double least = 0, measuring = 0,
+           nextMeasure = 0;  // bytes of `measured`; duration and next time to measure, s
+    int tried = 0, kept = 0; // numbers of changes
     std::map<std::vector<uint32_t>, int> triedAt = {}; // changes tried, with `kept` at that time
     bool stopped = false;
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();

@@ -1,8 +1,8 @@
-// The tracker of x86-64 code (fields.h): the fields at each byte, and how likely the possible targets of a
-// relative operand are.
+// The tracker (fields.h) of x86-64 code.
 //
-// The parser finds where instructions begin and which bytes are targets of operands. Both are marked at the
-// coded bytes. Jumps go forward too, so bytes are marked before they are decoded.
+// The parser finds where instructions begin and which bytes are targets of relative operands. The tracker
+// marks these bytes. Jumps also go forward, so some bytes are marked before they are decoded. The marks
+// predict the last byte of an operand: marked targets are more likely.
 #pragma once
 
 #include "packer/model/x86.h"

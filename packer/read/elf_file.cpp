@@ -4,10 +4,11 @@ namespace pack {
 
 ElfProgram::ElfProgram(const Bytes &bytes) : ElfFile{bytes} {
     need(bytes.size() >= 4 && !std::memcmp(bytes.data(), ELFMAG, SELFMAG), "not an ELF file");
-    need(bytes.size() > EI_DATA && bytes[EI_CLASS] == ELFCLASS64, "a 32-bit ELF file: only x86-64 is packed");
-    need(bytes[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 is packed");
+    need(bytes.size() > EI_DATA && bytes[EI_CLASS] == ELFCLASS64,
+         "a 32-bit ELF file: only x86-64 can be packed");
+    need(bytes[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 can be packed");
     header = at<Elf64_Ehdr>(0, "cut short: its ELF header is incomplete");
-    need(header.e_machine == EM_X86_64, "not for x86-64: only that is packed");
+    need(header.e_machine == EM_X86_64, "not for x86-64: programs for other processors cannot be packed");
     need(header.e_type == ET_EXEC || header.e_type == ET_DYN, "not an executable: link it first");
     need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64,
          "its program headers are invalid: link it again");

@@ -79,7 +79,7 @@ struct ElfProgram : ElfFile {
     std::vector<Elf64_Phdr> loads() const;
     // Returns the address in memory of bytes in the file, or 0 if they are not loaded.
     uint64_t addressOf(uint64_t offset, uint64_t size) const;
-    // Reads from the file what it loads to an address in memory.
+    // Reads the value that the file loads to an address.
     template <class T> T inMemory(uint64_t address) const {
         return at<T>(offsetOf(address, sizeof(T)), "its dynamic section points outside the file");
     }

@@ -27,7 +27,7 @@ Program loadSegments(const ElfProgram &in) {
             codeEnd = h.p_vaddr + h.p_memsz;
     static_assert(kLeastBase == 0x210000); // the number in the message
     need(program.base >= kLeastBase,
-         "linked below 0x210000, where the packed file needs its place: link it higher (-Ttext-segment)");
+         "linked below 0x210000, in the space of the packed file: link it higher (-Ttext-segment)");
     need(codeEnd <= (firstWritten & ~(kPage - 1)),
          "writable data is before the code or shares a page with it: "
          "link the data after the code, on separate pages");

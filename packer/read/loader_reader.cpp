@@ -29,7 +29,7 @@ Program readAnyProgram(const Bytes &file) {
     need(header.e_type == ET_DYN || program.base >= kLeastAddress,
          "linked below 64 KiB, where Linux maps nothing: link it higher");
     program.readOnly = program.span = (uint32_t)wholePages(program.span);
-    // Remove the section headers. The program headers may be in any segment: tools that add some move them
+    // Remove the section headers. The program headers may be in any segment: tools that add headers move them
     Elf64_Ehdr kept = header;
     kept.e_shoff = kept.e_shnum = kept.e_shstrndx = 0;
     uint64_t headersAt = in.addressOf(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum);

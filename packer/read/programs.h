@@ -24,8 +24,7 @@ Program readProgram(const Bytes &file, const System &system = kLinux);
 // and span are the size of all its memory, in whole pages. It has no slots and no early part.
 Program readAnyProgram(const Bytes &file);
 
-// Returns the number of bytes after everything that the ELF headers name. A packed program does not have
-// them.
+// Returns the number of bytes after everything that the ELF headers name. A packed program lacks them.
 uint64_t appendedBytes(const Bytes &file);
 
 } // namespace pack

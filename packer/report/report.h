@@ -45,7 +45,7 @@ private:
     double sum = 0;
 };
 
-// A file of rooms, one in a line: ROOM SHARE OBJECT..., the share in bytes or -. The object "(stub)" stands
+// A file of rooms, one per line: ROOM SHARE OBJECT..., the share in bytes or -. The object "(stub)" stands
 // for stub and headers.
 struct Rooms {
     std::map<std::string, std::string> of; // room of each object
@@ -64,7 +64,7 @@ Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits
 // Returns the report as text: the object files by cost, and the twenty costliest symbols.
 std::string printReport(const Report &report);
 
-// Returns the report as JSON, with one part in a line, ordered by name. Costs are whole bits, which add up
+// Returns the report as JSON, with one part per line, ordered by name. Costs are whole bits, which add up
 // like the costs of the report. (It uses no library, since the film's build must not need one.)
 std::string printJson(const Report &report);
 

@@ -55,7 +55,7 @@
 // separate contexts. Only code goes through the parser in x86.h, which assumes that an instruction begins at
 // codeBegin. In data the parser does not advance, and the fields that it has set keep their values.
 //
-// ADDRESSES. After byte i the parser may report that a four-byte field ends, which is relative to the next
+// ADDRESSES. After byte i the parser may report the end of a four-byte field that is relative to the next
 // instruction. That instruction begins at i + toNext, where toNext is one plus the size of an immediate
 // operand still to come. Then bytes i - 3 .. i were coded as the target's offset from the image's start,
 // highest byte first. In the program they are that offset less (i + toNext), lowest byte first. Contexts and
@@ -63,10 +63,10 @@
 // unchanged.
 //
 // ERRORS. If the checksum is not 0 or a page is missing, the stub prints "damaged: get it afresh". If it gets
-// no memory, it prints "not enough free memory". If the system forbids to execute memory that was written, it
+// no memory, it prints "not enough free memory". If the system forbids executing memory that was written, it
 // prints "it may not run packed", or the program to use instead (messages.h). Each message is one line on
 // standard error; the exit status is 1, and nothing of the program has run. After the checksum, the stub
-// checks nothing else. The checksum cannot protect the Front, which the loader reads first, and the 128 bytes
+// checks nothing else. The checksum cannot protect the Front, which the loader reads first, or the 128 bytes
 // that compute it.
 #pragma once
 

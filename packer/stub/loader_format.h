@@ -15,8 +15,8 @@
 // the heap begins after both.
 //
 // THE PAYLOAD decodes to the program's segments as they are in memory. The first one must begin with the
-// program's own ELF header and also hold its program headers. The stub needs nothing else: they have the
-// protections, the interpreter and the entry. Other fields of PayloadHeader are 0, and nothing is early.
+// program's own ELF header; its program headers may be in any segment. The stub gets protections, interpreter
+// and entry from these headers alone. Other fields of PayloadHeader are 0, and nothing is early.
 //
 // START. The stub checks the file and decodes as in format.h. Then it gives each segment its protection. The
 // gaps between segments stay RW. If the program names an interpreter, the stub reads it into new memory. In

@@ -73,8 +73,8 @@ get_memory:
     mov eax, [rbx + ENTRY]
     jmp rax
 
-// Makes esi bytes of the image R-X. The kernel refuses if memory that was written must not become executable (SELinux,
-// systemd's MemoryDenyWriteExecute).
+// Makes esi bytes of the image R-X. The kernel refuses on systems where written memory must not become executable
+// (SELinux, systemd's MemoryDenyWriteExecute).
 protect:
     mov edi, [rbx + IMAGE]
     push 5 // read, execute

@@ -68,7 +68,7 @@
 .set SLOTS, SLOTS_FROM + WAYS_SIZE - 1 - (SLOTS_FROM + WAYS_SIZE - 1) % WAYS_SIZE + FIELDS
 // The slots follow, then the coded bytes
 
-.set AFTER_BITS, 14 // bits of a nibble's bytes among the counters that the last byte selects
+.set AFTER_BITS, 14 // log2 of the size of one nibble's part of these counters
 
 // --- Assumptions of the code about these values ---
 #define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif

@@ -19,7 +19,7 @@ enum WasmField {
     kLocal3,       // in code: the third-last local used
     kSet,          // the local that was set last
     kUnread1,      // the most recently set local that has not been read yet
-    kUnread2,      // the second most recently set one
+    kUnread2,      // the local set before that and not read yet
     kFollows,      // the local that followed the last use of kLocal1
     kOffset,       // offset of the last access to memory
     kOffsetOf,     // offset of the last access to memory after kLocal1
@@ -43,8 +43,8 @@ enum WasmField {
 
 static_assert(kFields <= kMostFields);
 
-// The effect of an instruction on the stack: 2 * operands that it pops, + 1 if it pushes one. A call is taken
-// to pop seven. Indexed as in WasmParser::opcode().
+// The effect of an instruction on the stack: 2 * operands that it pops, + 1 if it pushes one. A call
+// counts as seven pops and a push. Indexed as in WasmParser::opcode().
 constexpr uint8_t kUnary = 3, kBinary = 5;
 struct StackEffects {
     uint8_t of[1024];

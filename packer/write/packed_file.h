@@ -77,7 +77,7 @@ PackedFile makePacked(const PackedKind &kind, const Program &program, const Mode
                       const std::string &safeName);
 
 // Throws std::runtime_error if `size` is over the budget; below 0 there is none. Before that it removes the
-// earlier file at `path`, which nobody should take for this program.
+// earlier file at `path`, so that it is not mistaken for this program.
 void checkBudget(const std::string &path, size_t size, long budget);
 
 } // namespace pack

@@ -49,7 +49,7 @@ function listedBytes() {
     const last = Math.min(lineAt.length, firstLine + linesInView()) - 1;
     return last < 0 ? [0, 0] : [lineAt[firstLine], lineEnd(last)];
 }
-// Browsers limit the height of an element, so in a long listing a pixel is more than a pixel of lines
+// Browsers limit the height of an element: a very long listing is shorter than its lines and scrolls faster
 const listingHeight = () => Math.min(lineAt.length * lineHeight, 8e6);
 
 function scrollListingTo(at) {

@@ -49,7 +49,7 @@ function showBudget() {
     }
 }
 
-// Goes to the address in the page's own address, such as #404a10, or else to the costliest symbol.
+// Goes to the address after # in the page's URL, such as #404a10, or else to the costliest symbol.
 function goToHash() {
     const at = parseInt(location.hash.slice(1), 16) - report.base;
     if (at >= 0 && at < bytes.length) return goTo(at);

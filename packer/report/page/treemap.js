@@ -31,7 +31,7 @@ function buildTree() {
     const sort = at => {
         at.children = [...at.children.values()].sort((a, b) => b.units - a.units);
         at.children.forEach(sort);
-        // Skip a level that has one part with the same name or none
+        // Skip a level whose only part has the same name or no name
         const [only, ...others] = at.children;
         if (only && !others.length && (only.name === at.name || only.name.startsWith('(nothing named')))
             at.children = only.children;

@@ -96,7 +96,7 @@ TEST(Reader, TakesAProgramAsWeLinkIt) {
     EXPECT_EQ(p.span, 4096 + sizeof(Example::Data) + 100);
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
     EXPECT_EQ(p.slots[1], p.slots[0] + 8);
-    EXPECT_EQ(p.bytes, Bytes{0}); // the loader's tables, which are zeroed, were all it had
+    EXPECT_EQ(p.bytes, Bytes{0}); // it had only the loader's tables, which are zeroed
 }
 
 TEST(Reader, ThrowsWhatIsUnsuitable) {

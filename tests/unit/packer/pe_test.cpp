@@ -33,7 +33,7 @@ TEST(Pe, WritesFilesThatModernWindowsAccepts) {
     EXPECT_EQ(peImports(kPe.writePlain(p)), "kernel32.dll: GetProcAddress LoadLibraryA"); // in slot order
     std::swap(p.slots[0], p.slots[1]);
     EXPECT_EQ(peImports(kPe.writePlain(p)), "kernel32.dll: LoadLibraryA GetProcAddress");
-    // The base may be any page of 31 bits. The data may have no bytes but the slots, which the loader writes
+    // The base may be any page of 31 bits. The data may have no bytes in the file but the slots
     for (uint32_t by : {0u, 0x1000u, 0xf000u, 0x10000u}) {
         Program moved = example();
         moved.base += by, moved.entry += by, moved.slots[0] += by, moved.slots[1] += by;
