@@ -18,7 +18,7 @@ namespace {
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // a tile with a border of one pixel; rows are padded
 constexpr int kRowStep = 8;                         // rows at this distance are always traced; a power of two
 constexpr int kBlock = 8; // side of the blocks of pixels that are carried by their corners
-// Tolerated difference at a gap of 2/60 s. It grows in proportion to the gap; its limit in flat mirrors.
+// Tolerated difference at a gap of 2/60 s. It grows in proportion to the gap. Its limit in flat mirrors.
 constexpr float kTolerance = 0.06f, kMirrorTolerance = 0.09f;
 // Distances, in radians from the eye, by which reflections move across a ball between the pictures. Beyond
 // kTorn, parts of the ball that only one picture shows do not count. Beyond kGhosts the tolerance shrinks:

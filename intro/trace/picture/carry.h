@@ -19,8 +19,8 @@ inline constexpr float kAhead = 1e-6f;
 // some shapes and have others, but in the same order. Shapes in both have hardly moved.
 void carryTo(const Traced &to, const Traced &now, Carry *carry);
 
-// The colours at eight points of a traced picture. coverage: whether the four pixels around it show a shape:
-// 0 no, 1 partly, 2 entirely.
+// The colours at eight points of a traced picture. coverage: whether the four pixels around each show a
+// shape: 0 no, 1 partly, 2 entirely.
 struct Fetched {
     Rgb8 radiance;
     Int8 coverage;

@@ -93,8 +93,8 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
 }
 
 // Whether the mean of corners a and b is good enough for the corner midway between them, `half` from both.
-// Their marks must be equal. The larger `half` is, the less their brightness may differ: linear
-// interpolation's error grows with the square of the distance. In `film`, and near mirrored lamps, none is.
+// Their marks must be equal. The larger `half` is, the less their brightness may differ: the error grows with
+// the square of the distance. No mean is used in `film`, or near mirrored lamps.
 ODRAZ_INLINE bool meanSuffices(const Tile &t, uint32_t a, uint32_t b, int half) {
     const TileScratch &s = t.s;
     return t.quality.fine > 1 && alike(s, a, b) == kSameMarks && !(s.corners[a].secondary & kLamps) &&

@@ -85,7 +85,7 @@ ODRAZ_INLINE Float8 withoutSparks(const float *at, ptrdiff_t left, ptrdiff_t rig
     return min(max(most(at), others), load(at));
 }
 
-// Packs the colours of eight pixels to bytes, which clamps them to 0 .. 255, and writes up to `count` pixels.
+// Packs the colours of eight pixels to bytes, which clamps them to 0 .. 255, and writes them from x on.
 ODRAZ_INLINE void write(uint8_t *out, const Int8 (&shown)[3], Int8 opaque, ptrdiff_t x, ptrdiff_t width) {
     const Int8 kOrder = {0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703,
                          0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703};
@@ -121,7 +121,7 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
             uint8_t *out = f.rgba + (size_t)y * (size_t)f.width * 4;
             float down = (float)y + 0.5f - midY;
             const Float8 rest = broadcast(fmadd(down * down, -darker, 1.f) * exposure);
-            // At the edges, use the opposite neighbour twice; in one row or eight columns, the pixel itself
+            // At edges, use the opposite neighbour twice; in pictures of 1 row or 8 columns, the pixel itself
             ptrdiff_t below = y + 1 < f.height ? f.stride : -(ptrdiff_t)(y > 0) * f.stride,
                       above = y > 0 ? -f.stride : below, left = f.width > 8, row = (ptrdiff_t)y * f.stride;
             GlareRow of(spread ? glare->level[1] : Glare::Level{}, y);

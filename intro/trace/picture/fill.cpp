@@ -47,7 +47,7 @@ struct Bilinear {
 };
 
 // The colour of a pixel in a square whose corners show several shapes. Eight rays count how much of the pixel
-// each shape covers. They are not shaded: a shape has the colour of its corners. Others have the mean.
+// each shape covers. They are not shaded: a shape has its corners' colour. Rays that miss have the mean.
 [[gnu::noinline, gnu::cold]] static __m128 colourByCoverage(const Tile &t, int x, int y, const uint32_t *c,
                                                             const __m128 *colour, __m128 mean) {
     Ray8 ray = {broadcast(t.view.eye),
@@ -113,7 +113,7 @@ void fill(Tile &t, Square q, int size) {
         }
         return;
     }
-    // A row of the square is one packet
+    // Interpolate row by row; a row is one packet
     float step = 1.f / (float)size;
     Float8 u = (toFloat(kLanes) + 0.5f) * step;
     Bilinear lights(light), rests(rest);

@@ -9,7 +9,7 @@ namespace odraz {
 inline constexpr int kChunk = 256;             // rays shaded together
 inline constexpr int kStream = 2 * kChunk + 8; // each ray may cause two; stores write whole registers
 
-inline constexpr int kTwoBounces = 4; // paths below it have at most one bounce, not a reflection by glass
+inline constexpr int kTwoBounces = 4; // paths from it on have two bounces or a reflection by glass
 
 struct RayStream {
     int count;
@@ -23,7 +23,7 @@ struct RayStream {
     int32_t shape[kStream]; // index of the shape hit; -1: none
 };
 
-// Reads eight rays of a stream by their indices. Mostly these are consecutive, and it need not gather.
+// Reads eight rays of a stream by their indices. Consecutive ones, as most are, are loaded.
 struct EightRays {
     Int8 index;
     int first;

@@ -5,14 +5,14 @@
 namespace odraz {
 
 // Eight surface points. size: magnitude of the shape, for errorBound(); curve: 1 / radius of a ball, else 0.
-struct Points {
+struct Surfaces {
     Vec3x8 p, n;
     Int8 id;
     Float8 size, curve = {};
 };
 
 // The points on balls, one ball in each lane.
-ODRAZ_INLINE static void hitBalls(const Scene &scene, Int8 index, const Ray8 &ray, Float8 t, Points &at) {
+ODRAZ_INLINE static void hitBalls(const Scene &scene, Int8 index, const Ray8 &ray, Float8 t, Surfaces &at) {
     int32_t ball[8];
     store(ball, index);
     Vec3x8 centre;
@@ -30,7 +30,7 @@ ODRAZ_INLINE static void hitBalls(const Scene &scene, Int8 index, const Ray8 &ra
 }
 
 // The points on one shape.
-ODRAZ_INLINE static void hitShape(const Scene &scene, int index, const Ray8 &ray, Float8 t, Points &at) {
+ODRAZ_INLINE static void hitShape(const Scene &scene, int index, const Ray8 &ray, Float8 t, Surfaces &at) {
     const Shape &shape = scene.shapes[index];
     Surface8 surface = surfaceAt(shape, ray, t);
     at.p = surface.p, at.n = surface.n;
@@ -46,7 +46,7 @@ static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) 
     EightRays rays(run.ray + i);
     Ray8 ray = {rays(in.o), rays(in.d)};
     Float8 t = rays(in.t), spread = rays(in.spread), width = rays(in.width);
-    Points at;
+    Surfaces at;
     if (run.balls)
         hitBalls(scene, rays(in.shape), ray, t, at);
     else

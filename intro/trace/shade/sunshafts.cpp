@@ -6,12 +6,12 @@ namespace odraz {
 
 namespace {
 
-// An interval of t; empty if to <= from.
-struct Interval {
+// A segment of a ray, by t; empty if to <= from.
+struct Segment {
     Float8 from, to;
 
     // The part in which the coordinate start + t speed lies in [low, high].
-    Interval within(Float8 start, Float8 speed, float low, float high) const {
+    Segment within(Float8 start, Float8 speed, float low, float high) const {
         // A speed of almost zero becomes a tiny one, so that the division is safe
         Float8 slow = select(speed < 0.f, -1e-6f, 1e-6f);
         Float8 inverse = 1.f / select(abs(speed) < 1e-6f, slow, speed);
@@ -25,7 +25,7 @@ struct Interval {
 
 Rgb8 shaftLight(const Sunshafts &shafts, const Vec3x8 &o, const Vec3x8 &d, Float8 hit) {
     const Bounds &room = shafts.room;
-    Interval all = {Float8{}, hit};
+    Segment all = {Float8{}, hit};
     const Float8 *from = &o.x, *speeds = &d.x; // x, y, z
     const float *low = &room.lo.x, *high = &room.hi.x;
     for (int k = 0; k < 3; ++k) all = all.within(from[k], speeds[k], low[k], high[k]);
@@ -39,7 +39,7 @@ Rgb8 shaftLight(const Sunshafts &shafts, const Vec3x8 &o, const Vec3x8 &d, Float
     // Sum the lit intervals, less the columns' shadows. `wide`: half of a shadow's width on the wall
     float wide = shafts.pillarRadius * sqrt(fmadd(slopeZ, slopeZ, 1.f));
     for (int i = 0; i < shafts.openings; ++i) {
-        Interval shaft = all.within(z, speed, shafts.from[i], shafts.to[i]);
+        Segment shaft = all.within(z, speed, shafts.from[i], shafts.to[i]);
         Float8 bright = shaft.length();
         if (!any(bright > 0.f)) continue;
         for (int k = 0; k < shafts.pillars; ++k) {
