@@ -50,7 +50,7 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
         int count = 0;
         for (int y = 0; y < 360; ++y)
             for (int x = 8 + phase; x < 632; x += 8) {
-                // Compare second differences of smooth parts only: edges would hide all else
+                // Use only second differences of smooth parts: those of edges would hide them
                 int left = q.at(x - 2, y, 1), a = q.at(x - 1, y, 1), b = q.at(x, y, 1),
                     right = q.at(x + 1, y, 1);
                 int bend = std::abs(right - b - (a - left));
@@ -68,7 +68,7 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
     EXPECT_LT(excess, usual * 1.25);
 }
 
-// A bright face seen edge-on is thinner than the distance of samples. It must not be hit only here and there.
+// A bright face seen edge-on is thinner than the distance between samples. A few of them must not hit it.
 TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
     auto face = [](float side, const Quality &quality) {
         auto s = shining({5, 5, 5}, rect({side, 0, -10}, {0, 0, -1}, {0, -1, 0}, 0.25f, 3));
@@ -179,7 +179,7 @@ TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
 
 // A ball of two pixels is found in every position, also next to an edge, which alone splits the squares
 // there. (If it lights only one pixel, this is dimmed, as above.)
-TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
+TEST(AdaptiveFaults, TinyBallsNearEdgesDoNotBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
         s.add(box({-2, 0, -1}, {2, 4, 0.5f}, s.add(Material{.emit = {0.05f, 0.05f, 0.05f}})));
@@ -277,10 +277,10 @@ TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
 
 // Compares the light of a whole picture with the light of a picture traced in full, for cameras that turn by
 // a seventh of a pixel each: the means are nearly equal, and half of it is never lost.
-static void expectLightAtEveryPlace(Scene &scene, const CameraKey &camera, QualityName name, double off) {
-    constexpr int kPlaces = 15;
+static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName name, double off) {
+    constexpr int kCameras = 15;
     double mean = 0;
-    for (int i = 0; i < kPlaces; ++i) {
+    for (int i = 0; i < kCameras; ++i) {
         auto light = [&](QualityName n) {
             CameraKey turned = camera;
             turned.target.x += (float)i * 0.0023f, turned.target.y += (float)i * 0.0011f;
@@ -292,7 +292,7 @@ static void expectLightAtEveryPlace(Scene &scene, const CameraKey &camera, Quali
         };
         double share = light(name) / light(QualityName::Reference);
         EXPECT_NEAR(share, 1, 0.5) << (int)name << ' ' << i;
-        mean += share / kPlaces;
+        mean += share / kCameras;
     }
     std::printf("%s keeps %.3f of the light\n", named(name).name, mean);
     EXPECT_NEAR(mean, 1, off) << (int)name;
@@ -308,7 +308,7 @@ TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
         s->add(cylinder({1, 0.5f, 8}, wall ? 0.02f : 0.09f, 0.5f, tube));
         s->finish();
         for (QualityName name : {QualityName::Draft, QualityName::Play})
-            expectLightAtEveryPlace(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.15);
+            expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.15);
     }
 }
 
@@ -320,7 +320,7 @@ TEST(AdaptiveFaults, KeepsTheLightOfLampsInGlass) {
     s->add(sphere({0, 0, 0}, 1, s->add(Material{.ior = 1.5f})));
     s->add(sphere({-1.6f, 0.7f, -3}, 0.06f, lamp));
     s->finish();
-    expectLightAtEveryPlace(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 24}, QualityName::Draft, 0.1);
+    expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 24}, QualityName::Draft, 0.1);
 }
 
 // A highlight that is smaller than a square is never lost either.
@@ -332,6 +332,6 @@ TEST(AdaptiveFaults, KeepsTheLightOfSmallHighlights) {
         s->add(Light{{3 + x, 2, 8}, {40, 40, 40}});
         s->finish();
         for (QualityName name : {QualityName::Draft, QualityName::Play, QualityName::Film})
-            expectLightAtEveryPlace(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.2);
+            expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.2);
     }
 }

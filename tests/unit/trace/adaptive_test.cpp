@@ -1,4 +1,4 @@
-// Compares adaptive pictures with pictures traced in full. They depend on nothing but the scene.
+// Compares adaptive pictures with pictures traced in full. They depend on the scene alone.
 #include "show/scenes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_picture.h"
@@ -83,7 +83,7 @@ TEST(Adaptive, TakesEverySize) {
         }
 }
 
-// Compares the shape shown in every pixel with rays through the pixels' middles: no small thing is lost or
+// Compares the shape shown in every pixel with rays through the pixels' middles: no small shape is lost or
 // misplaced. Compares interpolated pixels with the same quality without squares wider than a pixel.
 TEST(Adaptive, MistakesNoPixel) {
     struct {

@@ -13,18 +13,18 @@ using namespace odraz;
 
 namespace {
 
-constexpr size_t kBeside = 8;
+constexpr size_t kMargin = 8;
 
 struct Pixels {
     int width, height;
     std::vector<uint8_t> bytes; // with more bytes before and after it, which must not count
 
-    Pixels(int w, int h, uint8_t beside = 0)
-        : width(w), height(h), bytes((size_t)w * (size_t)h * 4 + kBeside + 32, beside) {}
-    uint8_t *rgba() { return bytes.data() + kBeside; }
+    Pixels(int w, int h, uint8_t margin = 0)
+        : width(w), height(h), bytes((size_t)w * (size_t)h * 4 + kMargin + 32, margin) {}
+    uint8_t *rgba() { return bytes.data() + kMargin; }
     int at(int x, int y, int c) const {
         x = std::clamp(x, 0, width - 1), y = std::clamp(y, 0, height - 1);
-        return bytes[kBeside + ((size_t)y * (size_t)width + (size_t)x) * 4 + (size_t)c];
+        return bytes[kMargin + ((size_t)y * (size_t)width + (size_t)x) * 4 + (size_t)c];
     }
     bool operator==(const Pixels &b) const { return bytes == b.bytes; }
 };
@@ -43,11 +43,11 @@ Pixels noisy(int width, int height, unsigned seed = 1) {
     return p;
 }
 
-struct Place {
+struct Tap {
     int first;
     double t;
 };
-Place placeOf(int i, int from, int to) {
+Tap tapOf(int i, int from, int to) {
     double x = std::clamp((i + 0.5) * from / to - 0.5, 1., from - 3.);
     return {(int)x, x - (int)x};
 }
@@ -59,7 +59,7 @@ double cubic(const double (&p)[4], double t) {
     return std::clamp(v, std::min(p[1], p[2]), std::max(p[1], p[2]));
 }
 double exact(const Pixels &from, int width, int height, int x, int y, int c) {
-    Place px = placeOf(x, from.width, width), py = placeOf(y, from.height, height);
+    Tap px = tapOf(x, from.width, width), py = tapOf(y, from.height, height);
     double column[4];
     for (int j = 0; j < 4; ++j) {
         double row[4];

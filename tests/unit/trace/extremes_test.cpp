@@ -82,9 +82,9 @@ TEST(Extremes, BeamsHitWhatRaysHit) {
                 BeamBuilder builder(o, towards);
                 builder.add(d * broadcast(3 * ratio * radius));
                 if (!builder.narrow()) continue;
-                Candidates among;
-                findCandidates(*scene, builder.beam(), among);
-                Hit8 shared = intersect(*scene, among, o, d, kLanes >= 0),
+                Candidates candidates;
+                findCandidates(*scene, builder.beam(), candidates);
+                Hit8 shared = intersect(*scene, candidates, o, d, kLanes >= 0),
                      alone = intersect(*scene, {broadcast(o), d}, kLanes >= 0);
                 for (int k = 0; k < 8; ++k) {
                     ASSERT_EQ(shared.shape[k], alone.shape[k]) << ratio << " " << radius;

@@ -196,16 +196,17 @@ TEST(Tree, FindsWhatBruteForceFinds) {
             BeamBuilder builder(common, towards);
             builder.add(r.d * broadcast(25.f));
             if (!builder.narrow()) continue;
-            Candidates among;
+            Candidates candidates;
             Beam beam = builder.beam();
-            findCandidates(*scene, beam, among);
+            findCandidates(*scene, beam, candidates);
             // Towards the light
             Ray8 back = {fmadd(r.d, broadcast(25.f), r.o), -r.d};
             light = transmittance(*scene, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
-            Rgb8 shared = transmittance(*scene, among, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
+            Rgb8 shared =
+                transmittance(*scene, candidates, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
             beam.limit[4] = -kInfinity; // primary rays have no end
-            findCandidates(*scene, beam, among);
-            Hit8 seen = intersect(*scene, among, common, r.d, kLanes >= 0);
+            findCandidates(*scene, beam, candidates);
+            Hit8 seen = intersect(*scene, candidates, common, r.d, kLanes >= 0);
             for (int k = 0; k < 8; ++k) {
                 ASSERT_EQ(seen.shape[k], h.shape[k]) << round << " " << kind;
                 ASSERT_EQ(seen.t[k], h.t[k]);
@@ -215,8 +216,8 @@ TEST(Tree, FindsWhatBruteForceFinds) {
     }
 }
 
-// Boxes are culled for a packet as a whole. Rays leave a mirror from different points; some lanes are not
-// active and point elsewhere; many rays only just hit a ball, where its box ends.
+// Boxes are culled for a packet as a whole. Rays leave a mirror from different points; some lanes are
+// inactive and point elsewhere; many rays barely hit a ball, where its box ends.
 TEST(Tree, CullsNothingThatAnActiveRayHits) {
     Dice dice(7);
     auto scene = std::make_unique<Scene>();

@@ -125,7 +125,7 @@ static Material checker(float cell) {
 
 // Returns how much the filtered checker differs from the mean of the sharp one, at a point seen along d, over
 // a footprint that is `across` wide across the view.
-static double offAverage(float cell, Vec3 place, Vec3 d, float across) {
+static double offAverage(float cell, Vec3 point, Vec3 d, float across) {
     float cosine = -d.y, flat = std::hypot(d.x, d.z);
     Vec3 ahead = flat > 0 ? Vec3{d.x / flat, 0, d.z / flat} : Vec3{1, 0, 0}, aside = {-ahead.z, 0, ahead.x};
     double sum = 0;
@@ -133,20 +133,20 @@ static double offAverage(float cell, Vec3 place, Vec3 d, float across) {
     for (int a = 0; a < kSide; ++a)
         for (int b = 0; b < kSide; ++b) {
             float along = (((float)a + 0.5f) / kSide - 0.5f) * across / cosine;
-            Vec3 p = place + ahead * along + aside * ((((float)b + 0.5f) / kSide - 0.5f) * across);
+            Vec3 p = point + ahead * along + aside * ((((float)b + 0.5f) / kSide - 0.5f) * across);
             sum += ((int)std::floor(p.x / cell) + (int)std::floor(p.z / cell)) & 1 ? 0 : 1;
         }
     Int8 square;
     Rgb8 filtered =
-        albedo(checker(cell), broadcast(place), broadcast(d), broadcast(cosine), broadcast(across), square);
+        albedo(checker(cell), broadcast(point), broadcast(d), broadcast(cosine), broadcast(across), square);
     return filtered.x[0] - sum / (kSide * kSide);
 }
 
 TEST(Checker, IsFilteredLikeManySamples) {
     Dice dice(6);
     for (int i = 0; i < 200; ++i) {
-        Vec3 place = {dice(-3, 3), 0, dice(-3, 3)};
-        ASSERT_NEAR(offAverage(0.5f, place, {0, -1, 0}, dice(0.01f, 1.5f)), 0, 0.035);
+        Vec3 p = {dice(-3, 3), 0, dice(-3, 3)};
+        ASSERT_NEAR(offAverage(0.5f, p, {0, -1, 0}, dice(0.01f, 1.5f)), 0, 0.035);
     }
 }
 
