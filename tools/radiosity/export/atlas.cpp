@@ -37,11 +37,11 @@ void sizeCharts(const Solution &b, Atlas &atlas) {
         p.within = p.pictured && (s.radiosity || p.exact);
         bool coarse = false;
         auto along = [&](float length, int cells) {
-            int own = cells * (p.within ? 2 : 1);
-            double asked = p.exact ? own : std::clamp(std::ceil((double)length * s.texels), 1., 1e6);
+            int elements = cells * (p.within ? 2 : 1);
+            double wanted = p.exact ? elements : std::clamp(std::ceil((double)length * s.texels), 1., 1e6);
             int most = s.page - 2 * s.padding - !p.within;
-            coarse |= asked > most;
-            return (int)std::min<double>(asked, most) + !p.within;
+            coarse |= wanted > most;
+            return (int)std::min<double>(wanted, most) + !p.within;
         };
         p.across = along(c.width, c.across), p.down = along(c.height, c.down);
         if (coarse) ++atlas.coarse, p.exact = false;
@@ -129,11 +129,11 @@ public:
     Painter(const Solution &b, const Atlas &atlas, int chart, PageContent content)
         : b(b), atlas(atlas), content(content), chart(chart), c(b.charts[(size_t)chart]),
           place(atlas.places[(size_t)chart]), texels((size_t)(place.across * place.down)),
-          known(texels.size()) {}
+          painted(texels.size()) {}
 
     const std::vector<Rgb> &paint() {
         for (int j = 0; j < place.down; ++j)
-            for (int i = 0; i < place.across; ++i) known[at(i, j)] = find(i, j, texels[at(i, j)]);
+            for (int i = 0; i < place.across; ++i) painted[at(i, j)] = find(i, j, texels[at(i, j)]);
         // Fill texels outside facets from their neighbours, because mipmaps include them
         for (int ring = 0; ring < 2 * atlas.settings.padding; ++ring)
             if (!spread()) break;
@@ -148,7 +148,7 @@ private:
     const Chart &c;
     const AtlasPlace &place;
     std::vector<Rgb> texels;
-    std::vector<uint8_t> known;
+    std::vector<uint8_t> painted;
 
     size_t at(int i, int j) const { return (size_t)(j * place.across + i); }
 
@@ -168,15 +168,15 @@ private:
     // fine as elements, all of these have the same value there. Returns false if none is occupied.
     bool find(int i, int j, Rgb &to) const {
         float u = place.uOf(c, (float)i + 0.5f), v = place.vOf(c, (float)j + 0.5f);
-        float wide = place.uOf(c, 1) - place.uOf(c, 0), tall = place.vOf(c, 1) - place.vOf(c, 0);
-        auto parts = [&](float size, float length, int cells) {
+        float width = place.uOf(c, 1) - place.uOf(c, 0), height = place.vOf(c, 1) - place.vOf(c, 0);
+        auto samples = [&](float size, float length, int cells) {
             return place.exact ? 2 : std::clamp((int)(size / length * (float)cells * 2 + 1), 2, 16);
         };
-        int across = parts(wide, c.width, c.across), down = parts(tall, c.height, c.down), found = 0;
+        int across = samples(width, c.width, c.across), down = samples(height, c.height, c.down), found = 0;
         Rgb sum = {};
         for (int k = 0; k < across * down; ++k) {
-            float s = u + (((float)(k % across) + 0.5f) / (float)across - 0.5f) * wide,
-                  t = v + (((float)(k / across) + 0.5f) / (float)down - 0.5f) * tall;
+            float s = u + (((float)(k % across) + 0.5f) / (float)across - 0.5f) * width,
+                  t = v + (((float)(k / across) + 0.5f) / (float)down - 0.5f) * height;
             if (s < 0 || t < 0 || s > c.width || t > c.height) continue;
             int cell = cellAt(c, {s, t});
             if (!atlas.occupied[(size_t)cell]) continue;
@@ -187,21 +187,21 @@ private:
         return found;
     }
 
-    // Gives unknown texels the mean of their known neighbours. Returns false if there are none.
+    // Gives unpainted texels the mean of their painted neighbours. Returns false if there are none.
     bool spread() {
-        std::vector<uint8_t> were = known;
+        std::vector<uint8_t> before = painted;
         bool more = false;
         for (int j = 0; j < place.down; ++j)
             for (int i = 0; i < place.across; ++i) {
-                if (were[at(i, j)]) continue;
+                if (before[at(i, j)]) continue;
                 Rgb sum = {};
                 int count = 0;
                 for (int y = std::max(j - 1, 0); y <= std::min(j + 1, place.down - 1); ++y)
                     for (int x = std::max(i - 1, 0); x <= std::min(i + 1, place.across - 1); ++x)
-                        if (were[at(x, y)]) sum += texels[at(x, y)], ++count;
+                        if (before[at(x, y)]) sum += texels[at(x, y)], ++count;
                 if (!count) continue;
                 texels[at(i, j)] = sum * (1 / (float)count);
-                known[at(i, j)] = more = true;
+                painted[at(i, j)] = more = true;
             }
         return more;
     }

@@ -28,20 +28,20 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
             points.push_back({f.corner(c, k), ((float)p.x + p.column(c, f.u[k])) / (float)page.width,
                               ((float)p.y + p.row(c, f.v[k])) / (float)page.height});
         Rgb reflects = b.reflects[(size_t)f.chart], emits = b.emits[(size_t)f.chart];
-        bool own = p.pictured && !radiosity;
+        bool paged = p.pictured && !radiosity;
         if (radiosity) reflects = {1, 1, 1}, emits = {};
-        Rgb key = own ? Rgb{} : reflects;
-        auto [entry, added] = known.try_emplace({p.page, own, key.x, key.y, key.z, emits.x, emits.y, emits.z},
-                                                materials.size());
+        Rgb key = paged ? Rgb{} : reflects;
+        auto [entry, added] = known.try_emplace(
+            {p.page, paged, key.x, key.y, key.z, emits.x, emits.y, emits.z}, materials.size());
         if (added) {
-            std::string called =
-                common::format("%s%zu_page%d", own ? "pictured" : "material", materials.size(), p.page);
-            materials.push_back({called, p.page, own ? Rgb{} : reflects, emits, own, {}});
+            std::string title =
+                common::format("%s%zu_page%d", paged ? "pictured" : "material", materials.size(), p.page);
+            materials.push_back({title, p.page, paged ? Rgb{} : reflects, emits, paged, {}});
             area.push_back(0);
         }
         AtlasMaterial &m = materials[entry->second];
         m.facets.push_back((int)i);
-        if (own) {
+        if (paged) {
             m.reflects += reflects * (c.width * c.height),
                 area[entry->second] += (double)(c.width * c.height);
             pictured = true;

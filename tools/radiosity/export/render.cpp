@@ -8,6 +8,7 @@
 #include "tools/radiosity/read/upright.h"
 #include "trace/picture/development.h"
 #include "trace/rays/view.h"
+#include "trace/scene/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,7 @@ void placeCamera(const Solution &solution, RenderSettings &s) {
             corners.push_back(upright(f.corner(solution.charts[(size_t)f.chart], k), s.upIsZ));
     if (corners.empty()) return;
     Vec3 lo = corners[0], hi = lo;
-    for (const Vec3 &p : corners)
-        for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
-            lo.*k = std::min(lo.*k, p.*k), hi.*k = std::max(hi.*k, p.*k);
+    for (const Vec3 &p : corners) lo = lower(lo, p), hi = upper(hi, p);
     // Look from the first octant, or if hardly any front faces it, from the octant that most fronts face
     auto from = [&](int octant) {
         return normalize(
@@ -94,18 +93,18 @@ void traceFrame(const RadiosityView &view, Workers &workers, Frame &frame) {
         for (int x = 0; x < frame.width; ++x) at(x, y) = view.at((float)x + 0.5f, (float)y + 0.5f);
     });
     auto differs = [](const RadiosityView::Hit &a, const RadiosityView::Hit &b) {
-        auto far = [](float x, float y) { return std::fabs(x - y) > 0.05f * std::max(x, y); };
-        return a.chart != b.chart && (a.chart < 0 || b.chart < 0 || far(a.light.x, b.light.x) ||
-                                      far(a.light.y, b.light.y) || far(a.light.z, b.light.z));
+        auto unlike = [](float x, float y) { return std::fabs(x - y) > 0.05f * std::max(x, y); };
+        return a.chart != b.chart && (a.chart < 0 || b.chart < 0 || unlike(a.light.x, b.light.x) ||
+                                      unlike(a.light.y, b.light.y) || unlike(a.light.z, b.light.z));
     };
     parallelFor(workers, frame.height, [&](int y, int) {
         for (int x = 0; x < frame.width; ++x) {
-            RadiosityView::Hit &own = at(x, y);
+            RadiosityView::Hit &pixel = at(x, y);
             bool edge = false;
             for (int j = std::max(y - 1, 0); j <= std::min(y + 1, frame.height - 1); ++j)
                 for (int i = std::max(x - 1, 0); i <= std::min(x + 1, frame.width - 1); ++i)
-                    edge |= differs(own, at(i, j));
-            Rgb light = own.light;
+                    edge |= differs(pixel, at(i, j));
+            Rgb light = pixel.light;
             if (edge) {
                 light = {};
                 for (int k = 0; k < 16; ++k)

@@ -57,11 +57,11 @@ uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
         all.append((const char *)m.emits.data(), sizeof m.emits);
         const MeshPicture &p = m.picture;
         if (p.path.empty()) continue;
-        auto [known, fresh] = pictures.try_emplace(p.path, 0);
-        if (fresh) known->second = sumOfPicture(p);
+        auto [entry, added] = pictures.try_emplace(p.path, 0);
+        if (added) entry->second = sumOfPicture(p);
         put(all, std::vector<float>{p.tint[0], p.tint[1], p.tint[2], p.scale[0], p.scale[1], p.offset[0],
                                     p.offset[1], (float)p.clamp});
-        put(all, std::vector<uint64_t>{known->second});
+        put(all, std::vector<uint64_t>{entry->second});
     }
     put(all, mesh.coordinates);
     put(all, sky.pixels, mesh.lights.suns, mesh.lights.lamps);

@@ -33,52 +33,52 @@ class FacetsByCell {
 public:
     FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets) : charts(charts) {
         for (const Chart &c : charts) {
-            if (c.facetsCount <= kFew) continue;
-            auto &lists = many[&c];
+            if (c.facetsCount <= kFewFacets) continue;
+            auto &lists = grids[&c];
             lists.resize((size_t)c.across * (size_t)c.down);
             // Limit the work: facets in one plane do not overlap, except in forged files
             int64_t room = 64 * ((int64_t)lists.size() + c.facetsCount);
             for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount && room >= 0; ++f)
                 room -= list(f, outlineOf(facets[(size_t)f]), c, lists);
-            if (room < 0) many.erase(&c);
+            if (room < 0) grids.erase(&c);
         }
     }
     const std::vector<int> &of(int chart, int x, int y) {
         const Chart &c = charts[(size_t)chart];
-        if (auto found = many.find(&c); found != many.end()) return found->second[(size_t)(y * c.across + x)];
-        few.clear();
-        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) few.push_back(f);
-        return few;
+        if (auto found = grids.find(&c); found != grids.end())
+            return found->second[(size_t)(y * c.across + x)];
+        allFacets.clear();
+        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) allFacets.push_back(f);
+        return allFacets;
     }
 
 private:
-    static constexpr int kFew = 16;
+    static constexpr int kFewFacets = 16;
     const std::vector<Chart> &charts;
 
     // Adds a facet to its cells' lists, by rows, since slivers cross many cells. Returns the number of steps.
     static int64_t list(int facet, const Outline &outline, const Chart &c,
                         std::vector<std::vector<int>> &lists) {
-        float wide = c.width / (float)c.across, tall = c.height / (float)c.down, low = c.height, high = 0;
+        float du = c.width / (float)c.across, dv = c.height / (float)c.down, low = c.height, high = 0;
         for (const PlanePoint &p : outline) low = std::min(low, p.v), high = std::max(high, p.v);
         auto cell = [](float at, float size, int count) {
             return (int)std::clamp(at / size, 0.f, (float)(count - 1));
         };
         int64_t work = 0;
-        for (int y = cell(low, tall, c.down); y <= cell(high, tall, c.down); ++y) {
-            float v0 = ((float)y - 1e-3f) * tall, v1 = ((float)y + 1.001f) * tall;
+        for (int y = cell(low, dv, c.down); y <= cell(high, dv, c.down); ++y) {
+            float v0 = ((float)y - 1e-3f) * dv, v1 = ((float)y + 1.001f) * dv;
             Outline row = cut(cut(outline, {0, v0}, {1, v0}), {1, v1}, {0, v1});
             float left = c.width, right = 0;
             for (const PlanePoint &p : row) left = std::min(left, p.u), right = std::max(right, p.u);
-            int first = cell(left - 1e-3f * wide, wide, c.across),
-                last = cell(right + 1e-3f * wide, wide, c.across);
+            int first = cell(left - 1e-3f * du, du, c.across), last = cell(right + 1e-3f * du, du, c.across);
             work += 1 + std::max(last - first, 0);
             for (int x = first; x <= last && !row.empty(); ++x)
                 lists[(size_t)(y * c.across + x)].push_back(facet);
         }
         return work;
     }
-    std::unordered_map<const Chart *, std::vector<std::vector<int>>> many;
-    std::vector<int> few;
+    std::unordered_map<const Chart *, std::vector<std::vector<int>>> grids;
+    std::vector<int> allFacets;
 };
 
 } // namespace

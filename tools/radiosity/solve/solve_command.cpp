@@ -106,19 +106,19 @@ void printSolveReport(const Mesh &mesh, const Solved &solved, const SolveSetting
 void printMeans(const Solution &solution) {
     constexpr size_t kMost = 12;
     std::map<std::string, PieceSum> sums;
-    double whole = 0;
+    double area = 0;
     solution.forPieces([&](int chart, int, const std::vector<SolutionPoint> &piece) {
         sums[solution.materialOf(chart)].add(piece);
     });
     std::vector<std::pair<std::string, PieceSum>> all(sums.begin(), sums.end());
-    for (const auto &[name, sum] : all) whole += sum.area;
+    for (const auto &[name, sum] : all) area += sum.area;
     std::stable_sort(all.begin(), all.end(),
                      [](const auto &a, const auto &b) { return a.second.area > b.second.area; });
     std::printf("material             of the area   mean radiosity: red, green, blue\n");
     for (size_t i = 0; i < std::min(all.size(), kMost); ++i) {
         const auto &[name, sum] = all[i];
         Vec3d mean = sum.radiosity / sum.area;
-        std::printf("%-20.40s %9.1f %%   %.4g %.4g %.4g\n", name.c_str(), 100 * sum.area / whole, mean.x,
+        std::printf("%-20.40s %9.1f %%   %.4g %.4g %.4g\n", name.c_str(), 100 * sum.area / area, mean.x,
                     mean.y, mean.z);
     }
     if (all.size() > kMost) std::printf("... and %zu more\n", all.size() - kMost);
@@ -205,8 +205,8 @@ private:
     }
     void lightBacks() {
         job.options.read.twoSided = true;
-        std::vector<std::string> known; // the same notes, already printed
-        read(known);
+        std::vector<std::string> printed; // the same notes again
+        read(printed);
         state.words.push_back("--two-sided"); // for --resume
         job.options.settings.resumed = {};
     }

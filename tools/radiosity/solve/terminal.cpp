@@ -29,8 +29,8 @@ ProgressBar::ProgressBar(bool lines)
 void ProgressBar::show(const char *name, float done, float residual) {
     if (!terminal && !lines) return;
     double time = common::wallSeconds();
-    bool fresh = name != step;
-    if (fresh) step = name, began = time, first = done, ended = false;
+    bool isNew = name != step;
+    if (isNew) step = name, began = time, first = done, ended = false;
     char rest[90] = "";
     int at = 0;
     if (residual >= 0) at = std::snprintf(rest, sizeof rest, ", residual %.1e", (double)residual);
@@ -41,7 +41,7 @@ void ProgressBar::show(const char *name, float done, float residual) {
         char bar[31] = {};
         for (int i = 0; i < 30; ++i) bar[i] = (float)i < done * 30 ? '#' : '.';
         std::fprintf(stderr, "\r\033[K%-13s [%s] %3.0f %%%s", name, bar, (double)done * 100, rest);
-    } else if (fresh || (done >= 1 && !ended) || time - lineTime > std::max(1., (time - start) / 20)) {
+    } else if (isNew || (done >= 1 && !ended) || time - lineTime > std::max(1., (time - start) / 20)) {
         lineTime = time;
         ended = done >= 1;
         std::fprintf(stderr, "progress: %s %.0f %%%s\n", name, std::floor((double)done * 100), rest);

@@ -68,7 +68,7 @@ Gathering::Result Gathering::measure(const Layout &layout) {
                                                         (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
     // Draw once untimed, because the first picture takes longer. Measure a few patches several times
     drawHemicubes(hemicubes.h, model, &eyes[0], 1);
-    Workers alone = serialWorkers();
+    Workers serial = serialWorkers();
     Stopwatch watch;
     std::vector<float> light;
     int rounds = 0;
@@ -76,8 +76,8 @@ Gathering::Result Gathering::measure(const Layout &layout) {
         light.assign(patches.size(), 0);
         for (size_t first = 0; first < eyes.size(); first += batch) {
             study.check();
-            auto some = std::span(eyes).subspan(first, std::min(batch, eyes.size() - first));
-            const auto &rows = hemicubes.rows(model, some, alone);
+            auto batchEyes = std::span(eyes).subspan(first, std::min(batch, eyes.size() - first));
+            const auto &rows = hemicubes.rows(model, batchEyes, serial);
             for (size_t k = 0; k < rows.size(); ++k) {
                 float sum = 0;
                 for (size_t j = 0; j < radiosity.size(); ++j)

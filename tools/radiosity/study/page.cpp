@@ -32,8 +32,8 @@ std::string lineOf(const std::vector<std::string> &cells, auto &&each, const cha
 std::string shown(double number, int digits) {
     if (!std::isfinite(number)) return "";
     // Write large numbers in full instead of with an exponent
-    bool whole = std::fabs(number) >= std::pow(10, digits - 1) && std::fabs(number) < 1e12;
-    return whole ? common::format("%.0f", number) : common::format("%.*g", digits, number);
+    bool inFull = std::fabs(number) >= std::pow(10, digits - 1) && std::fabs(number) < 1e12;
+    return inFull ? common::format("%.0f", number) : common::format("%.*g", digits, number);
 }
 
 pictures::Plot errorPlot(const std::string &title, const std::string &xName, const std::string &yName,
@@ -45,13 +45,13 @@ pictures::Plot errorPlot(const std::string &title, const std::string &xName, con
 
 void Page::write(const std::string &file, const std::string &content) {
     folder.write(file, content);
-    fresh.push_back(folder / file);
+    newFiles.push_back(folder / file);
 }
 
 void Page::drop() {
     body.resize(kept);
-    for (const std::string &file : fresh) std::remove(file.c_str());
-    fresh.clear();
+    for (const std::string &file : newFiles) std::remove(file.c_str());
+    newFiles.clear();
 }
 
 void Page::heading(const std::string &what) { body += "<h2>" + common::htmlText(what) + "</h2>\n"; }
@@ -65,7 +65,7 @@ void Page::list(const std::vector<std::string> &items) {
     body += "</ul>\n";
 }
 
-void Page::table(const PageTable &t, bool whole) {
+void Page::table(const PageTable &t, bool inPage) {
     std::string csv = lineOf(t.columns, csvField, ",") + "\n", rows;
     auto row = [&](const std::vector<std::string> &cells, const char *kind) {
         // Align words left, numbers right
@@ -82,7 +82,7 @@ void Page::table(const PageTable &t, bool whole) {
         row(cells, "td");
     }
     write(t.file + ".csv", csv);
-    if (whole) body += "<table>\n" + rows + "</table>\n";
+    if (inPage) body += "<table>\n" + rows + "</table>\n";
     body += "<p class=\"csv\"><a href=\"" + t.file + ".csv\">" + t.file + ".csv</a></p>\n";
 }
 

@@ -33,19 +33,19 @@ public:
 
     void heading(const std::string &text);
     void text(const std::string &paragraph);
-    // Writes the CSV. With `whole` false the page has only a link to it.
-    void table(const PageTable &table, bool whole = true);
+    // Writes the CSV. With `inPage` false the page has only a link to it.
+    void table(const PageTable &table, bool inPage = true);
     // Writes an SVG. A plot without points is left out.
     void plot(const std::string &file, pictures::Plot plot);
     void pictures(const std::vector<PagePicture> &pictures);
     void list(const std::vector<std::string> &items);
     // The path for a new picture.
     std::string path(const std::string &file) {
-        fresh.push_back(folder / file);
-        return fresh.back();
+        newFiles.push_back(folder / file);
+        return newFiles.back();
     }
     // Ends a chapter: drop() keeps everything added so far.
-    void keep() { kept = body.size(), fresh.clear(); }
+    void keep() { kept = body.size(), newFiles.clear(); }
     // Removes everything added since keep(), files too.
     void drop();
     bool empty() const { return body.empty(); }
@@ -58,7 +58,7 @@ private:
     const common::NewFolder &folder;
     std::string title, body, rest;
     size_t kept = 0;
-    std::vector<std::string> fresh; // files written since keep()
+    std::vector<std::string> newFiles; // files written since keep()
 
     void write(const std::string &file, const std::string &content);
 };

@@ -68,16 +68,16 @@ constexpr Chapter kTable41[] = {{"table", 9, 4, [](Study &s) { studyTable(s, tru
 
 // Runs the chapters. Returns false if the user interrupted; throws Interrupted if no chapter is done by then.
 bool writeChapters(Study &study, std::span<const Chapter> chapters) {
-    bool some = false;
+    bool anyDone = false;
     for (const Chapter &c : chapters) {
         try {
             study.page.keep();
             study.chapter(c.name);
             c.write(study);
-            some = true;
+            anyDone = true;
         } catch (const Interrupted &) {
             study.page.drop();
-            if (!some && study.page.empty()) throw;
+            if (!anyDone && study.page.empty()) throw;
             for (const Chapter *left = &c; left < chapters.data() + chapters.size(); ++left)
                 study.leftOut.push_back(std::string(left->name) + ": interrupted");
             return false;
@@ -112,12 +112,12 @@ int runStudy(common::CommandLine &line) {
     for (const Chapter &c : chapters) job.settings.tasks += job.settings.quick ? c.quickTasks : c.tasks;
     Study study(job.settings, mesh, gl, workers, &stopStudy, page, bar);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
-    bool whole = writeChapters(study, chapters);
+    bool complete = writeChapters(study, chapters);
     writeSummary(study);
     page.finish();
     folder.finish();
     bar.clear();
-    if (!whole)
+    if (!complete)
         throw std::runtime_error("interrupted: " + job.out + "/index.html has what was measured until then");
     std::printf("%s/index.html: %zu solutions\n", job.out.c_str(), study.measured.size());
     return 0;

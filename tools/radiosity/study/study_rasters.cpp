@@ -50,10 +50,10 @@ void gatherAt(Study &study, Gathering &gathering) {
         "gathering",
         {"hemicubes", "px", "processor_ms_per_patch", "rms_percent", "median_percent", "from_finest_percent"},
         {"hemicubes of a patch", "pixels", "ms a patch", "error (rms), %", "median, %",
-         "off the finest (rms), %"}};
+         "from the finest (rms), %"}};
     pictures::Plot plot =
-        errorPlot("one gather: what the raster alone does, against time", "processor time of a patch, ms",
-                  "off one hemicube with most pixels (rms), %", {kLayouts[0], kLayouts[1]});
+        errorPlot("one gather: the error of the raster alone, against time", "processor time of a patch, ms",
+                  "difference from the finest raster (rms), %", {kLayouts[0], kLayouts[1]});
     for (const TriedLayout &t : tried) {
         const MeshErrors &e = t.result.errors;
         table.rows.push_back({kLayouts[t.layout], std::to_string(t.px), shown(t.ms()), shown(e.rms),

@@ -29,13 +29,13 @@ std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
         const MeshMaterial &m = mesh.materials[i];
         if (!used[i] || !(std::max({m.emits[0], m.emits[1], m.emits[2]}) > 0)) continue;
         // Make one lamp of the parts of a picture
-        auto whole = std::find_if(lamps.begin(), lamps.end(), [&](const LampSource &lamp) {
+        auto sameLamp = std::find_if(lamps.begin(), lamps.end(), [&](const LampSource &lamp) {
             return !m.emissionPicture.path.empty() && lamp.name == m.name;
         });
-        if (whole == lamps.end())
+        if (sameLamp == lamps.end())
             lamps.push_back({m.name, {i}, {}});
         else
-            whole->materials.push_back(i);
+            sameLamp->materials.push_back(i);
     }
     for (size_t i = 0; i < around.lamps.size(); ++i)
         lamps.push_back({"ball " + std::to_string(i + 1), {}, {{}, {}, {around.lamps[i]}}});
@@ -154,12 +154,12 @@ private:
     void addLamp(size_t k, ColumnSystem &to, const RaySystem &rays, const LightGrid &grid,
                  const RayTree &tree) {
         show("lamps", (float)k / (float)lamps.size());
-        Mesh alone = mesh;
+        Mesh onlyThis = mesh;
         std::vector<uint8_t> belongs(mesh.materials.size()), emits(task.regions.charts.size());
         for (size_t i : lamps[k].materials) belongs[i] = true;
         for (size_t i = 0; i < belongs.size(); ++i)
-            if (!belongs[i]) alone.materials[i].emits = {};
-        LampRays lamp(alone, task.regions, s.solve.lampSamples);
+            if (!belongs[i]) onlyThis.materials[i].emits = {};
+        LampRays lamp(onlyThis, task.regions, s.solve.lampSamples);
         for (size_t c = 0; c < emits.size(); ++c)
             if ((emits[c] = belongs[(size_t)task.regions.material[c]])) room.lampOf[c] = (int)k;
         size_t at = (size_t)(3 * (s.bands * s.bands) + 3 * (int)k);
@@ -237,13 +237,13 @@ private:
         if (s.glossy.empty()) return;
         std::vector<size_t> charts;
         double area = 0;
-        bool known = false;
+        bool found = false;
         for (size_t c = 0; c < room.model.charts.size(); ++c)
             if (mesh.materials[(size_t)task.regions.material[c]].name == s.glossy) {
-                known = true, charts.push_back(c);
+                found = true, charts.push_back(c);
                 area += (double)(room.model.charts[c].width * room.model.charts[c].height);
             }
-        if (!known) throw common::Refused("--glossy: no polygon has the material " + s.glossy);
+        if (!found) throw common::Refused("--glossy: no polygon has the material " + s.glossy);
         if (charts.size() > (size_t)kMostGlossyCharts)
             throw common::Refused("--glossy: " + s.glossy + " has " + std::to_string(charts.size()) +
                                   " planes, more than " + std::to_string(kMostGlossyCharts) +

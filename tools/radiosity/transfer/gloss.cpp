@@ -104,15 +104,15 @@ void findGloss(GlossyChart &g, const Chart &c, int rays, float exponent, const A
     });
     // Begin with clusters that are blocks, about as wide as high
     g.clusters = std::clamp(count / 32, 1, kMostGlossClusters);
-    int wide = std::clamp((int)std::lround(std::sqrt((double)g.clusters * g.across / g.down)), 1, g.clusters),
-        high = g.clusters / wide;
+    int nx = std::clamp((int)std::lround(std::sqrt((double)g.clusters * g.across / g.down)), 1, g.clusters),
+        ny = g.clusters / nx;
     PcaSettings settings = {.clusters = g.clusters, .dimensions = count > 1 ? 16 : 0, .rounds = 2};
     HeapArena memory(compressBytes(count, columns, settings));
     ClusteredPca p = {};
     p.rows = count, p.columns = columns, p.data = matrices.data();
     std::vector<int> seeds((size_t)count);
     for (int i = 0; i < count; ++i)
-        seeds[(size_t)i] = i / g.across * high / g.down * wide + i % g.across * wide / g.across;
+        seeds[(size_t)i] = i / g.across * ny / g.down * nx + i % g.across * nx / g.across;
     p.cluster = seeds.data();
     if (!compress(p, settings, memory.arena, workers)) throw std::runtime_error("there is not enough memory");
     g.dimensions = p.dimensions;

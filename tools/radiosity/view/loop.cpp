@@ -51,9 +51,9 @@ float ViewWindow::exposure() const { return targetTone.exposure * std::exp2(s.ca
 bool ViewWindow::adaptExposure(float seconds) {
     float stops = std::log(exposure() / tone.exposure), low = targetTone.low - tone.low,
           high = targetTone.high - tone.high,
-          off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});
-    if (off == 0) return false;
-    bool arrived = off < 0.004f || !s.screenshot.empty();
+          largest = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});
+    if (largest == 0) return false;
+    bool arrived = largest < 0.004f || !s.screenshot.empty();
     float share = arrived ? 1 : 1 - std::exp(-seconds / 0.15f);
     tone.exposure = arrived ? exposure() : tone.exposure * std::exp(stops * share);
     tone.low = arrived ? targetTone.low : tone.low + low * share;

@@ -1,5 +1,7 @@
 #include "tools/radiosity/view/mesh.h"
 
+#include "trace/scene/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -42,16 +44,17 @@ bool visible(const Solution &b, const Cell &cell) {
 } // namespace
 
 ViewMesh::ViewMesh(const Solution &solution) {
-    std::unordered_map<int, uint32_t> known;
+    std::unordered_map<int, uint32_t> numbers;
     std::vector<uint32_t> firsts; // index of each piece's first point
     solution.forPieces([&](int chart, int cell, const std::vector<SolutionPoint> &piece) {
         const Chart &c = solution.charts[(size_t)chart];
-        auto number = known.try_emplace(solution.cells[(size_t)cell].patch, (uint32_t)known.size() + 1);
-        if (points.size() + piece.size() > 0x7fffffff || known.size() >= 1 << 24)
+        int patch = solution.cells[(size_t)cell].patch;
+        uint32_t number = numbers.try_emplace(patch, (uint32_t)numbers.size() + 1).first->second;
+        if (points.size() + piece.size() > 0x7fffffff || numbers.size() >= 1 << 24)
             throw std::runtime_error("there are too many elements to show: solve it with a larger --element");
         auto first = (uint32_t)points.size(), count = (uint32_t)piece.size();
         firsts.push_back(first);
-        ViewPoint point = pointOf({}, c.n, number.first->second);
+        ViewPoint point = pointOf({}, c.n, number);
         for (uint32_t i = 0; i < count; ++i) {
             Vec3 from = piece[i].p - c.corner;
             point.p = piece[i].p;
@@ -62,7 +65,7 @@ ViewMesh::ViewMesh(const Solution &solution) {
         }
     });
     if (points.empty()) throw std::runtime_error("there is no element to show");
-    patches.resize(known.size());
+    patches.resize(numbers.size());
     placeHemicubes(solution, firsts);
     for (const Facet &f : solution.facets) {
         const Chart &c = solution.charts[(size_t)f.chart];
@@ -71,9 +74,7 @@ ViewMesh::ViewMesh(const Solution &solution) {
             for (int end : {k, (k + 1) % corners}) edges.push_back(pointOf(f.corner(c, end), c.n, 0));
     }
     Vec3 low = points[0].p, high = low;
-    for (const ViewPoint &v : points)
-        for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
-            low.*k = std::min(low.*k, v.p.*k), high.*k = std::max(high.*k, v.p.*k);
+    for (const ViewPoint &v : points) low = lower(low, v.p), high = upper(high, v.p);
     size = std::max(length(high - low), 1e-30f);
 }
 
@@ -103,12 +104,12 @@ void ViewMesh::placeHemicubes(const Solution &solution, const std::vector<uint32
     });
     all([](Sum &s, ViewPatch &to, bool seen, const PieceCentroid &m) {
         Vec3 mean = toFloat(s.p / std::max(s.area, 1e-300));
-        float far = length(mean - m.p);
-        if (seen != s.seen || far >= s.nearest) return;
-        s.nearest = far;
+        float distance = length(mean - m.p);
+        if (seen != s.seen || distance >= s.nearest) return;
+        s.nearest = distance;
         float side = std::sqrt(m.area);
-        bool on = far < 0.75f * side && std::fabs(dot(mean - m.p, m.n)) < 1e-3f * side;
-        to = {on ? mean : m.p, m.n};
+        bool onElement = distance < 0.75f * side && std::fabs(dot(mean - m.p, m.n)) < 1e-3f * side;
+        to = {onElement ? mean : m.p, m.n};
     });
 }
 

@@ -38,7 +38,7 @@ RelitRoom::~RelitRoom() {
 // Waits for requests and finds clusters. A new request replaces one that has not begun.
 void RelitRoom::findOthers() {
     std::vector<float> rows, scale;
-    Workers alone = serialWorkers(); // the other threads draw
+    Workers serial = serialWorkers(); // the other threads draw
     for (;;) {
         int count;
         {
@@ -52,7 +52,7 @@ void RelitRoom::findOthers() {
         try {
             if (scale.empty()) rows = room.rows(), scale = columnScale(room, rows);
             others = findClusters(rows, room.columns(), scale, blocksOf(room.model, count), count,
-                                  room.clusters.rank, alone);
+                                  room.clusters.rank, serial);
         } catch (const std::bad_alloc &) {
             why = "there is not enough memory";
         } catch (const std::exception &e) {

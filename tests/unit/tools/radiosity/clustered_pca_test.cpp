@@ -134,8 +134,8 @@ TEST(Pca, AxesAreOrthonormal) {
             }
 }
 
-// Clustering finds the flats although a third of the rows have wrong seeds. One subspace with equal
-// dimensions cannot represent them.
+// Clustering finds the flats although a third of the rows have wrong seeds. One subspace with the
+// same number of axes cannot represent them.
 TEST(Clustering, FindsTheFlats) {
     Data d = flats(4, 400, 48);
     PcaSettings settings = {.clusters = 4, .dimensions = 8, .rounds = 8, .iterations = 4, .tried = 4};
