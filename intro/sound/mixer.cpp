@@ -21,14 +21,10 @@ void playNote(Mixer &m, const Note &note) {
     m.ducked = max(m.ducked, note.instrument->ducks);
 }
 
-void renderBlock(Mixer &m, float *stereo) {
-    // Treat denormal numbers as zeros in this function: they are slow
-    unsigned control = _mm_getcsr();
-    _mm_setcsr(control | 0x8040);
-    float ducked = m.ducked;
-    if (m.block % kBlocksPerRow == 0) m.player(m, m.block / kBlocksPerRow);
-
-    // If there are many voices, fade out the quietest within this block, to make room for the next row
+// Adds the block of every voice to the mix, unless only time advances, and drops the voices that end. If
+// there are many, fades out the quietest within this block, to make room for the next row. `ducked`: before
+// this row.
+static void mixVoices(Mixer &m, bool audible, float ducked) {
     int stolen = m.voiceCount > kVoices - kVoicesAtOnce ? m.quietest : -1;
     float least = kInfinity;
     int remaining = 0;
@@ -36,7 +32,7 @@ void renderBlock(Mixer &m, float *stereo) {
         Voice &v = m.voices[i];
         const Instrument &kind = *v.note.instrument;
         int time = (m.block - v.start) * kBlock;
-        if (stereo) {
+        if (audible) {
             renderVoice(v, time, 1 - ducked * kind.ducked, i == stolen ? 0 : 1 - m.ducked * kind.ducked,
                         m.voice);
             float send = kind.room * v.note.room * kRoomLevel;
@@ -54,33 +50,46 @@ void renderBlock(Mixer &m, float *stereo) {
         m.voices[remaining++] = v;
     }
     m.voiceCount = remaining;
+}
 
+// Mixes down to two channels: crossfeed, the compressor's gain, soft clipping. Clears the mix.
+static void mixDown(Mixer &m, float *stereo) {
+    // Move the gain linearly over the block; after silence within 1 ms, so that struck notes keep their
+    // attack
+    float gain = kLoud * exp2(max(log2(m.power * (1 / kUsual)), 0.f) * -0.125f);
+    if (m.muted) gain = max(m.gain - kFade, 0.f);
+    float step = (gain - m.gain) / (m.gain > 0 ? kBlock : 48), most = max(gain, m.gain);
+    Float8 squares = {};
+    for (int n = 0; n < kBlock; ++n) {
+        Float8 x = m.dry[n];
+        m.dry[n] = m.wet[n] = m.echoed[n] = Float8{};
+        x = (Float8)_mm256_hadd_ps(x, x);
+        x = (Float8)_mm256_hadd_ps(x, x);
+        x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1) - x, m.crossfeed, x);
+        squares = fmadd(x, x, squares);
+        m.gain = min(m.gain + step, most);
+        x *= m.gain;
+        // Clip softly, by a cubic that is flat at 1.5
+        x = clamp(x, -1.5f, 1.5f);
+        x = (x - x * x * x * (4.f / 27)) * kPeak;
+        stereo[2 * n] = x[0], stereo[2 * n + 1] = x[4];
+    }
+    m.gain = gain;
+    float grown = (squares[0] + squares[4]) * (0.5f / kBlock) - m.power;
+    m.power = fmadd(grown, grown > 0 ? 0.05f : 0.005f, m.power);
+}
+
+void renderBlock(Mixer &m, float *stereo) {
+    // Treat denormal numbers as zeros in this function: they are slow
+    unsigned control = _mm_getcsr();
+    _mm_setcsr(control | 0x8040);
+    float ducked = m.ducked;
+    if (m.block % kBlocksPerRow == 0) m.player(m, m.block / kBlocksPerRow);
+    mixVoices(m, stereo, ducked);
     if (stereo) {
         renderEcho(m.echo, m.block, m.echoed, m.dry, m.wet);
         renderReverb(m.reverb, m.block, m.wet, m.dry);
-        // Move the gain linearly over the block; after silence within 1 ms, so that struck notes keep their
-        // attack
-        float gain = kLoud * exp2(max(log2(m.power * (1 / kUsual)), 0.f) * -0.125f);
-        if (m.muted) gain = max(m.gain - kFade, 0.f);
-        float step = (gain - m.gain) / (m.gain > 0 ? kBlock : 48), most = max(gain, m.gain);
-        Float8 squares = {};
-        for (int n = 0; n < kBlock; ++n) {
-            Float8 x = m.dry[n];
-            m.dry[n] = m.wet[n] = m.echoed[n] = Float8{};
-            x = (Float8)_mm256_hadd_ps(x, x);
-            x = (Float8)_mm256_hadd_ps(x, x);
-            x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1) - x, m.crossfeed, x);
-            squares = fmadd(x, x, squares);
-            m.gain = min(m.gain + step, most);
-            x *= m.gain;
-            // Clip softly, by a cubic that is flat at 1.5
-            x = clamp(x, -1.5f, 1.5f);
-            x = (x - x * x * x * (4.f / 27)) * kPeak;
-            stereo[2 * n] = x[0], stereo[2 * n + 1] = x[4];
-        }
-        m.gain = gain;
-        float grown = (squares[0] + squares[4]) * (0.5f / kBlock) - m.power;
-        m.power = fmadd(grown, grown > 0 ? 0.05f : 0.005f, m.power);
+        mixDown(m, stereo);
     }
     ++m.block;
     m.ducked *= 0.93f;
