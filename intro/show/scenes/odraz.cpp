@@ -27,13 +27,17 @@ constexpr float kFrontZ = -5, kHiddenZ = -11.4f; // where the front ball stays; 
 constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
                                       {kClear, kPale, kRed, kPale, kRed, kPale}};
 
-// Adds a ball of a lane, rolled by the way that it has come.
-static void addBall(Scene &scene, float row, float x, float z, float radius, float comes, float goes,
-                    int material) {
-    float left = value(track(kAhead), row - comes), back = value(track(kBack), row - goes);
-    float way = 1 - left * left - back * back;
-    if (way <= 0) return;
-    float at = kHiddenZ + (z - kHiddenZ) * way, turn = at / radius;
+// The rows on which a ball comes out of the door, and goes back.
+struct Visit {
+    float comes, goes;
+};
+
+// Adds a ball of a lane, rolled by the length of its path. x, z: where it stops.
+static void addBall(Scene &scene, float row, float x, float z, float radius, Visit visit, int material) {
+    float ahead = value(track(kAhead), row - visit.comes), back = value(track(kBack), row - visit.goes);
+    float share = 1 - ahead * ahead - back * back;
+    if (share <= 0) return;
+    float at = kHiddenZ + (z - kHiddenZ) * share, turn = at / radius;
     Shape *s = scene.add(sphere({x, radius, at}, radius, material));
     s->frame = {{1, 0, 0}, {0, cos(turn), sin(turn)}, {0, -sin(turn), cos(turn)}};
 }
@@ -82,19 +86,20 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
     scene.add(pearl(true, 0.26f));
     scene.add(pearl(false, 0.25f));
-    addBall(scene, in.row, 0, kFrontZ, 0.75f, rowOf(kBall1) - 2, 999, kSilver);
+    addBall(scene, in.row, 0, kFrontZ, 0.75f, {rowOf(kBall1) - 2, 999}, kSilver);
     for (int i = 0; i < kRows; ++i) {
         float z = kFrontZ + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, x = i & 1 ? 1.45f : 1.2f;
         float comes = rowOf(kBall2) + (float)(kBeat * (i < 4 ? i : i + 6)),
               goes = rowOf(kBall1Leaves) - (float)(kBeat * i);
         for (int side = 0; side < 2; ++side)
-            addBall(scene, in.row, side ? x : -x, z - 0.4f * (float)side, radius, comes, goes,
+            addBall(scene, in.row, side ? x : -x, z - 0.4f * (float)side, radius, {comes, goes},
                     kSides[side][i]);
     }
     for (int i = 0; i < kBehind; ++i)
         addBall(scene, in.row, 0, kFrontZ - 1.35f - 1.05f * (float)i, 0.45f,
-                rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
-                rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
+                {rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
+                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i))},
+                i & 1 ? kPale : kRed);
     if (since > 0) scene.add(sphere({-3.5f, 0.7f, kFrontZ + 7.3f}, 0.7f, kSilver));
     if (maxComponent(glows) > 0)
         addText(scene, "odraz", {-2.35f, 0.11f, kFrontZ + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));
