@@ -38,12 +38,23 @@ struct VertexWriter {
     }
 };
 
-// Lays out one facet on one face, cut at the borders that it crosses. The face's centre (top face) or the
-// centre of its horizon (other faces) is at (x, y) in the atlas.
-void layOut(VertexWriter &out, const FaceCorner *polygon, int count, bool top, uint32_t crossed, float x,
-            float y, uint32_t first, uint32_t shape) {
+// A face in the atlas: (x, y) is its centre (top face), or the centre of its horizon (other faces).
+struct AtlasFace {
+    bool top;
+    float x, y;
+};
+
+// The last two numbers of a facet's vertices.
+struct PatchGrid {
+    uint32_t first, shape;
+};
+
+// Lays out one facet on one face, cut at the borders that it crosses.
+void layOut(VertexWriter &out, const FaceCorner (&corners)[4], uint32_t crossed, const AtlasFace &face,
+            const PatchGrid &grid) {
     FaceCorner buffers[2][8];
-    polygon = clipToFace(polygon, count, top, crossed, buffers);
+    int count = 4;
+    const FaceCorner *polygon = clipToFace(corners, count, face.top, crossed, buffers);
     // Write a fan of triangles
     if (out.vertices + 3 * (count - 2) > kVertices) out.flush();
     for (int i = 2; i < count; ++i)
@@ -52,13 +63,13 @@ void layOut(VertexWriter &out, const FaceCorner *polygon, int count, bool top, u
             float *v = out.h.vertices + (size_t)out.vertices++ * kFloats;
             // Clamp rounding errors to the picture: outside of it OpenGL would clip all triangles, which is
             // slow
-            v[0] = clamp(fmadd(c.x, out.scaleX, x * c.w), -c.w, c.w);
-            v[1] = clamp(fmadd(c.y, out.scaleY, y * c.w), -c.w, c.w);
+            v[0] = clamp(fmadd(c.x, out.scaleX, face.x * c.w), -c.w, c.w);
+            v[1] = clamp(fmadd(c.y, out.scaleY, face.y * c.w), -c.w, c.w);
             v[2] = c.w;
             v[3] = c.s;
             v[4] = c.t;
-            v[5] = fromBits((int32_t)first);
-            v[6] = fromBits((int32_t)shape);
+            v[5] = fromBits((int32_t)grid.first);
+            v[6] = fromBits((int32_t)grid.shape);
         }
 }
 
@@ -79,8 +90,8 @@ void layOutHemicube(VertexWriter &out, const Model &model, const Eye &eye, float
             uint32_t code = outsideFaces(local[k]);
             all &= code, some |= code;
         }
-        uint32_t first = back ? kBackSide : (uint32_t)c.firstPatch + 1;
-        uint32_t shape = (uint32_t)c.patchesAcross | (uint32_t)c.patchesDown << 16;
+        PatchGrid grid = {back ? kBackSide : (uint32_t)c.firstPatch + 1,
+                          (uint32_t)c.patchesAcross | (uint32_t)c.patchesDown << 16};
         float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
         for (int side = -1; side < 4; ++side, all >>= 4, some >>= 4) {
             FaceCorner corners[4];
@@ -91,8 +102,7 @@ void layOutHemicube(VertexWriter &out, const Model &model, const Eye &eye, float
             }
             if (all & 15) continue;
             float y = side == -1 ? 1 : (float)(2 + side);
-            layOut(out, corners, 4, side == -1, some, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first,
-                   shape);
+            layOut(out, corners, some, {side == -1, x0 + out.scaleX, fmadd(y, out.scaleY, y0)}, grid);
         }
     }
 }
