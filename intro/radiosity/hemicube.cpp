@@ -44,7 +44,7 @@ struct AtlasFace {
     float x, y;
 };
 
-// The last two numbers of a facet's vertices.
+// Data for all vertices of a facet: the first patch's id, and the patches across and down in 16 bits each.
 struct PatchGrid {
     uint32_t first, shape;
 };

@@ -54,8 +54,9 @@ static void finishLight(Radiosity &r, const Model &model, Workers &workers) {
     });
 }
 
-bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
-                    Arena &arena, Workers &workers, const Progress &progress) {
+bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings,
+                    const SolverHost &host) {
+    const auto &[gl, arena, workers, progress] = host;
     if (!model.divide(arena, settings.block) || !takePlanes(r, arena, (size_t)model.texelCount)) return false;
     findVisible(model, scene, workers);
     model.placePatches();

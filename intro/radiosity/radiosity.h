@@ -37,10 +37,19 @@ struct Radiosity {
     Hemicubes hemicubes;          // open after solveRadiosity()
 };
 
+// The resources of solving: OpenGL in the current context, memory and threads; and where progress is
+// reported.
+struct SolverHost {
+    const Gl &gl;
+    Arena &arena;
+    Workers &workers;
+    const Progress &progress;
+};
+
 // Runs all stages: divides the model and solves it. `scene` is for shadow rays, and for the mean reflectances
 // that patches get. Returns false if the arena is too small, if OpenGL cannot render ids, or if the viewer
 // left.
-bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
-                    Arena &arena, Workers &workers, const Progress &progress);
+bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings,
+                    const SolverHost &host);
 
 } // namespace odraz

@@ -74,11 +74,11 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Gl 
                       Workers &workers, const Progress &progress) {
     for (int i = 0; i < scene.materialCount; ++i) room.mean[i] = scene.mean[i];
     bool solved =
-        solveRadiosity(room.radiosity, room.model, scene, s.radiosity, gl, arena, workers, progress) &&
+        solveRadiosity(room.radiosity, room.model, scene, s.radiosity, {gl, arena, workers, progress}) &&
         findGlossy(room.gloss, room.model, room.radiosity, s.polished, s.exponent, arena, workers) &&
         followBounces(room, s.followed, arena, workers) && visit(room, s.visited, gl, arena) &&
         fillLightmap(room, arena);
-    if (!solved) return "the hall cannot be lit: OpenGL 3.3 draws no integers here, or memory is short";
+    if (!solved) return "cannot light the hall: OpenGL 3.3 cannot draw integers, or memory is short";
     closeHemicubes(room.radiosity.hemicubes);
     return nullptr;
 }

@@ -11,7 +11,8 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
     prepareHall(*hall, *scene);
     if (change) change(hall->radiosity.bases);
     if (!hall->radiosity.bases.fit()) throw std::runtime_error("too many light bases for the hall");
-    if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, memory.arena, workers, progress))
+    if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings,
+                        {gl, memory.arena, workers, progress}))
         throw std::runtime_error("cannot solve the hall with these settings");
     closeHemicubes(hall->radiosity.hemicubes);
     seconds = common::processorSeconds() - began;
