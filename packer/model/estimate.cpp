@@ -166,6 +166,13 @@ struct Estimator::Impl {
     std::unique_ptr<Context> context{new Context()};
     std::vector<Slot> slots = {};
 
+    // Returns the hashes of selector i for all bytes.
+    Hashes hashesOf(const ModelParameters &parameters, uint32_t i) const {
+        std::vector<uint32_t> hashes;
+        for (const ByteRecord &r : records) hashes.push_back(hashOf(parameters, r.type, i, r.fields));
+        return std::make_shared<std::vector<uint32_t>>(std::move(hashes));
+    }
+
     // Computes the inputs of context i for the bytes from `at` to `end`.
     void computeInputs(const ModelParameters &parameters, uint32_t i, uint32_t slotBits, uint32_t at,
                        uint32_t end, int16_t *to) {
@@ -222,7 +229,7 @@ Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate
                parameters.masks[1][i] == like->parameters.masks[1][i];
     };
 
-    // Compute the inputs that `like` does not have. Each context has its share of the slots
+    // Compute the inputs and hashes that `like` does not have. Each context has its share of the slots
     uint32_t slotBits = parameters.slotBits - (uint32_t)std::bit_width(parameters.contexts - 1);
     Sources from = {{}, {}, parameters.contexts, w.records.data()};
     std::vector<int16_t> *late = nullptr; // the last inputs are computed step by step, as far as needed
@@ -239,17 +246,9 @@ Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate
         }
         from.inputs[i] = e.inputs[i]->data();
     }
-    // Compute the hashes of the selectors
     for (uint32_t i = 0; i < kSets - 1; ++i) {
-        if (same(parameters.contexts + i))
-            e.selectors.push_back(like->selectors[i]);
-        else {
-            auto hashes = std::make_shared<std::vector<uint32_t>>(size);
-            for (uint32_t at = 0; at < size; ++at)
-                (*hashes)[at] =
-                    hashOf(parameters, w.records[at].type, parameters.contexts + i, w.records[at].fields);
-            e.selectors.push_back(hashes);
-        }
+        uint32_t selector = parameters.contexts + i;
+        e.selectors.push_back(same(selector) ? like->selectors[i] : w.hashesOf(parameters, selector));
         from.selectors[i] = e.selectors[i]->data();
     }
 

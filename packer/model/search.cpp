@@ -14,8 +14,7 @@ namespace {
 // A change of one or two masks, of code (type 0) or data (1).
 struct MaskChange {
     struct Setting {
-        uint32_t i;
-        uint32_t mask;
+        uint32_t i, mask;
     };
     uint32_t type;
     std::vector<Setting> settings;
@@ -92,7 +91,7 @@ MaskChange propose(const ModelParameters &parameters, const SearchInput &program
 }
 
 constexpr double kWorthIt = 0.5;    // bytes that a change must save
-constexpr double kSlack = 24;       // an estimate that is this many bytes behind is abandoned
+constexpr double kSlack = 24;       // an estimate that is this many bytes larger is abandoned
 constexpr double kMeasureEvery = 8; // time between two measurements, in durations of a measurement
 constexpr int kForget = 10;         // a change may be tried again after this many kept changes
 
