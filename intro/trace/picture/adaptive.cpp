@@ -161,7 +161,7 @@ void sampleInside(Tile &t, int count) {
     Square *pixels = s.squares[2];
     const __m128 white = _mm_set1_ps(whiteOf(t.scene));
     for (int from = 0, to = kFirst; count; from = to, to = kMostInside) {
-        int each = to - from, most = kChunk / each, kept = 0;
+        int perPixel = to - from, most = kChunk / perPixel, kept = 0;
         bool again = !from && q.fine < 2;
         float cornerWeight = from ? kCornerWeightAll : kCornerWeight,
               insideWeight = (1 - 4 * cornerWeight) / (float)to;

@@ -111,10 +111,10 @@ void tracePixels(Tile &t, const uint16_t *pixels, int count) {
                      s.inside);
         s.sampleCount += samples;
         for (int i = 0, next = 0; i < n; ++i) {
-            int each = pixels[i] >= kInside ? 1 : kSamples;
+            int perPixel = pixels[i] >= kInside ? 1 : kSamples;
             ptrdiff_t at = (ptrdiff_t)s.y[next] * t.frame.stride + (ptrdiff_t)s.x[next];
             __m128 sum = {}, least = s.inside[next], most = least;
-            for (int k = 0; k < each; ++k) {
+            for (int k = 0; k < perPixel; ++k) {
                 __m128 v = s.inside[next++];
                 sum += _mm_min_ps(v, white);
                 least = _mm_min_ps(least, v), most = _mm_max_ps(most, v);
@@ -123,7 +123,7 @@ void tracePixels(Tile &t, const uint16_t *pixels, int count) {
             __m128 fetched = {plane[0][at], plane[1][at], plane[2][at], 0};
             // Add fetched radiance, which reduces the noise of these few samples. Limit it by their
             // brightest, so that nothing remains of a bright object that they miss
-            sum = _mm_max_ps(sum * (1 / (float)each), least) * (1 - kFetchedShare) +
+            sum = _mm_max_ps(sum * (1 / (float)perPixel), least) * (1 - kFetchedShare) +
                   _mm_max_ps(_mm_min_ps(fetched, most * 3), least) * kFetchedShare;
             for (int c = 0; c < 3; ++c) plane[c][at] = sum[c];
         }
