@@ -25,8 +25,8 @@ constexpr float kTolerance = 0.06f, kMirrorTolerance = 0.09f;
 // equal colours may be background that is seen on both sides of a moving object. What glass shows moves up to
 // twenty times as fast: kTornInGlass is kTorn for glass of any shape.
 constexpr float kTorn = 0.0028f, kTornInGlass = 0.00014f, kGhosts = 0.0055f;
-// Reflections of lamps slide over a flat mirror: both pictures may show one where there is none between them.
-// So nothing brighter than kBright is reused if the eye moves by more than kSlides of its distance.
+// Reflections of lamps slide over a flat mirror: both pictures may show one where the in-between has none. So
+// nothing above kBright is reused if the eye moves by more than kSlides times its distance from the mirror.
 constexpr float kBright = 0.25f, kSlides = 0.2f;
 constexpr float kBlinding = 2.5f;               // in multiples of white; see join()
 constexpr int kSamples = 3;                     // number of samples in a pixel that is traced again
