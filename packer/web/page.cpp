@@ -199,7 +199,7 @@ new Function('data',new TextDecoder().decode(s.slice(0,SCRIPT)))(s.slice(SCRIPT)
 s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
 w.postMessage([new Uint8Array(await new Response(s).arrayBuffer()),o.slice(HEAD)])})())";
 
-// Reads the scripts of a list with commas.
+// Reads the scripts of a comma-separated list.
 std::string scriptsOf(const std::string &list) {
     std::istringstream names(list);
     std::string all;
