@@ -111,7 +111,7 @@ std::string objOf(const AtlasModel &m) {
 
 void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &path,
                  std::vector<std::string> &notes) {
-    if (b.facets.empty()) throw std::runtime_error("it has no polygon");
+    if (b.facets.empty()) throw std::runtime_error("the solution has no polygon to export");
     common::NewFolder folder(path);
     Atlas atlas = packAtlas(b, s);
     AtlasModel model(b, atlas, lightOfOne(b, s.radiosity));

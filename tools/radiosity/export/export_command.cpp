@@ -47,7 +47,7 @@ int runExport(common::CommandLine &line) {
     line.argument("SOLUTION", in, "a file that solve or transfer wrote", false);
     for (const ExportKind &k : kExportKinds) {
         auto take = [&](const std::string &path) {
-            if (kind) throw common::Refused("export writes one thing at a time");
+            if (kind) throw common::Refused("give only one of --csv, --ply, --obj and --atlas");
             kind = &k, out = path;
         };
         line.option(k.option, k.value, take, k.what);

@@ -193,8 +193,7 @@ int runGenerate(common::CommandLine &line) {
     static const char *const kinds[] = {"cube",    "columns", "corner", "vault",
                                         "terrain", "furnace", "squares"};
     if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds))
-        throw common::Refused("generate makes a cube, columns, a corner, a vault, a terrain, a furnace or "
-                              "squares: name one of them");
+        throw common::Refused("name a model: cube, columns, corner, vault, terrain, furnace or squares");
     if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
         throw common::Refused("name a file with -o MODEL.obj");
     std::string mtl = out.substr(0, out.size() - 4) + ".mtl", name = mtl.substr(mtl.rfind('/') + 1);

@@ -15,7 +15,7 @@ double cellSide(const Mesh &mesh, const SolveSettings &s) {
 }
 
 void refuseResumed() {
-    throw std::runtime_error("the saved state is damaged or belongs to another model: solve it again");
+    throw std::runtime_error("the saved state is damaged or belongs to another model: solve the model again");
 }
 
 void refuseMemory(size_t bytes, size_t most, const char *remedy) {

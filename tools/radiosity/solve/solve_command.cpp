@@ -137,7 +137,7 @@ public:
         job.options.addLights(mesh, job.options.settings.surroundings, notes);
         if (job.saved && job.saved->model != state.model)
             throw common::Refused(job.resume + ": belongs to another model, or " + job.model +
-                                  " has changed: solve it again");
+                                  " has changed: solve the model again");
         printNotes(notes);
         prepare();
         Solved solved = solve();

@@ -21,8 +21,8 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
         throw ModelError(
             settings.model + ": " + std::to_string(most) +
-            " polygons are left after joining those in one plane; a study needs hemicubes, which "
-            "take " +
+            " polygons are left after joining those in one plane; a study needs hemicubes, which take "
+            "at most " +
             std::to_string(kMaxFacets) + ": give it a part of the model");
     // Also compare the solution with default settings
     Stopwatch watch;

@@ -164,10 +164,9 @@ void writePasses(Study &study, const Curve &next, const Curve &once) {
     Page &page = study.page;
     page.heading("What every pass adds");
     page.text(
-        "The light that leaves all surfaces by reflection, and the share of the converged light that each "
-        "pass adds. In the next pass: a pass gathers the light of the pass before, as in the thesis, so each "
-        "adds one bounce. At once: a patch also gathers light that other patches found earlier in the same "
-        "pass.");
+        "The light that all surfaces reflect, and the share of the converged light that each pass adds. In "
+        "the next pass: a pass gathers the light of the previous pass, as in the thesis, so each pass adds "
+        "one bounce. At once: a patch also gathers light that other patches found earlier in the same pass.");
     PageTable table = {"passes",
                        {"pass", "added_next_percent", "left_next_percent", "error_next_percent",
                         "added_once_percent", "left_once_percent", "error_once_percent"},
@@ -271,10 +270,9 @@ void studyMethods(Study &study) {
         std::to_string(base.report.patches) + " patches with hemicubes of " + std::to_string(px) +
         " pixels. Gathering and Gauss-Seidel need all rows before their first pass; shooting needs one "
         "hemicube a shot, and another one if a patch shoots again. With the same rows all methods reach the "
-        "same light. "
-        "Shots by hemicubes differ slightly: by reciprocity they use the form factors from the other side, "
-        "which differ if a hemicube is coarse. Patches shoot singly, or in blocks of which one patch draws "
-        "the hemicube for all, as in radiosity solve --shots: that is faster, but less exact.");
+        "same light. Shots by hemicubes differ slightly: by reciprocity they use the form factors from the "
+        "other side, which differ if a hemicube is coarse. Patches shoot singly, or in blocks with one "
+        "hemicube for all patches of a block, as in radiosity solve --shots: faster, but less exact.");
     writeMethods(study, curves);
     writePasses(study, curves[0], curves[1]);
     writeOrders(study, curves[0], curves[1]);

@@ -16,7 +16,7 @@ std::span<const int> rasters(const Study &study) {
 }
 
 // The layouts of a patch's hemicubes that are compared.
-constexpr const char *kLayouts[] = {"one in the middle", "four turned differently", "four near the corners"};
+constexpr const char *kLayouts[] = {"one in the middle", "four rotated differently", "four near the corners"};
 
 struct TriedLayout {
     int px, layout;
@@ -108,9 +108,9 @@ void studyRasters(Study &study) {
     page.text(
         "First, one gather: " + std::to_string(gathering.count()) + " patches of " +
         std::to_string(divided.patches->model->patchCount) +
-        " gather the light of the reference, including that of lamps. The error against the reference has "
+        " gather the light of the reference, lamps included. The error against the reference has "
         "two causes: the raster, and patches that have one light value each. The plot shows only the first, "
-        "as the difference from the finest raster. Four hemicubes of half the pixels are anti-aliasing with "
+        "as the difference from the finest raster. Four hemicubes of half the size are anti-aliasing with "
         "the same number of samples; four at the corners show the error of one hemicube in the middle.");
     gatherAt(study, gathering);
     solveAt(study, gathering);

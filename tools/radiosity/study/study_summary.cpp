@@ -39,13 +39,14 @@ void writeReference(Study &study) {
 void writeSummary(Study &study) {
     Page &page = study.page;
     page.toFront();
-    page.text(study.settings.model + ": " + common::counted(study.mesh.triangles.size(), "triangle") + ", " +
-              common::counted(study.reference.charts.size(), "polygon") +
-              " in one plane each. Errors are against a reference, a solution by rays with" +
-              (study.settings.quick ? "out a final gather"
-                                    : " a final gather of " + std::to_string(kFinalRays) + " rays") +
-              ", at 2000 places spread by area. It has neither hemicubes nor patches. rms is the root mean "
-              "square of the differences in luminance as a share of that of the reference's light.");
+    page.text(
+        study.settings.model + ": " + common::counted(study.mesh.triangles.size(), "triangle") + ", " +
+        common::counted(study.reference.charts.size(), "polygon") +
+        " in one plane each. Errors are against a reference, a solution by rays with" +
+        (study.settings.quick ? "out a final gather"
+                              : " a final gather of " + std::to_string(kFinalRays) + " rays") +
+        ", at 2000 places spread by area. It has neither hemicubes nor patches. The rms error is the root "
+        "mean square of the differences in luminance, as a share of the reference's.");
     writeReference(study);
     std::vector<MeasuredSolution> all = study.measured;
     std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.seconds < b.seconds; });

@@ -101,11 +101,10 @@ void studyTable(Study &study, bool ofThesis) {
     page.heading(ofThesis ? "The thesis's Table 4.1" : "Sizes by rasters");
     page.text(
         "Each patch is one element, which receives light. Blocks of patches shoot it, the brightest first, "
-        "each through a hemicube at one of its patches, until 0.5 % of the light is unshot or a number of "
-        "shots is reached that is the same for all. The remaining light is then spread "
-        "evenly; if much remains, it causes most of the error. Hemicubes see the lamps. The last time is an "
-        "estimate of one hemicube from every patch, as gathering needs; the thesis draws each of them again "
-        "in every pass.");
+        "each through a hemicube at one of its patches, until 0.5 % of the light is unshot, or for a number "
+        "of shots that is the same for all. The remaining light is then spread evenly; if much remains, it "
+        "causes most of the error. Hemicubes see the lamps. The last time is an estimate for one hemicube at "
+        "every patch, which gathering needs. The thesis draws all of these again in every pass.");
     Table table(study, ofThesis);
     try {
         table.fill();

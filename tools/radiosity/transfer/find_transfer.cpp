@@ -247,7 +247,7 @@ private:
         if (charts.size() > (size_t)kMostGlossyCharts)
             throw common::Refused("--glossy: " + s.glossy + " has " + std::to_string(charts.size()) +
                                   " planes, more than " + std::to_string(kMostGlossyCharts) +
-                                  ": it is for floors");
+                                  ": choose a material with fewer planes, such as a floor's");
         auto side = (float)std::sqrt(area / (kMostSquares / 4.));
         room.polish = s.polish;
         int functions = room.functions();

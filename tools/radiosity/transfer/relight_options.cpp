@@ -67,8 +67,8 @@ void RelightOptions::addTo(common::CommandLine &line, bool withSky) {
 
 void RelightOptions::refuseFor(const std::string &path, const common::CommandLine &line) {
     if (auto given = line.givenOf({kGroup}); !given.empty())
-        throw common::Refused(given[0].option + " is for a room that `radiosity transfer` wrote; " + path +
-                              " is none");
+        throw common::Refused(given[0].option + " is for a room that `radiosity transfer` wrote, and " +
+                              path + " is not one");
 }
 
 RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {

@@ -28,7 +28,8 @@ void addLayer(ViewLayers &to, const std::string &name) {
             to.*layer.shown = true;
             return;
         }
-    throw common::Refused("--layer is patches, elements, wireframe, hemicube or backs, not " + name);
+    throw common::Refused("unknown layer '" + name +
+                          "': use patches, elements, wireframe, hemicube or backs");
 }
 
 void readViewJob(common::CommandLine &line, ViewJob &job) {
