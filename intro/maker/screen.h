@@ -18,7 +18,7 @@ struct Screen {
     GLuint texture, framebuffer;
 };
 
-// Opens the window and makes its context current. Returns null, or what is missing.
+// Opens the window and makes its context current. Returns null, or an error line.
 const char *open(Screen &s, int width, int height);
 void show(Screen &s, const Picture &p);
 

@@ -41,7 +41,7 @@ public:
     Intro &intro() const { return *now.intro; }
     Sound *sound() const { return now.sound; }
     const Live &live() const { return *now.live; }
-    // One line: what went wrong, or the progress of loading; empty if there is neither.
+    // One line: an error or the progress of loading; empty if there is neither.
     std::string state() const;
     bool isLoading() const { return loading.joinable(); }
     float loaded() const { return isLoading() ? progress.load() : 0; } // 0 .. 1

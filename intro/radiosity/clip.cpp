@@ -12,7 +12,7 @@ struct Border {
     float inside(const FaceCorner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
 };
 
-// Cuts a convex polygon. A new corner is computed from that end of its side that is nearer to the border.
+// Cuts a convex polygon. A new corner is computed from the nearer end of its side.
 // This is precise, and neighbours that share the side compute the same corner. The corner is then moved
 // exactly onto the border, because rounding might leave it many pixels away if a wall is very close to the
 // eye.

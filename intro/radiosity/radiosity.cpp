@@ -14,8 +14,8 @@ static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
     return !arena.full;
 }
 
-// Makes the system for bases of white light. The direct light of a patch is the mean of its texels. Returns
-// false if the arena is full.
+// Makes the system for all bases, whose light is white. The direct light of a patch is the mean of its
+// texels. Returns false if the arena is full.
 static bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers) {
     System &s = r.system;
     int bases = r.bases.count();

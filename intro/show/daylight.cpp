@@ -7,8 +7,8 @@ namespace odraz {
 namespace {
 
 struct SunAndSky {
-    float azimuth,
-        elevation; // of the sun, degrees: from the windows' normal towards the entrance, and upwards
+    // The sun's angles in degrees: from the windows' normal towards the entrance, and upwards
+    float azimuth, elevation;
     Rgb sunlight;
     Rgb low, high, glow; // the sky at the horizon, above, and around the sun
 };

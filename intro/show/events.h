@@ -1,4 +1,4 @@
-// What happens in the film, and when: one table of rows for scenes, score and tests.
+// The film's events and their rows: one table for scenes, score and tests.
 //
 // Rows count from the start of the scene's story, like its camera keys (8 a second, 16 a bar), so events move
 // with their scene. An event marked as heard has a sound in music.h, which begins on its row.

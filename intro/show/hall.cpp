@@ -28,7 +28,7 @@ Material faded(Material m, float grey) {
     m.diffuse = lerp(m.diffuse, 1.f, grey);
     for (Texture *t : {&m.texture, &m.other})
         for (Rgb &c : t->palette) c = lerp(c, Rgb{0.6f, 0.6f, 0.6f}, grey);
-    m.tint *= Rgb{1, 1, 1} * (1 - grey); // of reflections
+    m.tint *= Rgb{1, 1, 1} * (1 - grey); // colour of reflections
     m.specular *= 1 - grey;
     if (grey == 1) m.texture.pattern = Pattern::Plain, m.cell = 0; // the pattern is invisible
     return m;
@@ -47,8 +47,8 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
     // Dark strips are pale glass in front of paler plaster. Lit strips are tubes with a white-hot middle
     for (int i = 0; i < kStrips; ++i) {
         float on = light.strips[i], round = min(on * 4, 1.f);
-        Rgb own = stripLight(i, 1);
-        Material glass = lamp(own * own * on); // more saturated than their light
+        Rgb colour = stripLight(i, 1);
+        Material glass = lamp(colour * colour * on); // more saturated than their light
         glass.texture = {on > 0 ? Pattern::Tubes : Pattern::Plain, 2.5f, {}}, glass.diffuse = 0.6f;
         for (int k = 0; k < 4; ++k)
             glass.texture.palette[k] =
@@ -96,11 +96,11 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
         v.direct[kFirstSun + before + i] = part * (1 - light.sun);
     }
     for (int i = 0; i < kLanterns; ++i) {
-        Rgb own = kLanternLight * light.lanterns[i];
+        Rgb emitted = kLanternLight * light.lanterns[i];
         float offset = clamp(light.extra.position.z / kLanternSpacing, -1.f, 1.f) - (float)(i - 1),
               share = saturate(1 - abs(offset)) / (kLanternRadius * kLanternRadius);
-        v.bounced[kFirstLantern + i] = own + light.extra.intensity * share;
-        v.direct[kFirstLantern + i] = own * (1 - (drawn ? drawn[i] : 0));
+        v.bounced[kFirstLantern + i] = emitted + light.extra.intensity * share;
+        v.direct[kFirstLantern + i] = emitted * (1 - (drawn ? drawn[i] : 0));
     }
     // Subtract what the tracer draws from the lightmap; in shadows the rest has the other side's colour
     for (int i = 0; i < kStrips; ++i) {
@@ -145,27 +145,27 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         float on = light.lanterns[i];
         if (on == 0) continue;
         drawn[i] = saturate((on - least) / (0.15f * on));
-        Vec3 place = hall.radiosity.bases.lamps[i].centre;
-        scene.add(sphere(place, kLanternRadius, kLantern + i));
+        Vec3 centre = hall.radiosity.bases.lamps[i].centre;
+        scene.add(sphere(centre, kLanternRadius, kLantern + i));
         if (drawn[i] > 0)
-            scene.add(Light{place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius),
+            scene.add(Light{centre, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius),
                             kLanternRadius});
     }
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
     // Add the strips' lamp. It is behind the centre of the lit strips, so that shadows turn with the tune,
-    // and sends copper to the left and blue to the right. It is behind the wall, so that it lights neither
-    // wall nor strips, and reaches through it. If it were more than 0.3 m behind the wall, its light on the
-    // side walls would end at a strip on one side and at a gap on the other
+    // and its copper falls to the left and its blue to the right. It is behind the wall, so that it lights
+    // neither wall nor strips, and shines through the wall. If it were more than 0.3 m behind the wall, its
+    // light on the side walls would end at a strip on one side and at a gap on the other
     Rgb burning = {};
-    float aside = 0, on = 1e-6f;
+    float x = 0, on = 1e-6f;
     for (int i = 0; i < kStrips; ++i) {
         burning += stripLight(i, 1) * light.strips[i];
-        aside += light.strips[i] * fmadd((float)i, 0.4f, -1.4f);
+        x += light.strips[i] * fmadd((float)i, 0.4f, -1.4f);
         on += light.strips[i];
     }
     if (light.door * maxComponent(burning) > 0)
-        scene.add(Light{{aside / on, 2.7f, -0.03f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
+        scene.add(Light{{x / on, 2.7f, -0.03f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
 
     // Add what is outside until the door is lit: sand to the horizon, a hill (not a ball: balls cost more)
     // and a pair of columns

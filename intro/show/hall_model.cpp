@@ -65,8 +65,8 @@ void build(Hall &hall) {
         from = kZ - kWindows[i] + kWindow;
     }
     m.addFacet(from, kSill, 2 * kZ, kLintel);
-    for (float middle : kWindows) {
-        Vec3 lo = {-kX - kDeep, kSill, middle - kWindow}, deep = {kDeep, 0, 0},
+    for (float centre : kWindows) {
+        Vec3 lo = {-kX - kDeep, kSill, centre - kWindow}, deep = {kDeep, 0, 0},
              tall = {0, kLintel - kSill, 0};
         Vec3 wide = {0, 0, 2 * kWindow};
         m.addRect(lo, wide, deep, kWall, 0.2f);        // sill

@@ -47,9 +47,9 @@ void drawHemicube(const Hall &hall, float rise, float open, const View &view, Fr
                   along = v * f.u - u * f.v;
             o[k] = now[0][k] + out * (1 + open) - along, a[k] = along * 2, b[k] = n - out * open;
             if (f.row == 0) o[k] += n - u - v, a[k] = u * 2, b[k] = v * 2;
-            float middle = o[k] + (a[k] + b[k]) * 0.5f, reach = (abs(a[k]) + abs(b[k])) * 0.5f;
-            from[k] = (int)clamp(middle - reach, 0.f, limits[k]);
-            to[k] = (int)clamp(middle + reach + 1, 0.f, limits[k]);
+            float centre = o[k] + (a[k] + b[k]) * 0.5f, reach = (abs(a[k]) + abs(b[k])) * 0.5f;
+            from[k] = (int)clamp(centre - reach, 0.f, limits[k]);
+            to[k] = (int)clamp(centre + reach + 1, 0.f, limits[k]);
         }
         float scale = kSeen / (a[0] * b[1] - a[1] * b[0]), rows = f.row ? 0.5f : 1;
         for (int y = from[1]; y < to[1]; ++y)
@@ -72,8 +72,8 @@ void drawHemicube(const Hall &hall, float rise, float open, const View &view, Fr
         Stroke edges[4];
         for (int k = 0; k < 4; ++k) {
             // two along columns, two along rows
-            float *side = k & 1 ? a : b, *other = k & 1 ? b : a, far = k < 2 ? 0 : 1,
-                  x = o[0] + other[0] * far, y = o[1] + other[1] * far;
+            float *side = k & 1 ? a : b, *other = k & 1 ? b : a, end = k < 2 ? 0 : 1,
+                  x = o[0] + other[0] * end, y = o[1] + other[1] * end;
             edges[k] = {x, y, x + side[0], y + side[1]};
         }
         drawStrokes(frame, edges, 4, h * 0.0016f, kEdge, rise);

@@ -104,8 +104,8 @@ const Material kCopper = {.texture = plain(linear(184, 87, 46)),
                           .tint = linear(256, 159, 108)};
 
 Material pearl(bool warm, float reflect) {
-    Rgb own = warm ? linear(184, 66, 28) : linear(141, 143, 148);
-    return {.texture = plain(own),
+    Rgb base = warm ? linear(184, 66, 28) : linear(141, 143, 148);
+    return {.texture = plain(base),
             .diffuse = 0.5f - 0.8f * reflect,
             .specular = 13 / 16.f,
             .exponent = 300,

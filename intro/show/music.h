@@ -24,8 +24,8 @@ constexpr const char *const kChords[] = {
     [kCredits] = "dddddd",
 };
 
-// .bars: from and to. .sound: instrument, octave, tones at once, room, per cent to the left. .strokes: their
-// number, and over how many rows. .velocity: at the start and at the end.
+// .bars: from, to. .sound: instrument, octave, tones at once, room, per cent to the left. .strokes: number, rows.
+// .velocity: at the start, at the end.
 static constexpr Part kParts[] = {
     {.scene = kPoint, .bars = {0, 5}, .sound = {kGlassDrop, 5, 1, 100}, .strokes = {5, 64}, .velocity = {50, 60}, .line = "..D.aG"},
     {.scene = kPoint, .bars = {0, 8}, .sound = {kWind, 6, 1, 100}, .strokes = {1, 32}, .velocity = {8, 16}, .line = "0"},

@@ -42,14 +42,14 @@ struct SceneEntry {
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
-// The data of all pictures: a scene that is posed for each of them, and what they share.
+// The data for making pictures: the scene, which is posed for each of them, and data that all share.
 struct Film {
     Scene *scene;
     Hall *hall; // null if no scene needs it
     Facts facts;
 };
 
-// What is shown at a time, with its scene posed.
+// The posed scene of a time, with its shot and camera.
 struct Posed {
     const Shot *shot;
     SceneInput input;

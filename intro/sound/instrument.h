@@ -33,8 +33,8 @@ struct Instrument {
     float vibrato = 0;  // amplitude of the vibrato of sines, as a share of the pitch
     float room = 0;     // send to the room, as a share of the dry sound
     float echo = 0;     // send to the echo, likewise
-    float ducks = 0;    // how far it lowers instruments that can be ducked: 0 .. 1
-    float ducked = 0;   // how far others can lower it: 0 .. 1
+    float ducks = 0;    // share by which it lowers instruments that can be ducked: 0 .. 1
+    float ducked = 0;   // share by which others can lower it: 0 .. 1
 };
 
 inline constexpr float kHighest = 20000; // Hz: no partial is higher, so nothing aliases

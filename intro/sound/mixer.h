@@ -22,7 +22,7 @@ using RowPlayer = void (*)(Mixer &mixer, int row);
 struct Mixer {
     RowPlayer player;
     int block;       // index of the next block
-    float ducked;    // how far loud instruments lower the others now: 0 .. 1
+    float ducked;    // share by which loud instruments now lower the others: 0 .. 1
     bool muted;      // set by the player: the gain falls to 0 within 30 ms, and stays 0 until this is cleared
     float crossfeed; // set by the player: the share of each channel that the other gets; 0.5: both are equal
     float power;     // mean square of the mix, over 0.1 s while it grows and 1 s while it falls

@@ -29,8 +29,8 @@ struct Moment {
     float fade;     // 0 black .. 1 full
 };
 
-// Returns what plays at a film row: before the film the start of the first shot, after it the end of the last
-// shot.
+// Returns the shot at a film row. Before the film this is the start of the first shot, after it the end of
+// the last shot.
 Moment momentAt(ShotList list, double at);
 
 } // namespace odraz

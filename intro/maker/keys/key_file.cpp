@@ -194,7 +194,7 @@ void KeyFile::set(size_t table, const std::vector<KeyNumbers> &keys) {
         if (lines[i].table == table) keyLines.push_back(i);
     std::vector<Line> now;
     size_t done = 0;
-    auto copyUpTo = [&](size_t end) { // of keys only their comments
+    auto copyUpTo = [&](size_t end) { // copies lines, but of this table's keys only their comments
         for (; done < end; ++done) {
             const Line &line = lines[done];
             if (line.table != table)

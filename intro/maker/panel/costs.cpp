@@ -79,11 +79,11 @@ struct HeatMap {
         for (int qy = y; qy < y1; qy += half)
             for (int qx = x; qx < x1; qx += half) {
                 int rx = std::min(qx + half, x1), ry = std::min(qy + half, y1);
-                uint32_t own = sum(qx, qy, rx, ry);
-                if (own < 2 && !(half == 1 && own)) // a single pixel is shown even with one sample
+                uint32_t inside = sum(qx, qy, rx, ry);
+                if (inside < 2 && !(half == 1 && inside)) // a single pixel is shown even with one sample
                     f(qx, qy, rx, ry, mean);
                 else
-                    divide(qx, qy, half, own, f);
+                    divide(qx, qy, half, inside, f);
             }
     }
 };

@@ -1,4 +1,4 @@
-// What odraz-debug needs of the film in addition to intro.h: shots, camera keys, events, and the costs of a
+// The film's data for odraz-debug in addition to intro.h: shots, camera keys, events, and the costs of a
 // picture. One table has all functions, because the film is a shared object.
 #pragma once
 

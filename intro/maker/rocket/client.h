@@ -46,7 +46,7 @@ public:
     uint64_t version() const { return changes; }
     const Track &track(size_t i) const { return keys[i]; }
 
-    // What the editor has sent since the last call.
+    // These return the editor's requests since the last call.
     std::optional<uint32_t> takeRow() { return std::exchange(sentRow, {}); }
     std::optional<bool> takePause() { return std::exchange(sentPause, {}); }
     bool takeSave() { return std::exchange(sentSave, false); }

@@ -1,5 +1,5 @@
-// Scene 7. The word that the last ball mirrored, on the marble of scene 1. The text says what the film is,
-// its size in bytes, who made it and on which processor it runs, and greets the authors of its methods.
+// Scene 7. The word that the last ball mirrored, on the marble of scene 1. The text names the film's method,
+// size, authors and processor, and greets the inventors of its methods.
 #include "base/maths.h"
 #include "base/text.h"
 #include "show/font.h"

@@ -17,13 +17,13 @@ namespace odraz {
 enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
-constexpr float kGlow = 2.8f; // of all strips together; a tone adds to one of them
+constexpr float kGlow = 2.8f; // the strips' total light; a tone adds to one of them
 constexpr int kCanon = 8;     // the beat at which the mirrored voice begins in music.h
 
 // Balls in three lanes: the one that stays and three behind it, and six on either side. The first to come is
 // in front and goes last, so that no ball passes another.
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
-constexpr float kFrontZ = -5, kHiddenZ = -11.4f; // where the front ball stays; behind the door
+constexpr float kFrontZ = -5, kHiddenZ = -11.4f; // z of the front ball when it stops; z behind the door
 constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
                                       {kClear, kPale, kRed, kPale, kRed, kPale}};
 

@@ -108,7 +108,7 @@ TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
         double d2 = (double)dot(p - Vec3{0, 2.5f, 0}, p - Vec3{0, 2.5f, 0}),
                exact = 0.01 / d2 * 2.5 / std::sqrt(d2);
         float got = room.r->direct[0][texel];
-        // The shadow of the block is 5/3 of its size
+        // The block's shadow is 5/3 times its size
         double out = std::fmax(std::fabs((double)p.x), std::fabs((double)p.z));
         if (out > 1.05) {
             EXPECT_NEAR((double)got, exact, exact * 0.02) << p.x << ' ' << p.z;

@@ -161,8 +161,8 @@ TEST(Score, MirrorsTheTuneInACanon) {
     for (int beat = 8; beat < 32; beat += 2) {
         char upper = soundingAt(kTune, beat), lower = soundingAt(kMirrored, beat - 8),
              chord = chordAt(firstRow(kOdraz) + 4 * beat);
-        int apart = (keyOf(upper, chord) - keyOf(lower, chord) + 24) % 12;
-        bool agree = std::set<int>{0, 3, 4, 5, 7, 8, 9}.count(apart) || (chord == 'A' && lower == 'a');
+        int interval = (keyOf(upper, chord) - keyOf(lower, chord) + 24) % 12;
+        bool agree = std::set<int>{0, 3, 4, 5, 7, 8, 9}.count(interval) || (chord == 'A' && lower == 'a');
         EXPECT_TRUE(agree || beat % 4) << beat << ": " << upper << " over " << lower;
         passing += !agree;
     }
@@ -182,8 +182,8 @@ TEST(Score, HasACounterTuneInTheGrowth) {
             }
         if (row % 8) continue;
         if (kTune[row / 8] != '-') upper = kTune[row / 8];
-        int apart = (key - keyOf(upper, chordAt(from + row)) + 24) % 12;
-        EXPECT_TRUE((std::set<int>{0, 3, 4, 5, 7, 8, 9}.count(apart)))
+        int interval = (key - keyOf(upper, chordAt(from + row)) + 24) % 12;
+        EXPECT_TRUE((std::set<int>{0, 3, 4, 5, 7, 8, 9}.count(interval)))
             << row << ": " << key << " over " << upper;
     }
     EXPECT_LE(high - low, 12);

@@ -11,8 +11,8 @@ constexpr const char *const kChords[] = {
     [kStage] = "DBADD",
 };
 
-// .bars: from and to. .sound: instrument, octave, tones at once, room, per cent to the left. .strokes: their
-// number, and over how many rows. .velocity: at the start and at the end.
+// .bars: from, to. .sound: instrument, octave, tones at once, room, per cent to the left. .strokes: number, rows.
+// .velocity: at the start, at the end.
 static constexpr Part kParts[] = {
     {.scene = kStage, .bars = {0, 4}, .sound = {kPad, 3, 4, 100}, .strokes = {1, 16}, .velocity = {70, 90}, .line = "0"},
     {.scene = kStage, .bars = {0, 4}, .sound = {kPiano, 2, 1, 60}, .strokes = {1, 16}, .velocity = {80, 90}, .line = "0"},

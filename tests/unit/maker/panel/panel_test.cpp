@@ -107,7 +107,7 @@ TEST(Heat, ShowsHowFarApartTheSamplesAre) {
     EXPECT_TRUE(shows(23, 11, 0));
 }
 
-// --- What a picture costs ---
+// --- The costs of a picture ---
 
 TEST(PictureCosts, PartsSumToLessThanTheWhole) {
     FilmWithPanel film(320, 180);
@@ -228,7 +228,7 @@ TEST(Panel, ScrubsAndHoldsTheTimeAtTheMouse) {
     h.panel.move(h.x(70), 3); // may leave the strip
     h.steer();
     EXPECT_NEAR(h.time, 70, 1e-6);
-    h.time += 0.1; // the film goes on
+    h.time += 0.1; // the film plays
     h.steer();
     EXPECT_NEAR(h.time, 70, 1e-6);
     h.panel.release();
