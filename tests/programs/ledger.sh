@@ -21,7 +21,7 @@ check "nothing on stderr while all rooms keep to their shares" test ! -s "$WORK/
 check "no room is forgotten" test "$(awk 'NR == FNR { row[$1] = 1; next } !($1 in row)' "$WORK/printed" "$WORK/folders")" = ""
 report 40000
 check "a room that outgrows its share" prints '^trace +40000 .*more than its share$' rooms
-check "... is reported on stderr" grep -q 'trace has outgrown its share' "$WORK/err"
+check "... is reported on stderr" grep -q 'trace is over its share' "$WORK/err"
 rm "$WORK/build/odraz.json"
 check "a film that is not built" refuses 1 "build film and pack first" env BUILD="$WORK/build" "$ledger" rooms
 

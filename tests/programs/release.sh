@@ -59,7 +59,7 @@ if [ "$pages" = 1 ]; then
 fi
 check "the tools alone" prints "odraz-tools-.*gz\$" "$release" --built --unclean --only tools --to "$WORK/tools"
 check "... have the same files, in one archive" diff <(tar -tzf "$WORK"/tools/*) <(tar -tzf "$WORK"/one/odraz-tools-*)
-check "... nothing else can be made alone" refuses 2 "--only takes tools, not 'film'" "$release" --only film
+check "... nothing else can be made alone" refuses 2 "--only needs tools, not 'film'" "$release" --only film
 
 # The tools' archive, which also runs on older systems
 tools=odraz-tools-${name#odraz-}-linux-x86_64
@@ -88,8 +88,8 @@ check "... and reports what is wrong with a file" refuses 2 "cannot read" ./radi
 cd "$WORK" || exit 1
 
 # Wrong arguments and programs are refused
-check "a poster that is no picture" refuses 2 "is no PNG" "$release" --poster "$BUILD/odraz"
-check "a folder that cannot be made" refuses 1 "cannot write into" "${made[@]}" --to /proc/here
+check "a poster that is no picture" refuses 2 "is not a PNG" "$release" --poster "$BUILD/odraz"
+check "a folder that cannot be made" refuses 1 "cannot write to" "${made[@]}" --to /proc/here
 check "programs that are not there" env BUILD="$WORK" bash -c '"$@" 2>&1 | grep -q "is not built"' - "${made[@]}" --to "$WORK/three"
 refuses_unclean() { # the + of a program's version marks that its tree differed
     mkdir "$WORK/other"

@@ -60,23 +60,23 @@ kept() { # restores the folder of finished shards
     rm -rf "$parts" && cp -r "$to/kept.mp4.parts" "$parts"
 }
 resumes() { # resumes LEFT
-    rendered "${parted[@]}" --resume --keep "$to/r.mp4" && reported "$((3 - $1)) of 3 shards are there, $1 to do" && same_video "$to/r.mp4"
+    rendered "${parted[@]}" --resume --keep "$to/r.mp4" && reported "$((3 - $1)) of 3 shards are done, $1 are left" && same_video "$to/r.mp4"
 }
 kept
 rm "$parts/000405-000407.sums"
 truncate -s -5 "$parts/000395-000400.nut"
 flip "$parts/000400-000405.nut" 5000
 check "one unfinished, one cut short, one damaged: all are made again, to the same video" resumes 3
-check "... and those that were there are reported" test "$(grep -c 'again: what was kept is missing or damaged' "$WORK/err")" = 2
+check "... and those that were there are reported" test "$(grep -c 'again: its file is missing or damaged' "$WORK/err")" = 2
 kept
 cp "$parts/000395-000400.nut" "$parts/000400-000405.nut"
 sed -i "\$ s/^[0-9a-f]*/$(sha256sum <"$parts/000395-000400.nut" | cut -d' ' -f1)/" "$parts/000400-000405.sums"
 check "a shard that holds other frames, and seems right" fails "${parted[@]}" --resume "$to/r.mp4"
-check "... is reported" reported 'frame 400 is not what the film drew; --resume makes its shard again'
+check "... is reported" reported 'frame 400 differs from the film; --resume makes its shard again'
 check "... and it does" resumes 1
-check "a run that was made is not overwritten" refuses 1 "r.mp4.parts is there from an earlier run: --resume goes on with it, or remove it" \
+check "a run that was made is not overwritten" refuses 1 "r.mp4.parts is left from an earlier run: continue it with --resume, or remove it" \
     "$render" --film "$film" "${parted[@]}" "$to/r.mp4"
-check "... nor mixed with one of another quality" refuses 1 "was made otherwise, 'quality draft', now 'quality play'" \
+check "... nor mixed with one of another quality" refuses 1 "was made with 'quality draft', now 'quality play'" \
     "$render" --film "$film" "${parted[@]}" --quality play --resume "$to/r.mp4"
 rm -r "$to"/*.parts
 
@@ -115,7 +115,7 @@ interrupted() { # interrupted OUT OPTION...
     await eval "ls '$1.parts'/*.sums >/dev/null 2>&1 || gone $began"
     kill -INT -- "-$began"
     ended $began
-    [ $? = 130 ] && reported 'stopped; --resume goes on from here'
+    [ $? = 130 ] && reported 'stopped; --resume continues from here'
 }
 all_gone() { ! grep -lqF "$to" /proc/[0-9]*/cmdline 2>/dev/null && ! ls -l /proc/[0-9]*/cwd 2>/dev/null | grep -qF "$to"; }
 check "Ctrl-C ends it" interrupted "$to/int.mp4" --jobs 2
@@ -151,10 +151,10 @@ END
     check "no film is left there" test -z "$(ls "$WORK/there")"
     hosts broken
     check "no host is left" fails "${on_hosts[@]}" "$to/none.mp4"
-    check "... is reported" grep -q 'shards are not done; --resume goes on' "$WORK/err"
+    check "... is reported" grep -q 'shards are not done; --resume continues' "$WORK/err"
     rm -r "$to/none.mp4.parts"
     hosts deaf
-    check "a host that cannot be reached" refuses 1 "deaf does not take the film" "$render" --film "$film" "${on_hosts[@]}" "$to/none.mp4"
+    check "a host that cannot be reached" refuses 1 "cannot copy the film to deaf" "$render" --film "$film" "${on_hosts[@]}" "$to/none.mp4"
     rm -r "$to/none.mp4.parts"
     hosts 1/: far
     check "Ctrl-C ends GNU parallel" interrupted "$to/int.mp4" --ssh "$WORK/ssh" --hosts "$WORK/hosts"

@@ -45,7 +45,7 @@ fi
 in_background env -u DISPLAY "$house/tools/watch"
 check "without a display it ends with status 0" ended $pid
 check "... first prints what it does and how long it takes" eval \
-    'sed -n 1p "$WORK/err" | grep -q "^building the film: some two minutes .* log in .*/build/build.log$"'
+    'sed -n 1p "$WORK/err" | grep -q "^building the film: about two minutes .* log in .*/build/build.log$"'
 check "... prints that there is no display, before it builds" eval 'sed -n "/^no display/,\$p" "$WORK/err" | grep -q "^building: "'
 check "... makes a contact sheet of 33 frames" prints ' 1956x1560 ' identify "$to/film.png"
 probe() { ffprobe -v error -show_entries stream=codec_name,duration -of csv=p=0 "$to/film.mp4" | tr '\n' ' '; }

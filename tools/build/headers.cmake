@@ -1,9 +1,9 @@
-# Headers of the standard library and of GoogleTest, compiled once for all tools and once for all tests. Reading them in
-# every file took a third of the build time.
+# Precompiled headers of the standard library and of GoogleTest, one set for all tools and one for all tests. Without
+# them a third of the build time was spent on reading these headers.
 
-# headers(NAME "PROCESSOR;..." "OPTION;..." HEADER...): sets the variable HEADERS_NAME to the options that include these
-# headers before all others. They are compiled for each of these processors, with these options. The compiler takes those
-# that match the options of a file, and reads the headers themselves where none match.
+# headers(NAME "PROCESSOR;..." "OPTION;..." HEADER...): precompiles the headers for each processor with the options, and
+# sets HEADERS_NAME to the compiler options that include them first. The compiler uses the precompiled headers that
+# match the options of a file; if none match, it reads the headers themselves.
 function(headers name processors more)
     set(header ${GENERATED}/headers/${name}.h)
     list(TRANSFORM ARGN REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE lines)

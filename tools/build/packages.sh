@@ -1,11 +1,11 @@
-# Sourced by the scripts: installs Debian packages that are missing, and builds.
+# Sourced by the scripts: installs missing Debian packages, and builds.
 
-# during WHAT LOG COMMAND...: runs the command. Meanwhile it prints WHAT is done, the last count of Ninja or Make in LOG
-# (none if empty), and the seconds: on a terminal in one line that changes, elsewhere in a line every five seconds
+# during WHAT LOG COMMAND...: runs the command. Meanwhile prints WHAT, the last step count of Ninja or Make in the file
+# LOG (if not empty), and the seconds: on a terminal as one changing line, otherwise as a line every five seconds
 during() {
     local what=$1 log=$2 status=0 printer
     shift 2
-    # This is in the background, and not the command: Ctrl-C ends only what is in the foreground
+    # Print in the background and run the command in the foreground, since Ctrl-C ends only the foreground
     print_progress </dev/null >/dev/null &
     printer=$!
     "$@" || status=$?
@@ -27,7 +27,7 @@ print_progress() {
     done
 }
 
-# need WHY PACKAGE...
+# need WHY PACKAGE...: installs the packages that are missing
 need() {
     local why=$1 missing=() package
     shift
@@ -38,15 +38,15 @@ need() {
     echo "installing for $why: ${missing[*]}" >&2
     local root=()
     if [ "$(id -u)" -ne 0 ]; then
-        command -v sudo >/dev/null || { echo "${0##*/}: packages are missing and there is no sudo: as root, run apt-get install ${missing[*]}" >&2; exit 1; }
+        command -v sudo >/dev/null || { echo "${0##*/}: packages are missing, and there is no sudo: as root, run apt-get install ${missing[*]}" >&2; exit 1; }
         root=(sudo)
-        sudo true # which may ask for a password
+        sudo true # may ask for a password
     fi
     during installing "" install "${missing[@]}" || { echo "${0##*/}: apt-get could not install ${missing[*]}" >&2; exit 1; }
 }
-install() { # uses root, of need()
+install() { # uses the variable root of need()
     local by_apt=("${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@")
-    # The package lists may be old or missing: fetch them if the first try fails
+    # If this fails, fetch the package lists, which may be old or missing, and try again
     "${by_apt[@]}" >/dev/null 2>&1 || { "${root[@]}" apt-get update -qq && "${by_apt[@]}" >/dev/null; }
 }
 
@@ -54,18 +54,18 @@ need_for_building() {
     need "building" g++ binutils cmake ninja-build git ca-certificates libx11-dev libgl-dev libegl-dev libgl1 libgl1-mesa-dri libegl1
 }
 
-# build TARGET... [-DOPTION...]: configures and builds in $BUILD (build/ if not set)
+# build TARGET... [-DOPTION...]: configures and builds in $BUILD (default build/)
 build() {
     local to=${BUILD:-$ODRAZ/build} targets=() options=() word generator
     for word in "$@"; do case $word in -D*) options+=("$word") ;; *) targets+=("$word") ;; esac; done
-    # A folder that was configured with one generator stays with it
+    # Keep the generator of a folder that is already configured
     generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$to/CMakeCache.txt" 2>/dev/null || true)
     mkdir -p "$to"
     during building "$to/build.log" by_cmake ||
         { tail -n 40 "$to/build.log" >&2; echo "${0##*/}: the build failed; its whole output is in $to/build.log" >&2; exit 1; }
     grep -A 3 'warning: ' "$to/build.log" >&2 || true
 }
-by_cmake() { # uses what build() sets
+by_cmake() { # uses the variables of build()
     cmake -S "$ODRAZ" -B "$to" -G "${generator:-Ninja}" "${options[@]}" >"$to/build.log" 2>&1 &&
         cmake --build "$to" -j "$(nproc)" --target "${targets[@]}" >>"$to/build.log" 2>&1
 }

@@ -1,5 +1,5 @@
-# knows(ROOM OTHER...): code of this room may include and link code of these rooms, and of those that they know. A room
-# is a folder, or a file, with or without its ending, that has its own rules; names are paths from the top. CMake does
-# nothing with it: tests/programs/house.pl reads it and compares all includes and links with it.
+# knows(ROOM OTHER...): ROOM may include and link the OTHER rooms and all rooms that these know. A room is a folder, or
+# a file with its own rules (its name may lack the ending); names are paths from the repository's root. CMake ignores
+# these lines; tests/programs/house.pl compares all includes and links with them.
 function(knows room)
 endfunction()

@@ -1,5 +1,5 @@
 cmake_policy(VERSION 3.25)
-# Writes OUT: the version and the commit of SOURCE, "+" behind it when tracked files differ from it.
+# Writes the version and the commit of SOURCE to OUT, with a "+" after the commit if tracked files differ from it.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --short=12 HEAD OUTPUT_VARIABLE commit
     OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)

@@ -1,6 +1,6 @@
-# Sourced by tools/render: runs the shards by xargs here, by GNU parallel on hosts, by sbatch on a cluster.
+# Sourced by tools/render: runs the shards by xargs on this machine, by GNU parallel on hosts, by sbatch on a cluster.
 
-# list_shards: lines of A B NAME, for frames A to before B
+# list_shards: writes a line A B NAME for each shard, which has the frames from A to before B
 list_shards() {
     local a b
     for ((a = first; a < end; a += shard)); do
@@ -9,29 +9,29 @@ list_shards() {
     done >"$parts/shards"
 }
 
-# check_shard A B NAME: prints good, missing, or what is wrong with the shard
+# check_shard A B NAME: prints "good", "missing", or the fault of the shard
 check_shard() {
     local sums=$parts/$3.sums in=$parts want=$(($2 - $1))
     [ -e "$sums" ] || { echo missing; return; }
     [ $kind != frames ] || in=$parts/frames
     if ! (cd "$in" && { [ $kind = frames ] && cat "$sums" || tail -n 1 "$sums"; } | sha256sum --check --status --strict) 2>/dev/null; then
-        echo "what was kept is missing or damaged"
+        echo "its file is missing or damaged"
     elif [ "$(grep -cE '^[0-9a-f]{64}  frame-[0-9]{6,}\.ppm$' "$sums")" != $want ]; then
-        echo "its list of sums is damaged"
+        echo "its list of checksums is damaged"
     else
         echo good
     fi
 }
 
-# start COMMAND...: runs it in the background, in a process group of its own; sets engine
+# start COMMAND...: runs the command in the background, in its own process group; sets engine
 start() {
     set -m
     "$@" &
     engine=$!
     set +m
 }
-# signal NAME: signals the engine and the shards, which GNU parallel puts into process groups of their own; false if
-# none runs
+# signal NAME: signals the engine and the shards, which GNU parallel puts into their own process groups. Fails if none
+# runs
 signal() {
     local group some=
     for group in "$engine" $(cat "$parts"/*.group 2>/dev/null); do
@@ -53,19 +53,19 @@ by_xargs() { exec xargs -P "$jobs" -L 1 -a "$parts/todo" bash "$parts/shard" "$p
 by_parallel() {
     local quoted
     printf -v quoted %q "$parts"
-    # Independent of the caller's shell and settings. Without $SHELL parallel does nothing, with status 0
+    # Do not depend on the caller's shell and settings: without $SHELL parallel does nothing, with status 0
     export PARALLEL_SHELL=$BASH PARALLEL_HOME=$parts/parallel
     mkdir -p "$PARALLEL_HOME"
     exec parallel --will-cite --jobs 100% --sshloginfile "$parts/hosts" --ssh "$parts/here" --retries 2 --halt soon,fail=1 \
         --colsep ' ' -a "$parts/todo" bash "$quoted/shard" "$quoted" '{1} {2} {3} {4} {5}'
 }
 by_sbatch() {
-    # Unbuffered, since scancel needs the job's number while sbatch waits
+    # Without buffering, since scancel needs the job's number while sbatch waits
     exec stdbuf -oL sbatch --wait --parsable "${sbatch[@]}" --job-name=render --array="1-$left${jobs:+%$jobs}" --chdir=/ \
         --output="$parts/slurm-%a.log" "$parts/task" >"$parts/job"
 }
 
-# meet_hosts: gives every host the film. A line of hosts.film is a host and the film's folder there.
+# meet_hosts: copies the film to every host. A line of hosts.film is a host and the film's folder there
 meet_hosts() {
     local line host at
     : >"$parts/hosts.part"
@@ -80,11 +80,11 @@ meet_hosts() {
         [ "$host" != : ] && ! awk -v host="$host" '$1 == host { found = 1 } END { exit !found }' "$parts/hosts.film" || continue
         at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d \${TMPDIR:-/tmp}/render-XXXXXX) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
             <"$parts/film" 2>"$parts/host.err" 9>&-) && [ -n "$at" ] ||
-            fail "$host does not take the film: $(grep -m 1 . "$parts/host.err" || echo "it ended without a word")"
+            fail "cannot copy the film to $host: $(grep -m 1 . "$parts/host.err" || echo "no message")"
         echo "$host $at" >>"$parts/hosts.film"
     done <"$hosts"
     rm -f "$parts/host.err"
-    [ -s "$parts/hosts.part" ] || fail "$hosts names no host"
+    [ -s "$parts/hosts.part" ] || fail "$hosts has no host"
     mv "$parts/hosts.part" "$parts/hosts"
 }
 leave_hosts() {
@@ -104,7 +104,7 @@ render_shards() {
         meet_hosts
         start by_parallel 2>"$parts/engine.err"
     elif [ -n "$slurm" ]; then
-        # A task's number is its line in todo
+        # The number of a task is its line in todo
         printf '#!/bin/bash\nexport RENDER_THREADS=%q\nread -ra words <<<"$(sed -n "${SLURM_ARRAY_TASK_ID}p" %q)"\nexec bash %q %q "${words[@]}"\n' \
             "$threads" "$parts/todo" "$parts/shard" "$parts" >"$parts/task"
         start by_sbatch 2>"$parts/engine.err"
@@ -118,6 +118,6 @@ render_shards() {
     leave_hosts
     lacking=$(while read -r _ _ name; do [ -e "$parts/$name.sums" ] || echo "$name"; done <"$parts/shards" | wc -l)
     [ "$lacking" = 0 ] && return 0
-    [ $failures -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "without a word")" >&2
-    fail "$lacking of $total shards are not done; --resume goes on with them"
+    [ $failures -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "no message")" >&2
+    fail "$lacking of $total shards are not done; --resume continues with them"
 }

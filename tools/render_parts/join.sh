@@ -1,16 +1,16 @@
-# Sourced by tools/render: shards become a video.
+# Sourced by tools/render: joins the shards to a video.
 
 write_manifest() {
     local name
-    # The division into shards is left out, since it changes nothing
+    # Without the division into shards, which changes nothing
     sed -n '/^shards of /,$ !s/^/# /p' "$parts/plan"
     while read -r _ _ name; do grep 'frame-' "$parts/$name.sums"; done <"$parts/shards"
 }
 
 frames_joined() { cat "$parts/joined.hashes" 2>/dev/null | grep -c '^0,' || true; }
 
-# x264's bytes depend on its number of threads, so that is fixed. Colours: the film's sRGB is declared as Rec. 709, as
-# players expect.
+# The number of threads is fixed, since x264's bytes depend on it. The film's sRGB is declared as Rec. 709, as players
+# expect.
 by_ffmpeg() {
     local coded=(-c:v ffv1 -level 3 -g 1 -slices 4 -slicecrc 1 -pix_fmt bgr0 -c:a flac)
     [ $kind = mkv ] || coded=(
@@ -23,7 +23,7 @@ by_ffmpeg() {
         -map 0:v -c:v ppm -flush_packets 1 -f framehash -hash sha256 joined.hashes
 }
 
-# Proves that the video has what the film drew: every frame is hashed again on its way
+# Joins the shards, and proves that every frame of the video is as the film drew it, by hashing it again
 join_video() {
     local wrong name
     while read -r _ _ name; do echo "file '$name.nut'"; done <"$parts/shards" >"$parts/list"
@@ -35,7 +35,7 @@ join_video() {
     if [ -n "$wrong" ]; then
         wrong=$((first + wrong - 1))
         while read -r a b name; do [ $wrong -lt "$a" ] || [ $wrong -ge "$b" ] || rm -f "$parts/$name.sums"; done <"$parts/shards"
-        fail "frame $wrong is not what the film drew; --resume makes its shard again"
+        fail "frame $wrong differs from the film; --resume makes its shard again"
     fi
     mv "$parts/joined.part.$kind" "$parts/joined.$kind"
 }

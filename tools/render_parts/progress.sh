@@ -1,6 +1,6 @@
-# Sourced by tools/render: prints its progress on stderr, as a bar on a terminal, otherwise as a line every 30 seconds.
+# Sourced by tools/render: prints progress on stderr, as a bar on a terminal, otherwise as a line every 30 seconds.
 
-# frames_done: counts the frames of all shards, unfinished ones included
+# frames_done: counts the frames of all shards, with unfinished shards
 frames_done() {
     find "$parts" -maxdepth 1 \( -name '*.sums' -o -name '*.sums.part' -o -name '*.hashes.part' \) -exec cat {} + 2>/dev/null |
         awk '/frame-|^0,/ { ++n } END { print n + 0 }'
@@ -12,7 +12,7 @@ clock() { # clock SECONDS
 
 barred=
 printed_at=0
-# show WHAT DONE OF BEGAN DONE-THEN: estimates the time left from the rate since it began
+# show WHAT DONE OF BEGAN DONE-THEN: prints the progress; estimates the time left from the rate since BEGAN
 show() {
     local what=$1 done=$2 of=$3 took=$((SECONDS - $4)) new=$(($2 - $5)) left= full width=30
     if [ $new -gt 0 ] && [ $took -gt 0 ]; then left=", $(clock $((took * (of - done) / new))) left"; fi
@@ -27,7 +27,7 @@ show() {
 }
 bar_ends() { [ -z "$barred" ] || { printf '\r\e[K' >&2; barred=; }; }
 
-# follow WHAT OF COUNT-COMMAND: shows progress until the process $engine ends; returns its status
+# follow WHAT OF COUNT-COMMAND: prints progress until the process $engine ends; returns its status
 follow() {
     local what=$1 of=$2 status=0 then since=$SECONDS shown=-1
     shift 2
@@ -59,6 +59,6 @@ report_failures() {
         rm "$failed"
         failures=$((failures + 1))
         bar_ends
-        echo "tools/render: frames $((10#${name%%-*})) to $((10#$(cut -d - -f 2 <<<"$name") - 1)) failed${host:+ on $host}: ${reason:-it ended without a word}" >&2
+        echo "tools/render: frames $((10#${name%%-*})) to $((10#$(cut -d - -f 2 <<<"$name") - 1)) failed${host:+ on $host}: ${reason:-no message}" >&2
     done
 }

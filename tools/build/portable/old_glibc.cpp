@@ -1,8 +1,8 @@
-// Linked to a program so that any glibc since 2.31 runs it (Debian 11, Ubuntu 22.04). Otherwise linking with
-// a newer glibc would require the newest version of each function, which older systems lack.
+// Linked to a program so that it runs with any glibc since 2.31 (Debian 11, Ubuntu 22.04). A program linked
+// with a newer glibc would otherwise require the newest version of each function, which older systems lack.
 //
-// By ld --wrap (portable.cmake) all calls of the functions below go to __wrap_NAME. Those call the oldest
-// version, which every glibc keeps, or do the work themselves.
+// ld --wrap (portable.cmake) redirects all calls of the functions below to __wrap_NAME. These call the oldest
+// version, which every glibc has, or do the work themselves.
 #include <cstddef>
 #include <cstdint>
 #include <link.h>
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// OLD(RESULT, NAME, (PARAMETERS), (ARGUMENTS)): forwards NAME to its first version.
+// OLD(RESULT, NAME, (PARAMETERS), (ARGUMENTS)): forwards NAME to its oldest version.
 #define OLD(result, name, parameters, arguments)                                                             \
     extern "C" result old_##name parameters;                                                                 \
     __asm__(".symver old_" #name ", " #name "@GLIBC_2.2.5");                                                 \
@@ -33,7 +33,7 @@ OLD(int, pthread_rwlock_unlock, (pthread_rwlock_t * lock), (lock))
 OLD(void *, pthread_getspecific, (pthread_key_t key), (key))
 OLD(int, pthread_setspecific, (pthread_key_t key, const void *value), (key, value))
 
-// Before 2.33 these were inline functions that call others.
+// Before 2.33 these were inline functions, which called the functions below.
 extern "C" {
 int __xstat(int version, const char *path, struct stat *to);
 int __lxstat(int version, const char *path, struct stat *to);
@@ -45,7 +45,8 @@ extern "C" int __wrap_lstat(const char *path, struct stat *to) { return __lxstat
 extern "C" int __wrap_fstat(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }
 extern "C" int __wrap_fstat64(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }
 
-// Since 2.32 it is 1 while there is one thread, and some locks are left out. 0 is always right.
+// Since 2.32 this variable is 1 while there is only one thread, so that locks can be skipped. 0 is always
+// right.
 extern "C" {
 char __wrap___libc_single_threaded = 0;
 }
@@ -57,14 +58,14 @@ extern "C" uint32_t __wrap_arc4random() {
     return random;
 }
 
-// Before 2.35 there was no _dl_find_object, by which libgcc finds how a function is unwound: where the object
-// that has `pc` keeps its table.
+// Before 2.35 there was no _dl_find_object, by which libgcc finds the unwind table of the object that
+// contains `pc`.
 namespace {
 struct Search {
     uintptr_t pc;
     void *table;
 };
-int look(dl_phdr_info *object, size_t, void *context) {
+int findTable(dl_phdr_info *object, size_t, void *context) {
     Search &s = *(Search *)context;
     bool here = false;
     void *table = nullptr;
@@ -78,16 +79,16 @@ int look(dl_phdr_info *object, size_t, void *context) {
     return here;
 }
 } // namespace
-// libgcc reads nothing of `to` but the table.
+// libgcc reads only the table from `to`.
 extern "C" int __wrap__dl_find_object(void *pc, dl_find_object *to) {
     Search s = {(uintptr_t)pc, nullptr};
-    dl_iterate_phdr(look, &s);
+    dl_iterate_phdr(findTable, &s);
     to->dlfo_eh_frame = s.table;
     return s.table ? 0 : -1;
 }
 
-// Since 2.34 __libc_start_main calls the program's constructors itself; before, crt1.o gave it a function
-// that did.
+// Since 2.34 __libc_start_main calls the program's constructors itself. Before, it called a function that
+// crt1.o passed.
 extern "C" {
 using Entry = void (*)(int, char **, char **);
 extern Entry __preinit_array_start[], __preinit_array_end[], __init_array_start[], __init_array_end[];

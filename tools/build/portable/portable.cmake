@@ -1,9 +1,9 @@
-# The tools, linked so that systems older than this one run them, for tools/release: build/portable/NAME. Their objects
-# are those of the ordinary programs.
+# Portable tools for tools/release, which also run on older systems: build/portable/NAME. They are linked from the
+# objects of the ordinary programs.
 add_custom_target(portable)
 
-# portable(PROGRAM static|dynamic): static, it needs no library. dynamic, for a program that opens libraries by name, it
-# needs a glibc of 2.31 or later; old_glibc.cpp has the functions that are newer.
+# portable(PROGRAM static|dynamic): links the portable program. "static": it needs no library. "dynamic", for a program
+# that opens libraries by name: it needs glibc 2.31 or later; old_glibc.cpp replaces newer functions.
 function(portable program how)
     add_executable(${program}-portable EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${program}>)
     add_dependencies(portable ${program}-portable)
@@ -17,7 +17,7 @@ function(portable program how)
         return()
     endif()
     target_sources(${program}-portable PRIVATE ${CMAKE_SOURCE_DIR}/tools/build/portable/old_glibc.cpp)
-    # Until 2.34 threads and dlopen were in separate libraries
+    # Before glibc 2.34 threads and dlopen were in separate libraries
     target_link_options(${program}-portable PRIVATE -static-libstdc++ -static-libgcc
         -Wl,--no-as-needed -l:libpthread.so.0 -l:libdl.so.2 -Wl,--as-needed)
     foreach(name arc4random dlopen dlsym fstat fstat64 hypot lstat pthread_create pthread_detach pthread_getspecific pthread_join

@@ -1,9 +1,7 @@
-// What happens in the film, and when: a table of rows that scenes, music and tests read, so that each stands
-// once.
+// The events of the film: a table of their rows, which scenes, music and tests read.
 //
-// Rows count from the start of the scene's story, as its cameras' keys do (8 a second, 16 a bar): a scene
-// that moves takes its events with it. What is marked as heard has a sound in music.h, which begins on that
-// very row.
+// Rows count from the start of the scene's story, as in its cameras' keys (8 a second, 16 a bar). So if a
+// scene moves, its events move with it. A heard event has a sound in music.h, which begins on its row.
 #pragma once
 
 #include "base/rows.h"
@@ -25,7 +23,7 @@ static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event,
 // The row of an event, for keys.
 consteval float rowOf(EventId event) { return kEvents[event].row; }
 
-// The rows of the big hits. The half beat before each is silent.
+// The big hits. The half beat before each of them is silent.
 inline constexpr EventId kHits[] = {kBallLands};
 
 } // namespace odraz

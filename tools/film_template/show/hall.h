@@ -1,7 +1,8 @@
-// No scene of this film plays in a room whose light is solved while it loads, so there is nothing to prepare.
+// This film has no room whose light is solved while it loads, so these functions do nothing.
 //
-// A film that has one defines Hall as a Room (transfer/room.h), whose solveRoom() and kRoomBytes it uses, and
-// the first two functions with its model and its lights. Scenes that play there have .needsHall in film.cpp.
+// A film with such a room defines Hall as a Room (transfer/room.h) and uses its solveRoom() and kRoomBytes.
+// It defines the first two functions, with its model and its lights. Scenes in the room have .needsHall in
+// film.cpp.
 #pragma once
 
 #include "base/arena.h"

@@ -1,5 +1,5 @@
-// The film's music: chords by the bar, parts that play them, and the sounds of events. For score.cpp alone,
-// which plays it.
+// The film's music: a chord for each bar, parts that play the chords, and the sounds of events. Only
+// score.cpp includes it.
 #pragma once
 
 #include "show/score.h"
@@ -20,7 +20,7 @@ static constexpr Part kParts[] = {
     {.scene = kStage, .bars = {0, 4}, .sound = {kPiano, 5, 1, 120}, .strokes = {1, 4}, .velocity = {80, 100}, .line = "D-aGF-EDE-CED---"},
 };
 
-// Event; instrument, octave, tones at once, room; velocity; tone.
+// Columns: event; {instrument, octave, tones at once, reverberation in per cent}; velocity; tone.
 static constexpr EventSound kEventSounds[] = {
     {kBallLands, {kDrum, 1, 1, 120}, 90, 'a'},
     {kBallLandsAgain, {kDrum, 1, 1, 120}, 50, 'a'},

@@ -1,11 +1,11 @@
-// The film's scenes, as film.cpp lists them.
+// The film's scenes, which film.cpp lists.
 #pragma once
 
 #include "show/show.h"
 
 namespace odraz {
 
-// Each in a file of its own.
+// Each scene has its own file.
 void poseStage(const SceneInput &in, Scene &scene);
 
 } // namespace odraz

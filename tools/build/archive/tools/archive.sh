@@ -1,4 +1,4 @@
-# Sourced by tools/release: the archive of the tools that are of use to others, from build/portable.
+# Sourced by tools/release: makes the archive of the tools for others, from build/portable.
 name=$FILM-tools-$version${unclean:+-unclean}-linux-x86_64
 linux=$work/tools/$name programs=(compare pack radiosity)
 mkdir -p "$linux/doc/pack" "$linux/doc/radiosity"
@@ -15,6 +15,6 @@ seal "$linux" "${programs[@]}"
 cd "$work/tools"
 archive "$name"
 cd "$work"
-whole "$name.tar.gz" "$linux" tar -xzf "$work/$name.tar.gz"
+verify "$name.tar.gz" "$linux" tar -xzf "$work/$name.tar.gz"
 mv "$name.tar.gz" "$to"
 sha256sum "$to/$name.tar.gz"

@@ -1,5 +1,5 @@
-// Balls of five materials on polished stone, in the evening sun. One falls, and lands on the beat; then a
-// word of light is written before them, and the floor mirrors it.
+// Balls of five materials on polished stone, in the evening sun. One of them falls and lands on the beat.
+// Then a word of light is written in front of them, and the floor mirrors it.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -23,7 +23,7 @@ static constexpr Shape kShapes[] = {
     sphere({2.15f, 0.4f, 0.25f}, 0.4f, kWood),
 };
 
-// How high a ball is that falls from rest, lands, and leaps twice. Metres.
+// The height, in metres, of a ball that falls from rest, lands, and bounces twice.
 static float height(float row) {
     constexpr float kLandings[] = {rowOf(kBallLands), rowOf(kBallLandsAgain), rowOf(kBallLandsAgain) + 4};
     constexpr float kScale = 4.9f / (float)(kRowsPerSecond * kRowsPerSecond);
