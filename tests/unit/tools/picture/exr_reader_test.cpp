@@ -1,4 +1,5 @@
-// OpenEXR by other writers (tests/support/pictures), value by value; and what is refused.
+// Tests the reader of OpenEXR: files by other writers (tests/support/pictures), value by value, and refused
+// files.
 #include "tests/support/thrown.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/readers.h"
@@ -25,7 +26,8 @@ float valueAt(int x, int y, char channel) {
                             : (float)x + (float)y / 2;
 }
 
-// Pixel by pixel. The picture begins at the place x, y of the files' picture; outside that it is 0.
+// Checks every pixel. The picture begins at the pixel x, y of the files' picture. Pixels outside of that are
+// 0.
 void expectValues(const Picture &p, const std::string &channels, int x, int y) {
     ASSERT_EQ(p.channels, (int)channels.size());
     ASSERT_EQ(p.light.size(), p.pixels() * channels.size());
@@ -38,7 +40,7 @@ void expectValues(const Picture &p, const std::string &channels, int x, int y) {
             }
 }
 
-// A copy with the value of an attribute of the head changed.
+// Returns a copy of the file in which an attribute of the header has another value.
 std::string with(std::string file, const std::string &name, const std::string &type,
                  std::initializer_list<int32_t> value) {
     size_t at = file.find(name + '\0' + type + '\0') + name.size() + type.size() + 6;
@@ -74,10 +76,10 @@ TEST(Exr, ReadsOtherWriters) {
     }
 }
 
-// Other channels beside the colours, as renderers write them: whole numbers, and floats of 16 and 32 bits.
-// What else the head says of the colours is named.
+// Renderers write other channels as well as the colours: whole numbers, and floats of 16 and 32 bits. Unused
+// statements in the header are named.
 TEST(Exr, ReadsColoursAmongOtherChannels) {
-    // 2 x 2; its number fills each channel
+    // A file of 2 x 2 pixels. Each channel is filled with its index
     auto made = [](const std::string &channels, const std::string &more = "", const std::string &value = "") {
         auto number = [](auto n) { return std::string((const char *)&n, sizeof n); };
         std::string file = "\x76\x2f\x31\x01\2\0\0\0"s, list, line;
@@ -141,13 +143,13 @@ TEST(Exr, ReadsColoursAmongOtherChannels) {
                   std::string::npos);
 }
 
-// Lines that are stored from the bottom are the same picture.
+// Lines that are stored from the bottom give the same picture.
 TEST(Exr, IgnoresTheOrderOfLines) {
     for (const char *name : {"none_half", "zips_half", "tiled_piz_half"})
         expectValues(readExr(with(fileOf(name), "lineOrder", "lineOrder", {1})), "RGB", 0, 0);
 }
 
-// The display window is shown: a part of the data, or more.
+// The picture is the display window, which may be smaller or larger than the data.
 TEST(Exr, ShowsTheDisplayWindow) {
     for (const char *name : {"none_half", "tiled_piz_half"})
         for (auto [x, y, width, height] : {std::array{3, 5, 7, 4}, {-2, -4, 40, 30}, {100, -100, 2, 3}}) {
@@ -185,8 +187,8 @@ TEST(Exr, RefusesByName) {
             "no pixels, or more");
     refused(with(file, "dataWindow", "box2i", {0, 0, 9999, 9999}), "ends too early");
     refused(with(file, "dataWindow", "box2i", {0, 1, 20, 18}), "damaged");
-    // The first line's place in the file: none, another line's, outside
-    size_t table = file.find("lavc") + 5; // the head's last value, and a zero
+    // Change the first line's offset in the file to none, to another line's, and to one outside the file
+    size_t table = file.find("lavc") + 5; // after the header's last value and a zero byte
     std::string lost = file, twice = file, outside = file;
     lost.replace(table, 8, std::string(8, '\0'));
     refused(lost, "it is not complete");
@@ -196,11 +198,11 @@ TEST(Exr, RefusesByName) {
     refused(outside, "ends too early");
 }
 
-// Cut anywhere, none is read.
+// A file is refused wherever it is cut.
 TEST(Exr, RefusesWhatIsCutShort) {
     for (const char *name : {"none_half", "rle_float", "zip_rgba", "tiled_piz_half"}) {
         std::string file = fileOf(name);
-        // The smaller levels of the one with tiles follow; they are not read
+        // In the file with tiles smaller levels follow, which are not read
         size_t end = std::string(name) == "tiled_piz_half" ? 2 * file.size() / 3 : file.size();
         for (size_t size = 4; size < end; size += size < 700 ? 1 : 97)
             EXPECT_THROW(readExr(file.substr(0, size)), common::Refused) << name << " " << size;

@@ -1,5 +1,5 @@
-// Compares FLIP with its definition: with what dense two-dimensional filters in double precision gave,
-// written by numpy after the paper's formulas, and with values computed by hand.
+// Compares FLIP with its definition: with results of dense two-dimensional filters in double precision, by
+// numpy and the paper's formulas, and with values computed by hand.
 #include "tools/picture/flip.h"
 #include "tools/picture/psnr.h"
 
@@ -13,7 +13,7 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 constexpr int kAcross = 72, kDown = 48;
 
-// The pictures that were compared so
+// The pictures of that comparison
 template <class F> Bytes picture(F &&of, int width = kAcross, int height = kDown) {
     Bytes all;
     for (int y = 0; y < height; ++y)
@@ -36,7 +36,7 @@ double mean(const Bytes &a, const Bytes &b, int width = kAcross, int height = kD
 struct Expected {
     const char *name;
     Bytes test;
-    double mean, first, middle, last; // of the picture, at 0,0, at 37,21 and at 71,47
+    double mean, first, middle, last; // FLIP: its mean, and its values at 0,0, at 37,21 and at 71,47
 };
 
 TEST(Flip, IsThatOfDenseFiltersInDouble) {
@@ -60,9 +60,9 @@ TEST(Flip, IsThatOfDenseFiltersInDouble) {
     }
 }
 
-// Plain pictures have no features, and filters do not change them. What remains is the distance of two
-// colours, from the tables of CIELAB (D65): green 87.737 -86.185 83.181, blue 32.303 79.197 -107.864, red
-// 53.233 80.109 67.220
+// Plain pictures have no features, and filters do not change them. So FLIP is the distance of two colours,
+// here from the tables of CIELAB (D65): green 87.737 -86.185 83.181, blue 32.303 79.197 -107.864,
+// red 53.233 80.109 67.220
 TEST(Flip, OfPlainColoursIsTheirDistanceByHand) {
     struct Lab {
         double l, a, b;
@@ -104,7 +104,7 @@ TEST(Flip, DoesNotDependOnTheDirection) {
                 1e-6);
 }
 
-// The point of FLIP: an error at an edge counts more than the same error on a slope
+// An error at an edge counts more than the same error on a slope
 TEST(Flip, SeesEdgesMoreThanSlopes) {
     auto grey = [](int, int, int) { return 110; };
     auto step = [](int x, int, int) { return x < kAcross / 2 ? 105 : 115; };
@@ -120,7 +120,7 @@ TEST(Psnr, InLinearLightWeighsWhatIsBright) {
     Bytes dark = plain(20, 20, 20), darker = plain(10, 10, 10), bright = plain(240, 240, 240),
           brighter = plain(250, 250, 250);
     EXPECT_DOUBLE_EQ(psnr(dark, darker), psnr(bright, brighter));
-    // ((240/255 + .055) / 1.055)^2.4 = .87137, of 250 .95597; of 20 .0069954, of 10 .0030353
+    // ((240/255 + .055) / 1.055)^2.4 = .87137; for 250 it is .95597, for 20 .0069954, for 10 .0030353
     EXPECT_NEAR(linearPsnr(bright, brighter), -20 * std::log10(0.95597 - 0.87137), 1e-2);
     EXPECT_NEAR(linearPsnr(dark, darker), -20 * std::log10(0.0069954 - 0.0030353), 1e-2);
     EXPECT_EQ(linearPsnr(dark, dark), INFINITY);

@@ -1,4 +1,4 @@
-// Pictures in Radiance's format, byte by byte: runs of both kinds, factors, CIE XYZ, and all orders of
+// Tests the reader of Radiance HDR, byte by byte: runs of both kinds, factors, CIE XYZ, and all orders of
 // pixels.
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
@@ -16,7 +16,7 @@ Picture read(const std::string &head, const std::string &size, const std::string
     return readHdr("#?RADIANCE\n" + head + "\n" + size + "\n" + pixels);
 }
 
-// Pixels with these bytes; an exponent of 136 keeps their values.
+// A string of these bytes. In a pixel an exponent of 136 keeps their values.
 std::string bytes(std::initializer_list<int> list) {
     std::string all;
     for (int b : list) all += (char)b;
@@ -50,13 +50,13 @@ TEST(Hdr, RepeatsPixelsByOlderRuns) {
               (std::vector<int>{200, 200, 200, 200, 150}));
     EXPECT_EQ(reds(read("", "-Y 2 +X 3", a + bytes({1, 1, 1, 2}) + b + b + bytes({1, 1, 1, 1}))),
               (std::vector<int>{200, 200, 200, 150, 150, 150}));
-    // 44 and 1 are 44 + 256 pixels; after another pixel a run starts with its lowest byte again
+    // The runs 44 and 1 repeat 44 + 256 pixels. After another pixel a run starts with the lowest byte again
     Picture p = read("", "-Y 1 +X 304", a + bytes({1, 1, 1, 44, 1, 1, 1, 1}) + b + bytes({1, 1, 1, 2}));
     std::vector<int> wanted(304, 200);
     wanted[301] = wanted[302] = wanted[303] = 150;
     EXPECT_EQ(reds(p), wanted);
     EXPECT_EQ(p.light[3 * 300 + 2], 3);
-    // 0 and 1 are 256
+    // The runs 0 and 1 repeat 256 pixels
     EXPECT_EQ(reds(read("", "-Y 1 +X 257", a + bytes({1, 1, 1, 0, 1, 1, 1, 1}))), std::vector<int>(257, 200));
 }
 
@@ -89,7 +89,7 @@ TEST(Hdr, DividesByAllFactors) {
               (std::vector<float>{100, 50, 25}));
     EXPECT_EQ(read("COLORCORR=2 1 0.5\nEXPOSURE=2\nCOLORCORR= 1 5 1\n", "-Y 1 +X 1", pixel).light,
               (std::vector<float>{50, 10, 50}));
-    // FreeImage writes 0 for what it does not know
+    // FreeImage writes 0 for an unknown factor
     for (const char *zero :
          {"EXPOSURE=0\n", "EXPOSURE= 0.000\n", "COLORCORR=0 0 0\n", "EXPOSURE=2\nEXPOSURE=0\nEXPOSURE=.5\n"})
         EXPECT_EQ(read(zero, "-Y 1 +X 1", pixel).light, (std::vector<float>{200, 100, 50})) << zero;
@@ -113,7 +113,7 @@ TEST(Hdr, TurnsXyzIntoSrgbsPrimaries) {
     EXPECT_TRUE(refuses("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 4", pixels, "format 32-bit_rle_spec"));
 }
 
-// Primaries are sRGB's, or those that Radiance means without such a line.
+// The usual primaries are sRGB's, or Radiance's default.
 TEST(Hdr, NamesWhatItDoesNotUse) {
     auto unused = [](const std::string &line) {
         return read(line, "-Y 1 +X 1", bytes({1, 2, 3, 136})).unused.size();
@@ -127,7 +127,7 @@ TEST(Hdr, NamesWhatItDoesNotUse) {
         EXPECT_EQ(unused(line), 1u) << line;
 }
 
-// One picture of three columns and two rows, 10 11 12 above 20 21 22, in all orders.
+// A picture of three columns and two rows, 10 11 12 above 20 21 22, in all orders.
 TEST(Hdr, ReadsAllOrders) {
     struct Order {
         const char *size;
@@ -152,14 +152,14 @@ TEST(Hdr, ReadsAllOrders) {
         EXPECT_TRUE(refuses("", size, bytes({1, 2, 3, 136}), "no line like -Y HEIGHT +X WIDTH")) << size;
 }
 
-// Lines that end with CR LF, as editors of Windows leave them.
+// Windows editors end lines with CR LF.
 TEST(Hdr, ReadsLinesOfWindows) {
     Picture p = readHdr("#?RGBE\r\nEXPOSURE=2\r\nFORMAT=32-bit_rle_rgbe\r\n\r\n-Y 1 +X 2\r\n" +
                         bytes({200, 100, 50, 136, 20, 40, 60, 136}));
     EXPECT_EQ(p.light, (std::vector<float>{100, 50, 25, 10, 20, 30}));
 }
 
-// Another picture may follow; other bytes are left.
+// Another picture may follow. Other bytes are dropped.
 TEST(Hdr, LeavesWhatFollows) {
     const std::string one = "#?RGBE\n\n-Y 1 +X 1\n" + bytes({200, 100, 50, 136});
     std::string several = one + one + "garbage";

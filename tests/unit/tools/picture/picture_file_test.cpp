@@ -1,5 +1,5 @@
-// PNM byte by byte, and what stb_image reads: depth, alpha, several pictures, and files that are cut short or
-// damaged.
+// Tests the reader of PNM byte by byte, and pictures read by stb_image: depth, alpha, several pictures, and
+// files that are cut or damaged.
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 #include "tools/common/folders.h"
@@ -36,7 +36,7 @@ using Encoded = std::vector<uint16_t>;
 std::string tga(int width, int height, int bits, const std::string &pixels, int kind = 2) {
     std::string head(18, '\0');
     head[2] = (char)kind, head[12] = (char)width, head[14] = (char)height, head[16] = (char)bits,
-    head[17] = bits == 32 ? 0x28 : 0x20; // from the top; with bits of alpha
+    head[17] = bits == 32 ? 0x28 : 0x20; // top row first; eight bits of alpha if 32
     return head + pixels;
 }
 
@@ -44,7 +44,7 @@ std::string bmp(int width, int height, const std::string &pixels) {
     std::string head(54, '\0');
     head[0] = 'B', head[1] = 'M', head[10] = 54, head[14] = 40, head[18] = (char)width, head[26] = 1,
     head[28] = 24;
-    for (size_t k = 0; k < 4; ++k) head[22 + k] = (char)(height >> (8 * k)); // below 0: from the top
+    for (size_t k = 0; k < 4; ++k) head[22 + k] = (char)(height >> (8 * k)); // negative: top row first
     return head + pixels;
 }
 
@@ -77,7 +77,7 @@ TEST(Pnm, ScalesByItsLargestValue) {
 
 TEST(Pnm, ReadsCommentsAndText) {
     EXPECT_EQ(read("P5#c\n# by GIMP 1 2 3\n1#\n #x\n\n2 # 7\r255#\n\1\2").encoded, (Encoded{257, 514}));
-    EXPECT_EQ(read("P5 1 1 255\n#").encoded, (Encoded{'#' * 257})); // a pixel
+    EXPECT_EQ(read("P5 1 1 255\n#").encoded, (Encoded{'#' * 257})); // a pixel, not a comment
     EXPECT_EQ(read("P2\n3 1 # c\n15\n0 5\n15\n").encoded, (Encoded{0, 21845, 65535}));
     Picture p = read("P3 1 2 65535 1 2 3\t65535\n0 4096");
     EXPECT_EQ(p.channels, 3);
@@ -124,13 +124,13 @@ TEST(PictureFile, RefusesOtherFiles) {
                       "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read");
     expectRefused("\x89PNG\r\n\x1a\n", "it is damaged: it ends before its last pixel");
     std::string runs = bmp(2, 2, std::string(16, 'x'));
-    runs[30] = 1; // how it is compressed
+    runs[30] = 1; // the compression
     expectRefused(runs, "it is damaged, or of a kind that is not read");
     EXPECT_THROW(readPicture("/tmp"), common::Refused);
     EXPECT_THROW(readPicture("/dev/zero"), common::Refused);
 }
 
-// All 16 bits are kept, and alpha.
+// The reader keeps all 16 bits, and alpha.
 TEST(PictureFile, ReadsPngAndJpeg) {
     std::string png = common::readWhole(kFolder + "small.png"),
                 jpg = common::readWhole(kFolder + "small.jpg");
@@ -143,7 +143,7 @@ TEST(PictureFile, ReadsPngAndJpeg) {
         expectRefused(png.substr(0, size), "it is damaged");
     for (size_t size = jpg.size() - 140; size < jpg.size(); ++size)
         expectRefused(jpg.substr(0, size), "it is damaged");
-    // All are read of several, and every part is checked
+    // A file may have several pictures, and the checksum of every chunk is checked
     PictureFile two("a", png + png);
     EXPECT_EQ(two.next().encoded, two.next().encoded);
     EXPECT_FALSE(two.more());
@@ -153,20 +153,20 @@ TEST(PictureFile, ReadsPngAndJpeg) {
         changed[at] ^= 4;
         expectRefused(changed, "it is damaged");
     }
-    // stb_image copies empty parts, and believes that a table of codes has at most 256
+    // stb_image copies empty chunks, and assumes that a Huffman table has at most 256 codes
     std::string parts = png, codes = jpg;
     parts.insert(33, "\0\0\0\0IDAT\x35\xaf\x06\x1e"s);
     EXPECT_EQ(read(parts).encoded, p.encoded);
     codes.replace(codes.find("\xff\xc4") + 5, 16, 16, '\xff');
     expectRefused(codes, "it is damaged");
     expectRefused("\xff" + codes, "it is damaged");
-    // Without its tables it would be grey
+    // Without its tables the picture would be grey
     for (const char *table : {"\xff\xc4", "\xff\xdb"}) {
         std::string lacks = jpg;
         for (size_t at; (at = lacks.find(table)) != lacks.npos;) lacks[at + 1] = '\xfe';
         expectRefused(lacks, "it is damaged");
     }
-    // A picture that is too large: the head alone decides
+    // A picture is too large by its header alone
     expectRefused(
         "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x23\x28\0\0\x23\x28\10\2\0\0\0\xe2\xb7\xe5\xed\0\0\0\0IEND\xae\x42\x60\x82"s,
         "no pixels, or more than 2^26");
@@ -179,7 +179,7 @@ TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
     EXPECT_EQ(p.encoded, (Encoded{771, 514, 257, 32896, 1542, 1285, 1028, 65535}));
     EXPECT_EQ(read(bmp(1, 2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{1542, 1285, 1028, 771, 514, 257}));
     EXPECT_EQ(read(bmp(1, -2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{771, 514, 257, 1542, 1285, 1028}));
-    // From the right, and from the top
+    // Rows that begin on the right
     std::string mirrored = tga(2, 1, 32, pixels);
     mirrored[17] ^= 0x10;
     EXPECT_EQ(read(mirrored).encoded, (Encoded{1542, 1285, 1028, 65535, 771, 514, 257, 32896}));
@@ -194,7 +194,7 @@ TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
     }
 }
 
-// Bytes that are not called alpha are none.
+// Fourth bytes that the file does not declare as alpha are ignored.
 TEST(PictureFile, ReadsAlphaOnlyWhereItIs) {
     std::string clear = tga(2, 1, 32, "\1\2\3\x80\4\5\6\xff"), old = bmp(1, 1, "\1\2\3\4");
     clear[17] = 0x20, old[28] = 32;
@@ -202,7 +202,7 @@ TEST(PictureFile, ReadsAlphaOnlyWhereItIs) {
     EXPECT_EQ(read(old).encoded, (Encoded{771, 514, 257}));
 }
 
-// What a file says of its numbers, unless that is as they are read.
+// Unused statements of a file are named, unless they say the usual.
 TEST(PictureFile, NamesWhatItDoesNotUse) {
     auto unused = [](const char *name, const std::string &more, size_t at) {
         std::string file = common::readWhole(kFolder + name);
@@ -242,7 +242,7 @@ TEST(Picture, HasStepsAndLinearLight) {
     EXPECT_THROW(linearToImage(light, 2), common::Refused);
 }
 
-// All values of 16 bits, alone and as means of squares, rounded to the nearest.
+// Tests all values of 16 bits, alone and as means of squares. Results are rounded to the nearest.
 TEST(Picture, LinearLightBecomesSrgb) {
     Picture all = {256, 256, 1, 16, {}};
     for (int i = 0; i < 65536; ++i) all.encoded.push_back((uint16_t)i);
@@ -257,7 +257,7 @@ TEST(Picture, LinearLightBecomesSrgb) {
     }
 }
 
-// Sums of these must be floats, too.
+// Light is limited so that sums of it are floats, too.
 TEST(PictureFile, RefusesLightThatIsNoNumberOrTooMuch) {
     auto hdr = [](const char *pixel) {
         return "#?RADIANCE\n\n-Y 1 +X 2\n\x80\x80\x80\x80"s + std::string(pixel, 4);

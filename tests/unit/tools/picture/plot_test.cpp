@@ -1,4 +1,4 @@
-// Plots: every point has its mark, and the legend has every name.
+// Tests plots: every point has its mark, and the legend has every name.
 #include "tools/picture/plot.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ using namespace pictures;
 
 namespace {
 
-// What the pattern's first group matches, each time
+// All matches of the pattern's first group
 std::multiset<std::string> all(const std::string &text, const char *pattern) {
     std::regex what(pattern);
     std::multiset<std::string> found;
@@ -21,7 +21,7 @@ constexpr char kMarks[] = "<path class=\"mark\"[^>]* d=\"([^\"]*)\"";
 
 Plot plotOf(int count, int series) {
     Plot plot = {"title", "x", "y", {}, {}, true, true};
-    for (int s = 0; s < series; ++s) plot.series.push_back("way " + std::to_string(s));
+    for (int s = 0; s < series; ++s) plot.series.push_back("series " + std::to_string(s));
     std::mt19937 random(1);
     std::normal_distribution<double> place(0, 1);
     for (int i = 0; i < count; ++i)
@@ -41,10 +41,10 @@ TEST(Plot, EveryPointIsMarkedAndInTheLegend) {
         EXPECT_EQ(all(drawn, kMarks).size(), plot.points.size());
         EXPECT_EQ(all(drawn, "class=\"name\">([^<]*)<"), names);
         for (const std::string &name : plot.series) EXPECT_NE(drawn.find(">" + name + "<"), drawn.npos);
-        // Each number stands twice: beside its mark and in the legend
+        // Each number is written twice: next to its mark and in the legend
         for (int i = 1; i <= count; ++i)
             EXPECT_EQ(all(drawn, "font-size=\"10\"[^>]*>([0-9]+)<").count(std::to_string(i)), 2u) << i;
-        // All lines of the legend lie on the page
+        // All lines of the legend are on the page
         double height = std::stod(*all(drawn, "viewBox=\"0 0 930 ([0-9]+)\"").begin());
         for (const std::string &at : all(drawn, "<text x=\"[-0-9.]+\" y=\"([-0-9.]+)\""))
             EXPECT_LT(std::stod(at), height);
@@ -58,7 +58,7 @@ TEST(Plot, SeriesDifferByTheirMarks) {
     }
 }
 
-// Of three points one is beaten on both axes: the line passes by it.
+// One of three points is beaten on both axes, so the front skips it.
 TEST(Plot, TheFrontJoinsWhatNothingBeats) {
     Plot plot = {
         "title", "x", "y", {"all"}, {{1, 3, "", false, 0}, {2, 4, "", false, 0}, {3, 1, "", false, 0}}};
