@@ -1,12 +1,20 @@
-// Generated models as meshes, for measurements of radiosity.
+// Generated models as meshes, for tests of radiosity.
 #pragma once
 
+#include "tools/common/folders.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/read/mesh.h"
 
-namespace odraz::measure {
+namespace odraz::radiosity {
 
-// Writes a model of generateObj() to a file and reads it. The kind "cave" is a hollow of triangles, no two of
-// them in one plane; some emit light. Throws std::runtime_error.
-radiosity::Mesh generatedMesh(const std::string &kind, double area);
+// Writes a model of generateObj() to a file and reads it.
+inline Mesh generatedMesh(const std::string &kind) {
+    common::TemporaryFolder folder;
+    common::writeWhole(folder / "model.mtl", generateMtl());
+    common::writeWhole(folder / "model.obj", "mtllib model.mtl\n" + generateObj(kind, 0));
+    std::vector<std::string> notes;
+    return readModel(folder / "model.obj", {}, notes);
+}
 
-} // namespace odraz::measure
+} // namespace odraz::radiosity

@@ -2,6 +2,7 @@
 import random
 import re
 import shutil
+import statistics
 from functools import lru_cache
 from pathlib import Path
 
@@ -81,6 +82,33 @@ def models(machine):
 
 
 # --- Radiosity and transfer ---
+
+# Models as large as those in table 4.1 of the thesis, then three in which few triangles lie in one plane: kind, largest
+# area of a triangle, options (at least as many elements as triangles), seconds of the thesis at 100 x 100 pixels
+MODELS_SOLVED = (('columns', 0.19531, '--element 0.1636', 280), ('columns', 0.035785, '--element 0.0316', 3500),
+                 ('columns', 0.0088765, '--element 0.0079', 34980), ('cave', 0.046735, '', ''), ('vault', 0.0552, '', ''),
+                 ('terrain', 0.018266, '', ''))
+SUMMARY = re.compile(r'(\d+) triangles, .*?(\d+) elements; (\d+) sites .* with (\d+) rays\nprocessor seconds: (.*)')
+
+
+def solutions(machine):
+    """Yields the whole solutions. Three models are solved three times, and compared with path tracing."""
+    machine.note('build/radiosity solve columns.obj -o columns.rad --element 0.1636')
+    machine.note('build/radiosity_errors columns.obj columns.rad --side 64')
+    for kind, area, options, thesis in MODELS_SOLVED:
+        machine.run(f'build/radiosity generate {kind} -o {kind}.obj --area {area}', noted=False)
+        compared = kind != 'cave' and thesis in (280, '')
+        found = [SUMMARY.search(machine.run(f'build/radiosity solve {kind}.obj -o {kind}.rad {options}', noted=False))
+                 for _ in range(3 if compared else 1)]
+        seconds = statistics.median(sum(map(float, re.findall(r'[0-9]+\.[0-9]+', one[5]))) for one in found)
+        row = dict(zip(('triangles', 'elements', 'sites', 'rays'), found[0].groups()))
+        errors = ['', '']
+        if compared:
+            printed = machine.run(f'build/radiosity_errors {kind}.obj {kind}.rad --side 64', noted=False)
+            errors = re.search(r'median ([0-9.]+) .* rms ([0-9.]+) ', printed).groups()
+        yield {**row, 'model': kind, 'thesis': thesis, 'seconds': f'{seconds:.2f}', 'median': errors[0],
+               'rms': errors[1], 'each': f"{seconds * 1e6 / int(row['triangles']):.2f}"}
+
 
 def columns(machine):
     """The hall of columns as it is generated."""

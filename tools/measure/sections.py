@@ -146,10 +146,12 @@ SECTIONS = [
             since the contexts that ship are already the result of a search.''']),
     Section(
         'radiosity', "Radiosity: whole solutions of the thesis's sizes", 1.5,
-        sources=['intro/radiosity', 'tools/radiosity', 'tools/measure/bench/bench_radiosity.cpp'],
-        programs=['bench_radiosity', 'radiosity'], packages=[*RADIOSITY, 'valgrind'],
+        sources=['intro/radiosity', 'tools/radiosity', 'tools/measure/oracle/radiosity_errors.cpp'],
+        programs=['radiosity', 'radiosity_errors'], packages=[*RADIOSITY, 'valgrind'],
         parts=[
-            printed('build/bench_radiosity'),
+            table(methods.solutions, '''model; triangles; elements; sites; rays = rays from each;
+                thesis = the thesis, s; seconds = odraz, s; each = us a triangle;
+                median = median of 1,000 places, %; rms = rms, %'''),
             methods.columns,
             '''Whole solutions by rays, without reading the model. "Columns" has at least as many elements as triangles.
             The thesis's seconds are for 100 x 100 pixels on a dual-core Athlon with a GeForce 7600 GT. In "cave" no two
@@ -173,8 +175,8 @@ SECTIONS = [
             methods.subspaces,
             '''The vault has {vault} and the default number of clusters, four for each function of the bands. The second
             table has five bands, stored in the same memory as clusters (CPCA) or as one subspace (PCA). Each is
-            compared with a solution for that light alone, made by the other solver from the same rays. "Of the light" is the
-            worst of the five environments.''',
+            compared with a solution for that light alone, made by the other solver from the same rays. "Of the light"
+            is the worst of the five environments.''',
             table(methods.turning, 'light; rate = pictures a second; ms = processor ms a picture'),
             '''The hall of columns, {columns}, with a glossy floor and four lamps, on software OpenGL, while a sky turns
             that lights all bands. No sky is seen from the closed hall, but the work is the same.''']),

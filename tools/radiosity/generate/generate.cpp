@@ -184,16 +184,18 @@ int runGenerate(common::CommandLine &line) {
     std::vector<MaterialChange> changes;
     line.about("Writes an example model, and its materials to a file next to it.");
     line.argument("KIND", kind,
-                  "cube, columns, corner, vault or terrain; furnace or squares, whose light is known", false);
+                  "cube, columns, corner, cave, vault or terrain; furnace or squares, whose light is known",
+                  false);
     line.option("-o", "MODEL.obj", out, "the model's file");
     line.option("--area", "A", area, {1e-4, 1e6},
                 "divide polygons into triangles of at most this area; by default they stay whole");
     addMaterialChanges(line, changes);
     line.parse();
-    static const char *const kinds[] = {"cube",    "columns", "corner", "vault",
-                                        "terrain", "furnace", "squares"};
+    static const char *const kinds[] = {"cube",  "columns", "corner",  "cave",
+                                        "vault", "terrain", "furnace", "squares"};
     if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds))
-        throw common::Refused("name a model: cube, columns, corner, vault, terrain, furnace or squares");
+        throw common::Refused(
+            "name a model: cube, columns, corner, cave, vault, terrain, furnace or squares");
     if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
         throw common::Refused("name a file with -o MODEL.obj");
     std::string mtl = out.substr(0, out.size() - 4) + ".mtl", name = mtl.substr(mtl.rfind('/') + 1);

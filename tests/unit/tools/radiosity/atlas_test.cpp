@@ -1,9 +1,9 @@
 // Lightmaps: they show the solution in other programs, and polygons share no texels.
 #include "tests/support/exported.h"
+#include "tests/support/generated_mesh.h"
 #include "tests/support/headless_gl.h"
 #include "tools/common/folders.h"
 #include "tools/engine/machine.h"
-#include "tools/measure/oracle/generated_mesh.h"
 #include "tools/picture/psnr.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/solve/solve.h"
@@ -18,7 +18,7 @@ namespace {
 
 // A room of the thesis with scattered triangles.
 Solution solved() {
-    Mesh mesh = measure::generatedMesh("cube", 0);
+    Mesh mesh = generatedMesh("cube");
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-1, 1);
     auto place = [&](double size) { return Vec3d{number(random), number(random), number(random)} * size; };

@@ -1,12 +1,11 @@
 // Light shown during solving: it starts with direct light, grows, and ends with the solution.
+#include "tests/support/generated_mesh.h"
 #include "tools/engine/machine.h"
-#include "tools/measure/oracle/generated_mesh.h"
 #include "tools/radiosity/solve/solve.h"
 
 #include <gtest/gtest.h>
 
 using namespace odraz;
-using namespace odraz::measure;
 using namespace odraz::radiosity;
 
 namespace {
@@ -42,7 +41,7 @@ Watched watch(const char *kind, SolveSettings s = {}) {
         watched.light.push_back(soFar.light);
     };
     Workers workers = serialWorkers();
-    watched.end = solveModel(generatedMesh(kind, 0), s, {}, workers, &kNever, {}).solution.light;
+    watched.end = solveModel(generatedMesh(kind), s, {}, workers, &kNever, {}).solution.light;
     return watched;
 }
 
