@@ -1,8 +1,7 @@
 // The command line of a program. A program declares each option once, with the variable for its value.
 // Parsing, checks, errors and --help follow from that.
 //
-// An error is one line on stderr: "PROGRAM: what is wrong: what to do". The exit status is 2 for wrong use
-// and 1 for a failure.
+// An error is a line on stderr: "PROGRAM: what is wrong: what to do". Exit status 2: wrong use; 1: failure.
 #pragma once
 
 #include <charconv>

@@ -6,8 +6,7 @@
 
 namespace odraz {
 
-// Returns the part of `in` where distance(point) >= 0. between(p, q, t) interpolates from p to q, t from 0
-// to 1.
+// Returns the part of `in` where distance(point) >= 0. between(p, q, t) interpolates from p (t = 0) to q.
 template <class Point, class Distance, class Between>
 std::vector<Point> clip(const std::vector<Point> &in, Distance distance, Between between) {
     std::vector<Point> out;

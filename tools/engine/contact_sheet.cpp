@@ -1,5 +1,4 @@
-// contact_sheet: draws the film on one page, with a frame every few seconds and their times; or draws a
-// poster.
+// contact_sheet: draws a page of frames of the film, every few seconds, with their times; or a poster.
 #include "film.h"
 #include "show/font.h"
 #include "tools/common/command_line.h"

@@ -1,5 +1,4 @@
-// Memory for the engine's arena. The system fills it with zeros and allocates it on first use; the destructor
-// frees it.
+// Memory for the engine's arena: zeros, which the system allocates on first use. The destructor frees it.
 #pragma once
 
 #include "base/arena.h"

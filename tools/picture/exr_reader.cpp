@@ -162,8 +162,7 @@ private:
             forTinyexr.emplace_back().pixel_type = type;
             bytesOfPixel += channels.back().half ? 2 : 4;
         }
-        // Find the layers with colours
-        std::vector<std::pair<std::string, std::string>> found; // layers and their channels
+        std::vector<std::pair<std::string, std::string>> found; // layers with colours, and their channels
         for (const auto &[name, ignored] : number) {
             const std::string layer = name.substr(0, name.rfind('.') + 1);
             auto has = [&](char c) { return number.count(layer + c) > 0; };

@@ -167,8 +167,7 @@ SeenPicture see(const std::vector<uint8_t> &rgb, int width, int height) {
 }
 
 std::vector<float> flip(const SeenPicture &reference, const SeenPicture &test) {
-    // `most`: the largest distance of two colours, green and blue. Distances up to `knee` take 95 % of the
-    // range
+    // `most`: the distance of green and blue, the largest. Distances up to `knee` take 95 % of the range
     const float most = std::pow(distance(perceived(0, 1, 0), perceived(0, 0, 1)), 0.7f), knee = 0.4f * most;
     std::vector<float> error(reference.lightness.size());
     for (size_t p = 0; p < error.size(); ++p) {

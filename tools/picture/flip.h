@@ -1,5 +1,4 @@
-// FLIP: the visible difference when flipping between a picture and its reference. 0 is none, 1 is the
-// largest.
+// FLIP: the visible difference when flipping between a picture and its reference, from 0 to 1.
 //
 // LDR-FLIP of Andersson, Nilsson, Akenine-Moeller, Oskarsson, Astrom and Fairchild, "FLIP: A Difference
 // Evaluator for Alternating Images", HPG 2020; the step titles follow the paper. The screen is 3840 pixels

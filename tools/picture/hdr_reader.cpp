@@ -78,8 +78,7 @@ private:
                 readOther(line);
     }
 
-    // Notes a line that changes the meaning of pixels. The usual primaries are sRGB's, and Radiance's
-    // default.
+    // Notes a line that changes the light. Usual primaries are sRGB's, and Radiance's default.
     void readOther(const std::string &line) {
         static const std::map<std::string, std::vector<double>> kUsual = {
             {"PRIMARIES", {.64, .33, .295, .6, .15, .06, .323, .331}}, {"GAMMA", {1}}, {"PIXASPECT", {1}}};

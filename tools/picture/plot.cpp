@@ -176,8 +176,7 @@ private:
         }
     }
 
-    // Draws the points and the legend of all series. A point with a name gets a number at its mark and in the
-    // legend
+    // Draws points and legend of all series. A point with a name gets a number at its mark and in the legend
     void legend() {
         double left = width - key + 20, at = kTop + 12;
         int number = 0;

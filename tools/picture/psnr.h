@@ -34,8 +34,7 @@ inline float srgbOfLinear(float x) {
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
 
-// PSNR, in linear light, of eight-bit sRGB values. It weighs bright pixels more. Both vectors must have the
-// same size.
+// PSNR in linear light of eight-bit sRGB values, which weighs bright pixels more. Both have the same size.
 inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
     double squares = 0;
     for (size_t i = 0; i < a.size(); ++i) {
