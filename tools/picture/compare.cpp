@@ -15,7 +15,7 @@ namespace pictures {
 namespace {
 
 struct Difference {
-    double squares = 0, largest = 0; // of channels, in steps of 1/255
+    double squares = 0, largest = 0; // sum of squares and largest difference of a channel, in steps of 1/255
     size_t values = 0;               // number of compared values: pixels times channels
     size_t pixels = 0;               // number of pixels that differ
     size_t pixelsInAlpha = 0;        // number of pixels that differ in alpha

@@ -145,7 +145,7 @@ private:
     }
 
     void readChannels(ByteReader from) {
-        std::map<std::string, size_t> number; // of each channel
+        std::map<std::string, size_t> number; // index of each channel
         std::string all;
         std::vector<bool> whole;
         while (from.rest.empty() || from.rest[0]) {

@@ -11,7 +11,7 @@ namespace pictures {
 namespace {
 
 using Plane = std::vector<float>;
-using Kernel = std::vector<float>; // of odd size, centred
+using Kernel = std::vector<float>; // odd size, centred
 
 constexpr double kPixelsPerDegree = 3840 * M_PI / 180;
 // Linear sRGB to XYZ, relative to white (D65), and back; rows sum to 1

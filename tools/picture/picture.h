@@ -19,7 +19,7 @@ struct Image {
 // are grey, grey and alpha, RGB, or RGB and alpha.
 struct Picture {
     int width = 0, height = 0, channels = 3;
-    int bits = 8;                       // of a number in the file
+    int bits = 8;                       // per number in the file
     std::vector<uint16_t> encoded = {}; // 65535 is 1; empty if there are floats
     std::vector<float> light = {};      // 1 is white
     std::string others = {};            // the names of all channels, if some are not read

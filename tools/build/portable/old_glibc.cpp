@@ -39,7 +39,7 @@ int __xstat(int version, const char *path, struct stat *to);
 int __lxstat(int version, const char *path, struct stat *to);
 int __fxstat(int version, int file, struct stat *to);
 }
-constexpr int kStatVersion = 1; // of x86-64's struct stat
+constexpr int kStatVersion = 1; // x86-64's struct stat
 extern "C" int __wrap_stat(const char *path, struct stat *to) { return __xstat(kStatVersion, path, to); }
 extern "C" int __wrap_lstat(const char *path, struct stat *to) { return __lxstat(kStatVersion, path, to); }
 extern "C" int __wrap_fstat(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }

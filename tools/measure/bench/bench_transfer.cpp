@@ -13,7 +13,7 @@ namespace odraz::measure {
 
 namespace {
 
-constexpr int kRounds = 5; // of start-up
+constexpr int kRounds = 5; // times that start-up is measured
 
 // Times the steps of a solution by its progress reports.
 struct StepClock {

@@ -21,7 +21,7 @@ struct PictureCost {
 // The kind of a picture: traced, or made between two traced pictures of the same level.
 struct PictureKind {
     double seconds; // in the film
-    float level;    // of quality: 0 film, 1 play, 2 draft
+    float level;    // quality: 0 film, 1 play, 2 draft
     double pixels;
     double gap; // sixtieths of a second between the two traced pictures; 0: it is traced
 };
@@ -35,8 +35,8 @@ public:
 
     // Interpolates the cost. It is linear in time within a shot, and linear in the gap of in-betweens. Its
     // logarithm is linear in the level and in the logarithm of pixels. Outside the counted times, gaps and
-    // levels it is constant. A level counted at one size grows as level 1 does. Throws Refused if no moment
-    // of this shot was counted.
+    // levels it is constant. A level counted at one size grows as level 1 does. Throws Refused if the
+    // shot has no counted moment.
     PictureCost of(const PictureKind &kind) const;
 
 private:

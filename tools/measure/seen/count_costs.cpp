@@ -1,5 +1,5 @@
-// count_costs: counts the instructions of pictures of the film, and prints rows of costs.csv. Only the build
-// of tools/measure/seen/costs counts.
+// count_costs: counts the instructions of pictures of the film, and prints rows of costs.csv. It counts only
+// if tools/measure/seen/costs has built it.
 #include "tools/measure/detect/screening.h"
 
 #include <algorithm>

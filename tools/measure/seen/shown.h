@@ -12,7 +12,7 @@ struct ShownPicture {
     double at;         // seconds of the film at which the screen began to show it; negative: never
     double time;       // seconds of the film that it shows
     bool between;      // made from the traced pictures before and after it in the list
-    float level;       // of quality, if it was traced: 0 film, 1 play, 2 draft, or between these
+    float level;       // quality, if it was traced: 0 film, 1 play, 2 draft, or between these
     int width, height; // pixels traced; an in-between has the size of the next traced picture
 };
 

@@ -43,7 +43,7 @@ std::vector<ShownPicture> simulate(const CostOf &costOf, const SimulatedMachine 
 // A scene as it was played. Pictures belong to the scene at their own time.
 struct PlayedScene {
     int scene;
-    double seconds;             // of the scene that the list covers
+    double seconds;             // time of the scene in the list
     int traced, between, shown; // numbers of pictures
     double level, width;        // means of the traced pictures
     double rate;                // instructions a second that making and showing the pictures took

@@ -10,7 +10,7 @@ namespace odraz::measure {
 namespace {
 
 constexpr int kScreenRate = 60;
-constexpr long kTruePixels = 8 << 20; // of all kept pictures of the film; a pixel takes 23 bytes
+constexpr long kTruePixels = 8 << 20; // limit for all kept pictures of the film; a pixel takes 23 bytes
 
 // Returns whether two pictures are traced alike.
 bool same(const ShownPicture &a, const ShownPicture &b) {
