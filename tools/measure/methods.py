@@ -85,9 +85,9 @@ def models(machine):
 
 # Models as large as those in table 4.1 of the thesis, then three in which few triangles lie in one plane: kind, largest
 # area of a triangle, options (at least as many elements as triangles), seconds of the thesis at 100 x 100 pixels
-MODELS_SOLVED = (('columns', 0.19531, '--element 0.1636', 280), ('columns', 0.035785, '--element 0.0316', 3500),
-                 ('columns', 0.0088765, '--element 0.0079', 34980), ('cave', 0.046735, '', ''), ('vault', 0.0552, '', ''),
-                 ('terrain', 0.018266, '', ''))
+SOLVED = (('columns', 0.19531, '--element 0.1636', 280), ('columns', 0.035785, '--element 0.0316', 3500),
+          ('columns', 0.0088765, '--element 0.0079', 34980), ('cave', 0.046735, '', ''), ('vault', 0.0552, '', ''),
+          ('terrain', 0.018266, '', ''))
 SUMMARY = re.compile(r'(\d+) triangles, .*?(\d+) elements; (\d+) sites .* with (\d+) rays\nprocessor seconds: (.*)')
 
 
@@ -95,7 +95,7 @@ def solutions(machine):
     """Yields the whole solutions. Three models are solved three times, and compared with path tracing."""
     machine.note('build/radiosity solve columns.obj -o columns.rad --element 0.1636')
     machine.note('build/radiosity_errors columns.obj columns.rad --side 64')
-    for kind, area, options, thesis in MODELS_SOLVED:
+    for kind, area, options, thesis in SOLVED:
         machine.run(f'build/radiosity generate {kind} -o {kind}.obj --area {area}', noted=False)
         compared = kind != 'cave' and thesis in (280, '')
         found = [SUMMARY.search(machine.run(f'build/radiosity solve {kind}.obj -o {kind}.rad {options}', noted=False))

@@ -22,7 +22,7 @@ struct SeenOptions {
     std::vector<std::string> scenes, screens;
     IntroSettings judged = {};
     std::vector<double> at, machines; // seconds; 10^9 instructions a second
-    int windows = 1, cores = 0;
+    int cores = 0;
     double length = 0.5; // seconds of a window
     double page = 0;     // cost of a picture on the page relative to the native film; 0: not the page
     bool onlyList = false, onlySummary = false;
@@ -66,8 +66,7 @@ SeenOptions read(common::CommandLine &line) {
     sizeOption(line, "--judged", o.judged,
                "compare at this smaller size, with all pictures shrunk alike, which is faster");
     line.option("--scene", "NAME", o.scenes, "compare this scene (default: all)");
-    line.option("--windows", "N", o.windows, {1, 100}, "windows in each shot, evenly spaced");
-    line.option("--length", "S", o.length, {1 / 60., 10}, "length of a window");
+    line.option("--length", "S", o.length, {1 / 60., 10}, "length of a window, in the middle of each shot");
     line.option("--at", "S", numbersTo(o.at, "--at", {0, duration() - 1 / 60.}),
                 "compare a window that begins at this moment; repeatable");
     line.flag("--list", o.onlyList, "only print the list of pictures");
@@ -133,8 +132,7 @@ std::vector<std::vector<Span>> windowsOf(const SeenOptions &o) {
     for (double at : o.at) rows.push_back({{sceneAt(at), at, std::min(at + o.length, duration())}});
     for (const std::string &name : o.scenes) {
         rows.emplace_back();
-        for (const Span &shot : shotsOf(name))
-            for (const Span &window : windowsIn(shot, o.windows, o.length)) rows.back().push_back(window);
+        for (const Span &shot : shotsOf(name)) rows.back().push_back(windowsIn(shot, 1, o.length)[0]);
     }
     return rows;
 }

@@ -1,5 +1,4 @@
-// Tests the reader of Radiance HDR, byte by byte: runs of both kinds, factors, CIE XYZ, and all orders of
-// pixels.
+// Tests the reader of Radiance HDR byte by byte: runs of both kinds, factors, CIE XYZ, orders of pixels.
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 #include "tools/picture/readers.h"
