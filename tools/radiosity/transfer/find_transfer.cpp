@@ -17,11 +17,11 @@ namespace {
 struct LampSource {
     std::string name;
     std::vector<size_t> materials; // materials that emit its light
-    Surroundings around;           // its balls and suns
+    Surroundings outside;          // its balls and suns
 };
 
 // Lists all materials that emit and are used, then the balls and suns.
-std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
+std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &outside) {
     std::vector<LampSource> lamps;
     std::vector<bool> used(mesh.materials.size());
     for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
@@ -37,10 +37,10 @@ std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
         else
             sameLamp->materials.push_back(i);
     }
-    for (size_t i = 0; i < around.lamps.size(); ++i)
-        lamps.push_back({"ball " + std::to_string(i + 1), {}, {{}, {}, {around.lamps[i]}}});
-    for (size_t i = 0; i < around.suns.size(); ++i)
-        lamps.push_back({"sun " + std::to_string(i + 1), {}, {{}, {around.suns[i]}, {}}});
+    for (size_t i = 0; i < outside.lamps.size(); ++i)
+        lamps.push_back({"ball " + std::to_string(i + 1), {}, {{}, {}, {outside.lamps[i]}}});
+    for (size_t i = 0; i < outside.suns.size(); ++i)
+        lamps.push_back({"sun " + std::to_string(i + 1), {}, {{}, {outside.suns[i]}, {}}});
     return lamps;
 }
 
@@ -51,8 +51,9 @@ void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes) 
     for (size_t i = (size_t)kMaxLamps; i < lamps.size(); ++i) {
         const LampSource &more = lamps[i];
         last.materials.insert(last.materials.end(), more.materials.begin(), more.materials.end());
-        last.around.lamps.insert(last.around.lamps.end(), more.around.lamps.begin(), more.around.lamps.end());
-        last.around.suns.insert(last.around.suns.end(), more.around.suns.begin(), more.around.suns.end());
+        last.outside.lamps.insert(last.outside.lamps.end(), more.outside.lamps.begin(),
+                                  more.outside.lamps.end());
+        last.outside.suns.insert(last.outside.suns.end(), more.outside.suns.begin(), more.outside.suns.end());
     }
     notes.push_back("there are " + std::to_string(lamps.size()) + " lamps: from lamp " +
                     std::to_string(kMaxLamps) + " on they count as one");
@@ -175,7 +176,7 @@ private:
                 }
             }
         }
-        direct.push_back(directLight(lamp, lamps[k].around, grid, rays.excluded, tree, workers));
+        direct.push_back(directLight(lamp, lamps[k].outside, grid, rays.excluded, tree, workers));
         std::vector<Rgb> means = rays.meansOfPoints(direct.back());
         for (size_t site = 0; site < means.size(); ++site) {
             float *light = to.direct(site) + at;
