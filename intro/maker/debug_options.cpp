@@ -8,8 +8,7 @@ namespace odraz::maker {
 
 namespace {
 
-// Reads HOST, HOST:PORT, [ADDRESS] or [ADDRESS]:PORT. The brackets are for IPv6 addresses, which contain
-// colons.
+// Reads HOST, HOST:PORT, [ADDRESS] or [ADDRESS]:PORT. (IPv6 addresses contain colons.)
 bool readHost(const std::string &word, std::string &host, int &port) {
     static const std::regex form(R"((?:\[([^\]]+)\]|([^:\[]+)|([^\[]*:[^\[]*:.*))(?::(\d{1,5}))?)");
     std::smatch part;

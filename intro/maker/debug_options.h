@@ -12,8 +12,7 @@ struct DebugOptions {
     int port = 0;
 };
 
-// Removes these options from the arguments, so that the film's remain. Returns an error line, or an empty
-// string.
+// Removes these options from the arguments, and leaves the film's. Returns an error line, or an empty string.
 std::string takeOptions(int &argc, char **argv, DebugOptions &to);
 
 } // namespace odraz::maker

@@ -12,13 +12,11 @@ struct Live {
     ODRAZ_SEAM(FUNCTION, FUNCTION)
 #undef FUNCTION
     const Inspector &(*inspector)();
-    // Hashes the input of the hall's light: geometry, reflectances, lights and settings. Takes hallHashMemory
-    // bytes of the arena
+    // Hashes the input of the hall's light: geometry, reflectances, lights, settings. In hallHashMemory bytes
     uint64_t (*hallHash)(Arena &arena);
     size_t hallHashMemory;
     KeyTable *(*keyTables)(); // the head of the list of all tables
-    // Replaces a table's keys from the next picture on. `keys`: at most kMostKeys CameraKeys or Keys, as in
-    // the table
+    // Replaces a table's keys from the next picture on. `keys`: at most kMostKeys, of the table's type
     void (*setKeys)(KeyTable &table, const void *keys, int count);
     // Bytes of Intro, Scene, Hall and Sound. If one changes, load() and loadSound() must run again
     size_t sizes[4];

@@ -71,8 +71,7 @@ void Rebuilder::start() {
     int to = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(to, 1);
     dup2(to, 2);
-    // LC_ALL=C: messages in English, with quotes that the font has. Not `cmake --build`, which would end
-    // before its children
+    // English messages have quotes that the font has. (`cmake --build` would end before its children)
     execlp("env", "env", "LC_ALL=C", buildTool.c_str(), "-C", build.c_str(), "live", nullptr);
     _exit(127);
 }

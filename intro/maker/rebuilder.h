@@ -11,8 +11,7 @@ namespace odraz::maker {
 
 class Rebuilder {
 public:
-    // `build`: the build folder, whose CMake cache names the source folder. If it does not, problem() has the
-    // reason.
+    // `build`: the build folder. If its CMake cache names no source folder, problem() has the reason.
     explicit Rebuilder(const std::string &build);
     ~Rebuilder();
     Rebuilder(const Rebuilder &) = delete;
@@ -23,8 +22,7 @@ public:
         Failed,   // error() has the reason
         Built,    // object() can be loaded
     };
-    // Does what is possible without waiting. Returns what happened since the last call. `now`: seconds of any
-    // clock.
+    // Never waits. Returns what happened since the last call. `now`: seconds of any clock.
     Event poll(double now);
 
     bool building() const { return compiling > 0; }

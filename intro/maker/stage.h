@@ -15,8 +15,7 @@ namespace odraz::maker {
 
 class Stage {
 public:
-    // Opens the shared object, whose functions can be called from then on. If it cannot, problem() has the
-    // reason.
+    // Opens the shared object, for live(). If that fails, problem() has the reason.
     explicit Stage(std::string object);
     ~Stage() { giveUp(); }
     const std::string &problem() const { return wrong; }

@@ -47,8 +47,7 @@ public:
     // Describes such a row, as a row of its scene and of the film. Warns if another key is within a beat,
     // because the path may swing.
     std::string rowInWords(uint32_t row) const;
-    // Rounds a row of the film to the nearest whole row; next to a cut it is rounded down if the nearest one
-    // shows another path.
+    // Rounds a row of the film to the nearest whole row, or down if that one shows another path (at a cut).
     uint32_t rowOfView(double row) const;
     bool undo() { return files.undo(); } // one edit by hand
     bool redo() { return files.redo(); }

@@ -39,8 +39,7 @@ std::string Tracks::setView(uint32_t row, const CameraKey *camera) {
         KeyNumbers view = numbersOf(*camera);
         std::copy_n(view.begin() + 1, 6, // eye and target
                     here->begin() + 1);
-        // Round to millimetres and thousandths of a degree: more cannot be seen, and fewer digits are easier
-        // to read
+        // Round to millimetres and thousandths of a degree: finer steps are invisible and harder to read
         for (size_t n = 1; n < here->size(); ++n) (*here)[n] = std::round((*here)[n] * 1000) / 1000;
     }
     for (size_t c = 0; c < kChannels; ++c) {

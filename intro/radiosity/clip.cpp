@@ -12,10 +12,9 @@ struct Border {
     float inside(const FaceCorner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
 };
 
-// Cuts a convex polygon. A new corner is computed from the nearer end of its side.
-// This is precise, and neighbours that share the side compute the same corner. The corner is then moved
-// exactly onto the border, because rounding might leave it many pixels away if a wall is very close to the
-// eye.
+// Cuts a convex polygon. A new corner is computed from the nearer end of its side: this is precise, and
+// neighbours that share the side compute the same corner. Then it is moved exactly onto the border, since
+// rounding might leave it many pixels away if a wall is very close to the eye.
 int clip(const FaceCorner *in, int count, FaceCorner *out, const Border &border) {
     int n = 0;
     for (int i = 0; i < count; ++i) {

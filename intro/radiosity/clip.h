@@ -17,8 +17,7 @@ struct FaceCorner {
 uint32_t outsideFaces(const Vec3 &p);
 
 // Cuts a convex polygon of 3 or 4 corners at the borders whose bits are set in `crossed`, and updates
-// `count`. Each border adds at most one corner, for which the buffers have room. Returns the polygon, which
-// may be in a buffer.
+// `count`. Each border adds at most one corner. Returns the polygon, which may be in a buffer.
 const FaceCorner *clipToFace(const FaceCorner *polygon, int &count, bool top, uint32_t crossed,
                              FaceCorner (&buffers)[2][8]);
 

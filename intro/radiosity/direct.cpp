@@ -150,9 +150,8 @@ void DirectSampler::add(const Receivers &at, Float8 *sums) {
         }
         // Aim at a point of the ball's disc, different for each round
         Vec3x8 to = lamp.centre - at.p;
-        Float8 distance = max(length(to), 1e-20f);
-        Float8 factor =
-            ballFormFactor(dot(to, at.n) / distance, lamp.radius * lamp.radius / (distance * distance));
+        Float8 r = max(length(to), 1e-20f);
+        Float8 factor = ballFormFactor(dot(to, at.n) / r, lamp.radius * lamp.radius / (r * r));
         Int8 lit = at.active & (factor > 0.f);
         if (!any(lit)) continue;
         Vec3x8 side = normalize(cross(to, Vec3x8{to.y, to.z, -to.x}));

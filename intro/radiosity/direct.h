@@ -5,8 +5,7 @@
 // Far from a source, each point uses every fourth part, so penumbrae are even without random numbers, and a
 // part counts as a disc, cos cos' A / (pi r^2 + A) (Wallace, Elmquist and Haines, "A Ray Tracing Algorithm
 // for Progressive Radiosity", SIGGRAPH 1989). Near a source, each point uses all parts, by Lambert's exact
-// formula. Balls count by their exact form factor. One shadow ray to each part, and one from each point to a
-// ball, decide visibility.
+// formula. Balls count by their exact form factor. One shadow ray to each part or ball decides visibility.
 #pragma once
 
 #include "base/parallel.h"

@@ -34,8 +34,8 @@ void deltaFormFactors(int px, float *delta);
 void accumulateFormFactors(int px, const float *delta, float *sums);
 
 // Adds the pixels of one hemicube to row[patch], by these sums. Returns the form factor of pixels that show
-// nothing, or backs. An empty pixel between two filled ones, in its line or column, is a rasterisation crack
-// and counts as its neighbour.
+// nothing, or backs. An empty pixel between two others, in line or column, is a crack: it counts as one of
+// them.
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
 // Draws the hemicubes of all visible patches that reflect, and stores their rows. Returns false if the viewer

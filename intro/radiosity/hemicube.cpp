@@ -44,14 +44,9 @@ struct AtlasFace {
     float x, y;
 };
 
-// Data for all vertices of a facet: the first patch's id, and the patches across and down in 16 bits each.
-struct PatchGrid {
-    uint32_t first, shape;
-};
-
-// Lays out one facet on one face, cut at the borders that it crosses.
+// Lays out one facet on one face, cut at the borders that it crosses. `grid`: data for vertices.
 void layOut(VertexWriter &out, const FaceCorner (&corners)[4], uint32_t crossed, const AtlasFace &face,
-            const PatchGrid &grid) {
+            const uint32_t (&grid)[2]) {
     FaceCorner buffers[2][8];
     int count = 4;
     const FaceCorner *polygon = clipToFace(corners, count, face.top, crossed, buffers);
@@ -61,15 +56,14 @@ void layOut(VertexWriter &out, const FaceCorner (&corners)[4], uint32_t crossed,
         for (int k = 0; k < 3; ++k) {
             const FaceCorner &c = polygon[k ? i - 2 + k : 0];
             float *v = out.h.vertices + (size_t)out.vertices++ * kFloats;
-            // Clamp rounding errors to the picture: outside of it OpenGL would clip all triangles, which is
-            // slow
+            // Clamp rounding errors to the picture: beyond it OpenGL would clip, which is slow
             v[0] = clamp(fmadd(c.x, out.scaleX, face.x * c.w), -c.w, c.w);
             v[1] = clamp(fmadd(c.y, out.scaleY, face.y * c.w), -c.w, c.w);
             v[2] = c.w;
             v[3] = c.s;
             v[4] = c.t;
-            v[5] = fromBits((int32_t)grid.first);
-            v[6] = fromBits((int32_t)grid.shape);
+            v[5] = fromBits((int32_t)grid[0]);
+            v[6] = fromBits((int32_t)grid[1]);
         }
 }
 
@@ -90,8 +84,8 @@ void layOutHemicube(VertexWriter &out, const Model &model, const Eye &eye, float
             uint32_t code = outsideFaces(local[k]);
             all &= code, some |= code;
         }
-        PatchGrid grid = {back ? kBackSide : (uint32_t)c.firstPatch + 1,
-                          (uint32_t)c.patchesAcross | (uint32_t)c.patchesDown << 16};
+        uint32_t grid[2] = {back ? kBackSide : (uint32_t)c.firstPatch + 1,
+                            (uint32_t)c.patchesAcross | (uint32_t)c.patchesDown << 16};
         float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
         for (int side = -1; side < 4; ++side, all >>= 4, some >>= 4) {
             FaceCorner corners[4];

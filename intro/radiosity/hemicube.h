@@ -7,8 +7,7 @@
 // is a reversed float, which fragments write. The depth of vertices is in the middle of OpenGL's range, so
 // nothing is clipped however near it is.
 //
-// Source: Cohen and Greenberg, "The Hemi-Cube", SIGGRAPH 1985. The form factors of the pixels are in
-// form_factor.h.
+// Source: Cohen and Greenberg, "The Hemi-Cube", SIGGRAPH 1985. form_factor.h has the pixels' form factors.
 #pragma once
 
 #include "base/gl.h"

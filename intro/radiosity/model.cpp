@@ -9,8 +9,7 @@ int Model::addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int materia
     c = {};
     c.corner = corner;
     c.width = length(u), c.height = length(v);
-    // Divide instead of multiplying by the inverse: along an axis the result is exactly 1, and neighbours'
-    // corners meet exactly
+    // Divide: multiplying by the inverse would not give exactly 1 along an axis, and corners would not meet
     auto unit = [](Vec3 a, float length) { return Vec3{a.x / length, a.y / length, a.z / length}; };
     c.u = unit(u, c.width), c.v = unit(v, c.height);
     c.n = cross(c.u, c.v);
@@ -79,8 +78,7 @@ static void placePatch(const Model &model, int index, Patch &patch) {
 bool Model::divide(Arena &arena, int block) {
     texelCount = cellCount = patchCount = 0;
     for (int i = 0; i < chartCount; ++i) {
-        // Charts have whole patches: choose the number of blocks nearest to the requested size, and the
-        // number of cells that fills them
+        // Choose the number of patches nearest to the requested size, and the number of cells that fills them
         Chart &c = charts[i];
         auto divideSide = [&](int16_t &cells, int16_t &patches) {
             int blocks = max((cells + block / 2) / block, 1);

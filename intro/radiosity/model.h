@@ -69,9 +69,8 @@ struct Model {
     Chart charts[kMaxCharts];
     Facet facets[kMaxFacets];
 
-    // Adds a rectangle with the sides u and v, whose front faces u x v. Returns its chart. kPieces:
-    // addFacet() adds its facets next; kOpen: it is a window. Cells have sides of about `cell`, but at most
-    // kMaxAcross along a side.
+    // Adds a rectangle with sides u and v; its front faces u x v. Returns its chart. kPieces: addFacet() adds
+    // facets; kOpen: a window. Cells have sides of about `cell`, but at most kMaxAcross along a side.
     enum Kind { kWhole, kPieces, kOpen };
     int addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int material, float cell,
                 Kind kind = kWhole);
@@ -85,8 +84,7 @@ struct Model {
     enum Side { kLeft = 1, kRight = 2, kBottom = 4, kTop = 8, kBack = 16, kFront = 32, kUpright = 51 };
     void addBox(const Vec3 &lo, const Vec3 &hi, int material, float cell, unsigned sides);
 
-    // Adds the facets, except windows, to a scene with the same material indices as the charts. All must be
-    // rectangles.
+    // Adds all facets but windows, which must be rectangles, to a scene with the charts' material indices.
     void pose(Scene &scene) const;
     Shape shapeOf(int facet) const;
 
@@ -95,8 +93,7 @@ struct Model {
         return texels[cell.corner[k]].visible >> (3 - k) & 1;
     }
 
-    // Divides all charts: patches have `block` x `block` cells if charts are large enough. Returns false if
-    // the arena is full.
+    // Divides charts, large ones into patches of `block` x `block` cells. Returns false if the arena is full.
     bool divide(Arena &arena, int block);
     // Finds the positions of the patches' hemicubes and their visible areas, after findVisible() (visible.h).
     void placePatches();

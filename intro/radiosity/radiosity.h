@@ -37,8 +37,7 @@ struct Radiosity {
     Hemicubes hemicubes;          // open after solveRadiosity()
 };
 
-// The resources of solving: OpenGL in the current context, memory and threads; and where progress is
-// reported.
+// The resources of solving: OpenGL in the current context, memory, threads, and a report of progress.
 struct SolverHost {
     const Gl &gl;
     Arena &arena;
@@ -46,9 +45,8 @@ struct SolverHost {
     const Progress &progress;
 };
 
-// Runs all stages: divides the model and solves it. `scene` is for shadow rays, and for the mean reflectances
-// that patches get. Returns false if the arena is too small, if OpenGL cannot render ids, or if the viewer
-// left.
+// Runs all stages. `scene` is for shadow rays and for the mean reflectances of patches. Returns false if the
+// arena is too small, if OpenGL cannot render ids, or if the viewer left.
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings,
                     const SolverHost &host);
 

@@ -18,8 +18,7 @@ Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
 }
 
 // Tests rays in several directions, because one ray from inside a solid next to a wall may run along the wall
-// and hit its front. They start on two sides of the point, so that a point that touches a solid's edge counts
-// as inside.
+// and hit its front. They start on two sides of the point, so that points on a solid's edge count as inside.
 Int8 insideSolid(const Scene &scene, const Texels8 &t, const TexelPoints8 &points) {
     Int8 some = {};
     for (int i = 0; i < 4; ++i) {

@@ -6,8 +6,8 @@
 namespace odraz {
 
 // build/seen measured the penalties at `play` and near `film`; then they were adjusted by hand for the best
-// result on machines of 16 to 64 G instructions a second. tools/measure/seen/costs measures the work that a
-// step of coarseness saves.
+// result on machines of 16 to 64 G instructions a second. tools/measure/seen/costs measures the savings of a
+// step of coarseness.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point",
      .pose = posePoint,

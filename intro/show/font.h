@@ -17,8 +17,7 @@ struct TextStyle {
     float tracking = 1.6f; // extra space between letters, in twelfths of the size
 };
 
-// Draws a line of text with its baseline at y and its start, centre or end at x (pixels). Skips unknown
-// characters.
+// Draws text with its baseline at y and its start, centre or end at x (pixels). Skips unknown characters.
 void drawText(Frame &frame, const char *text, float x, float y, const TextStyle &style);
 
 // Adds a line of text to a scene, as tubes in the xy plane, with the foot of its first letter at `origin`.

@@ -86,8 +86,8 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
     now.sky.near = {}; // counts as part of the sun
     if (light.hour < (float)kNight)
         project(now.sky, v.bounced); // the night sky is visible but lights nothing, which is cheaper
-    // Interpolate the sun's bounced light between two positions, and add the direct light that the tracer
-    // does not draw
+    // Interpolate the sun's light between two positions: bounced, and direct where the tracer does not draw
+    // it
     float at = clamp(light.hour * 4, 0.f, (float)(kSuns - 1));
     int before = min((int)at, kSuns - 2);
     for (int i = 0; i < 2; ++i) {

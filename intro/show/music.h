@@ -1,5 +1,4 @@
-// The film's music: chords for each bar, parts that play them, and the sounds of events. score.cpp plays it;
-// tune.h has the tune.
+// The film's music: chords for each bar, parts that play them, and sounds of events. score.cpp plays it.
 #pragma once
 
 #include "show/score.h"
@@ -185,8 +184,7 @@ static constexpr EventSound kEventSounds[] = {
 };
 // clang-format on
 
-// Returns the share of each channel that the other gets, per cent: scene 4 is narrow until direct light, and
-// the finale is the widest.
+// The share of each channel that the other gets, per cent: narrow before direct light, widest in the finale.
 static int crossfeedAt(int scene, int bar) {
     static constexpr int8_t kCrossfeed[kSceneCount] = {
         [kPoint] = 15, [kTable] = 25, [kFlake] = 12,  [kPatches] = 16,

@@ -15,7 +15,7 @@ static_assert(
         for (const Part &p : kParts) {
             int bars = 0;
             while (kChords[p.scene][bars]) ++bars;
-            if (p.bars.from >= p.bars.to || p.bars.to > bars) return false;
+            if (p.bars[0] >= p.bars[1] || p.bars[1] > bars) return false;
         }
         return true;
     }(),
@@ -68,23 +68,20 @@ void playRow(Mixer &m, int row) {
     char chord = kChords[scene][bar];
     m.crossfeed = lerp(m.crossfeed, (float)crossfeedAt(scene, bar) * 0.01f, isHit(row) ? 1 : 0.02f);
     for (const Part &p : kParts) {
-        int since = story - p.bars.from * 16, strokes = since * p.strokes.count,
-            stroke = strokes / p.strokes.rows;
-        if (p.scene != scene || since < 0 || bar >= p.bars.to ||
-            strokes - stroke * p.strokes.rows >= p.strokes.count)
-            continue;
+        const auto &[from, to] = p.bars;
+        const auto &[count, rows] = p.strokes;
+        int since = story - from * 16, strokes = since * count, stroke = strokes / rows;
+        if (p.scene != scene || since < 0 || bar >= to || strokes - stroke * rows >= count) continue;
         int size = 0, held = 1;
         while (p.line[size]) ++size;
         const char *tone = &p.line[stroke % size];
         while (tone[held] == '-') ++held;
         // Apply the metre, and an arch over four bars, which is highest after a third of them
-        float progress = (float)since / (float)((p.bars.to - p.bars.from) * 16),
-              x = (float)(since & 63) * (1.f / 64);
+        float progress = (float)since / (float)((to - from) * 16), x = (float)(since & 63) * (1.f / 64);
         float phrased =
             1 - (float)((story % 16 > 0) + (story % 8 > 0)) * 0.16f + x * (1 - x) * (1 - x) * 1.8f;
-        strike(m, p.sound, *tone, chord,
-               lerp((float)p.velocity.first, (float)p.velocity.last, progress) * 0.01f * phrased,
-               (float)(p.strokes.rows * held) / (float)p.strokes.count);
+        float velocity = lerp((float)p.velocity[0], (float)p.velocity[1], progress) * 0.01f * phrased;
+        strike(m, p.sound, *tone, chord, velocity, (float)(rows * held) / (float)count);
     }
     for (const EventSound &sound : kEventSounds)
         if (sound.scene == scene && sound.row == story)

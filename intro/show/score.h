@@ -1,5 +1,4 @@
-// The notation of the music: chords for each bar, parts that play them, and the sounds of events. music.h has
-// the music.
+// The notation of the music (music.h): chords for each bar, parts that play them, and sounds of events.
 //
 // Bars and rows count from the start of a scene's story, so that music moves with its scene. A chord is five
 // tones of the scale, stacked in thirds on its root: A to G in D minor, d in D major. A is the dominant: in
@@ -36,16 +35,10 @@ struct Articulation {
 
 struct Part {
     SceneId scene;
-    struct {
-        uint8_t from, to;
-    } bars; // [from, to)
+    uint8_t bars[2]; // [from, to)
     Articulation sound;
-    struct {
-        uint8_t count, rows;
-    } strokes; // `count` strokes spread over `rows` rows
-    struct {
-        uint8_t first, last;
-    } velocity; // at the start and at the end, per cent
+    uint8_t strokes[2];  // their number, and the number of rows over which they are spread
+    uint8_t velocity[2]; // at the start and at the end, per cent
     // 0 .. 9: a tone of the chord; A .. G, a .. g: a tone of the scale; . is a rest, - holds the last tone
     const char *line;
 };
@@ -63,8 +56,7 @@ struct EventSound {
           articulation(articulation), tone(tone) {}
 };
 
-// Plays the notes that begin on a row of the film, 0 or more, and sets the mixer's crossfeed and silence. A
-// RowPlayer (mixer.h).
+// A RowPlayer (mixer.h): plays the notes that begin on a row, and sets the mixer's crossfeed and silence.
 void playRow(Mixer &mixer, int row);
 
 } // namespace odraz

@@ -1,8 +1,7 @@
 // The film's content as the engine uses it: a list of shots, and the functions that pose and letter each
 // scene.
 //
-// Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is a pure function:
-// scenes have no state.
+// Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is pure: no state.
 #pragma once
 
 #include "show/events.h"

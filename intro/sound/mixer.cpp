@@ -4,16 +4,12 @@
 
 namespace odraz {
 
-namespace {
-
-constexpr float kLoud = 1.9f;    // gain of the mix before it is clipped softly
-constexpr float kUsual = 0.006f; // mean square above which 4 dB more become 3 dB more
-constexpr float kFade = 0.35f;   // decrease of the gain per block while muted
-constexpr float kRoomLevel = 0.42f;
-constexpr float kPeak = 0.68f;       // the largest sample: leaves room for peaks between samples
-constexpr int kSeekBlocks = 8 * 200; // rendered before the block sought, to fill room and echo
-
-} // namespace
+static constexpr float kLoud = 1.9f;    // gain of the mix before it is clipped softly
+static constexpr float kUsual = 0.006f; // mean square above which 4 dB more become 3 dB more
+static constexpr float kFade = 0.35f;   // decrease of the gain per block while muted
+static constexpr float kRoomLevel = 0.42f;
+static constexpr float kPeak = 0.68f;       // the largest sample: leaves room for peaks between samples
+static constexpr int kSeekBlocks = 8 * 200; // rendered before the block sought, to fill room and echo
 
 void playNote(Mixer &m, const Note &note) {
     if (!(note.key > 0 && note.velocity > 0 && note.room >= 0) || m.voiceCount == kVoices) return;
@@ -21,9 +17,8 @@ void playNote(Mixer &m, const Note &note) {
     m.ducked = max(m.ducked, note.instrument->ducks);
 }
 
-// Adds the block of every voice to the mix, unless only time advances, and drops the voices that end. If
-// there are many, fades out the quietest within this block, to make room for the next row. `ducked`: before
-// this row.
+// Adds every voice to the mix if `audible`, and drops those that end. If there are many, fades out the
+// quietest, to make room for the next row. `ducked`: m.ducked before this row.
 static void mixVoices(Mixer &m, bool audible, float ducked) {
     int stolen = m.voiceCount > kVoices - kVoicesAtOnce ? m.quietest : -1;
     float least = kInfinity;
@@ -54,8 +49,7 @@ static void mixVoices(Mixer &m, bool audible, float ducked) {
 
 // Mixes down to two channels: crossfeed, the compressor's gain, soft clipping. Clears the mix.
 static void mixDown(Mixer &m, float *stereo) {
-    // Move the gain linearly over the block; after silence within 1 ms, so that struck notes keep their
-    // attack
+    // Move the gain linearly over the block; after silence in 1 ms, so that struck notes keep their attack
     float gain = kLoud * exp2(max(log2(m.power * (1 / kUsual)), 0.f) * -0.125f);
     if (m.muted) gain = max(m.gain - kFade, 0.f);
     float step = (gain - m.gain) / (m.gain > 0 ? kBlock : 48), most = max(gain, m.gain);

@@ -36,17 +36,16 @@ struct Mixer {
     Float8 voice[kBlock], dry[kBlock], wet[kBlock], echoed[kBlock];
 };
 
-// Begins a note with the next block. Ignores it if its key or velocity is not positive, if its room is
-// negative, if one of them is NaN, or if kVoices voices are sounding. Partials above 20 kHz are silent, and
-// so is a note whose length is NaN.
+// Begins a note with the next block. Ignores it if its key or velocity is not positive, its room is negative,
+// one of them is NaN, or kVoices voices are sounding. Partials above 20 kHz and notes of length NaN are
+// silent.
 void playNote(Mixer &mixer, const Note &note);
 
 // Renders the next block: kBlock pairs of left and right, within -1 .. 1. With null, time advances without
 // rendering, at hardly any cost: voices are kept up to date, but room and echo are not.
 void renderBlock(Mixer &mixer, float *stereo);
 
-// Seeks a block, as if everything before it had been rendered, except that room and echo contain only the
-// last 8 seconds of it.
+// Seeks a block. Room and echo contain only the last 8 seconds before it; all else is as after rendering.
 void seekBlock(Mixer &mixer, int block);
 
 } // namespace odraz

@@ -102,8 +102,7 @@ void beginVoice(Voice &v, const Note &note, int block) {
         Int8 left = kLanes & 3;
         Float8 k = log2(toFloat(left + 4 * g + 1));
         uint32_t seed = (uint32_t)(block * 32 + g) * 3 + (uint32_t)(int)note.key * 1664525u;
-        // Random numbers make every note different. Both copies of a partial share them, except for a part of
-        // the phase
+        // Random numbers make notes differ. Both copies of a partial share them, but for a part of the phase
         Float8 random = randomLanes(seed), shared = (Float8)_mm256_permute2f128_ps(random, random, 0);
         Float8 side = select(kLanes < 4, 1.f, -1.f);
         Float8 ratio = exp2(k * i.stretch);
@@ -136,8 +135,7 @@ void renderVoice(Voice &v, int time, float gain0, float gain1, Float8 *out) {
             renderNoise(v, time, amplitude, gain, out);
             continue;
         }
-        // Compute the phase at the block's start and the turn per sample: within a block the pitch is
-        // constant
+        // Compute the phase at the start and the turn per sample: within a block the pitch is constant
         Uint8 phase = group.phase + group.turn * (uint32_t)time + phaseOf(group.hertz * ahead0);
         Uint8 turn = group.turn + (Uint8)toInt(group.hertz * (ahead1 - ahead0) * (kTurn / kBlock));
         Phasor p = phasor(phase, amplitude), by = phasor(turn, exp2(group.fall));

@@ -4,8 +4,7 @@
 
 namespace odraz {
 
-// In samples. Not in small ratios, so that the lines' echoes seldom coincide. The left and the right lanes
-// alternate.
+// In samples. Not in small ratios, so that the lines' echoes seldom coincide. Left and right alternate.
 static constexpr Float8 kLengths = {1511, 2039, 2741, 3697, 1753, 2371, 3187, 4001};
 
 static constexpr int kDiffusers[] = {223, 467, 907}; // samples

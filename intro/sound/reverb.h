@@ -1,5 +1,4 @@
-// The reverberation of a room, and an echo in tempo. Both have eight lanes of input and output; lanes 0 to 3
-// are on the left.
+// The reverberation of a room, and an echo in tempo. Both have eight lanes; lanes 0 to 3 are on the left.
 //
 // Three allpasses diffuse the input, so that the first echoes are not clicks (Schroeder, "Natural sounding
 // artificial reverberation", 1962). The room is a feedback delay network of eight lines, one for each lane: a

@@ -69,8 +69,7 @@ struct HeatMap {
             for (int x = x0; x < x1; ++x) n += samples[(size_t)y * (size_t)width + (size_t)x];
         return n;
     }
-    // Colours the square of `size` pixels at (x, y), or its quarters. `n`: its samples. Calls `f` for each
-    // part of one colour.
+    // Colours the square of `size` pixels at (x, y), with n samples, or its quarters. `f` draws a part.
     template <class F> void divide(int x, int y, int size, uint32_t n, const F &f) const {
         int x1 = std::min(x + size, width), y1 = std::min(y + size, height);
         int half = size / 2;

@@ -35,8 +35,7 @@ struct Probe {
     int width = 0, height = 0;
 };
 
-// Sets the probe that measures pictures from now on; null: none. Must not be called while a picture is made.
-// Defined in probe.cpp.
+// Sets the probe that measures pictures; null: none. Must not be called while one is made. In probe.cpp.
 void watchPictures(Probe *probe);
 
 struct Inspector {

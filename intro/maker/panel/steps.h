@@ -19,8 +19,7 @@ struct Loop {
     bool on() const { return to > from; }
 };
 
-// The music follows a jump back only if it is longer than a second (playback.cpp), so a shorter loop would be
-// silent.
+// The music follows only jumps back of more than a second (playback.cpp): shorter loops would be silent.
 inline constexpr double kBeat = 0.5, kShortestLoop = 3 * kBeat;
 
 // Returns the loop between two times in any order, widened to whole beats and at least kShortestLoop, within

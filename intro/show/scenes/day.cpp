@@ -1,5 +1,4 @@
-// Scene 5. A day in the hall: dawn, noon, dusk; lanterns; then the light of scene 1 returns and lights the
-// door.
+// Scene 5. A day in the hall: dawn, noon, dusk, lanterns; then the light of scene 1 lights the door.
 #include "show/materials.h"
 #include "show/scenes.h"
 #include "timeline/keys.h"

@@ -78,8 +78,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     // Dim the night outside with the door, or the entrance would outshine the word in front of it
     scene.sky.low = Rgb{0.004f, 0.006f, 0.01f} * min(0.3f + burn, 1.f);
     scene.sky.cover = 0;
-    // As the door goes out, fade in a cold light behind it, so that the last ball keeps its outline and its
-    // shadow
+    // As the door goes out, fade in a cold light behind it: the last ball keeps its outline and its shadow
     if (float cold = 0.7f - burn; cold > 0)
         scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.3f});
 

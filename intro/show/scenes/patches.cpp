@@ -2,8 +2,7 @@
 // over it and unfolds into five pictures of what it sees, and the patch takes its colour. Then a wave of
 // direct light runs over all patches, then bounce after bounce. The light that a bounce adds is shown
 // brightened, in a colour of its own (amber, rose, blue), before it joins the rest. The camera goes in, and
-// patches become surfaces. Everything shown is the solver's: the patches, the hemicube, the light after each
-// bounce.
+// patches become surfaces. All data are the solver's: patches, hemicube, light after each bounce.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/hemicube_view.h"
@@ -37,8 +36,7 @@ static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {2.6f, 1
 static constexpr Vec3 kPhoton[] = {
     {-7.5f, 6.3f, 3.3f}, {-1.2f, 0, 3.3f}, {1.5f, 3, -9}, {-1.93f, 2.2f, -1.7f}};
 
-// The stage of light at a row, and its progress: its contribution appears on its row and joins the rest
-// before its bar ends.
+// The stage of light at a row. Its contribution appears on its row and joins the rest before its bar ends.
 struct LightStage {
     int number; // index in kStages; -1: no light yet
     float join;

@@ -22,15 +22,14 @@ void posePoint(const SceneInput &in, Scene &scene) {
 
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({-0.8f, 0.5f, 0.6f}, 0.5f, kClear));
-    Vec3 wordOrigin = {-0.42f, 0.055f, -0.7f};
-    addText(scene, "odraz", wordOrigin, 0.045f, written, tube);
+    Vec3 foot = {-0.42f, 0.055f, -0.7f};
+    addText(scene, "odraz", foot, 0.045f, written, tube);
 
     Vec3 point = {value(track(kPasses), in.row), value(track(kRises), in.row), -0.55f};
     if (key > 0) scene.add(sphere(point, 0.03f, glow));
     scene.add(Light{point, Rgb{4.9f, 3.75f, 2.55f} * key, 0.06f});
     scene.add(Light{{2.8f, 1.9f, -2.8f}, Rgb{3.6f, 4.9f, 7.4f} * rim, 0.2f});
-    if (written > 0)
-        scene.add(Light{wordOrigin + Vec3{1.2f, 0.35f, 0.1f}, Rgb{0.34f, 0.16f, 0.07f} * word, 0.2f});
+    if (written > 0) scene.add(Light{foot + Vec3{1.2f, 0.35f, 0.1f}, Rgb{0.34f, 0.16f, 0.07f} * word, 0.2f});
     scene.ballsOcclude = true;
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
