@@ -83,8 +83,8 @@ def models(machine):
 
 # --- Radiosity and transfer ---
 
-# Models as large as those in table 4.1 of the thesis, then three in which few triangles lie in one plane: kind, largest
-# area of a triangle, options (at least as many elements as triangles), seconds of the thesis at 100 x 100 pixels
+# Models of the sizes in table 4.1 of the thesis, then three models with few triangles in one plane: kind, largest area
+# of a triangle, options (at least as many elements as triangles), seconds of the thesis at 100 x 100 pixels
 SOLVED = (('columns', 0.19531, '--element 0.1636', 280), ('columns', 0.035785, '--element 0.0316', 3500),
           ('columns', 0.0088765, '--element 0.0079', 34980), ('cave', 0.046735, '', ''), ('vault', 0.0552, '', ''),
           ('terrain', 0.018266, '', ''))
