@@ -40,9 +40,9 @@ void prepareHall(Hall &hall, Scene &scene);
 
 // The shipped settings, chosen by their error against rays and by their time.
 inline constexpr RadiositySettings kHallSettings = {.px = 16, .block = 2, .residual = 1e-2f};
+inline constexpr float kGlossExponent = 16; // exponent of the floor's gloss (see window())
 // Returns the settings for solveRoom() and a prepared hall: kHallSettings, the lobe of its gloss, the light
 // that scene 4 shows, and the position of the patch that it visits.
-inline constexpr float kGlossExponent = 16;
 RoomSettings hallSettings(const Hall &hall);
 
 // Fills a scene with the hall and its lights, lit for an eye. The tracer draws the sun and the two strongest
