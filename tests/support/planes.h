@@ -1,4 +1,4 @@
-// Returns the radiance of a traced picture as a list, row by row.
+// Lists of the radiance of a traced picture, row by row.
 #pragma once
 
 #include "trace/picture/frame.h"

@@ -1,5 +1,5 @@
-// Sanitizers take five times as long, and find misused memory, not wrong figures: under them, sweeps test
-// fewer cases.
+// Sanitizers make tests five times as slow, and find misused memory, not wrong figures. So with them sweeps
+// test fewer cases.
 #pragma once
 
 namespace odraz {

@@ -58,7 +58,7 @@ std::string readStart(const std::string &path, size_t size) {
 
 std::string readWhole(const std::string &path) { return std::string(readWholeFile(path).view()); }
 
-// The target of a path, behind symbolic links.
+// The target of a path, to which symbolic links lead.
 struct Target {
     std::string path;
     bool direct = false; // a device, a pipe or a descriptor, which is written to directly; else a file

@@ -23,8 +23,8 @@ def size(machine):
     machine.note('cmake --build build --target film film_windows')
     lines = [('`odraz-safe`: linked and stripped', linked, linked_exe),
              ('`odraz`: packed', packed, packed_exe),
-             ('of these headers and stub', linux['overhead'], windows['overhead']),
-             ('... zeros up to a whole 512', '', packed_exe - windows['overhead'] - coded),
+             ('of these, headers and stub', linux['overhead'], windows['overhead']),
+             ('... zeros up to a multiple of 512', '', packed_exe - windows['overhead'] - coded),
              ('left of 65536', 65536 - packed, 65536 - packed_exe)]
     return [dict(zip(('', 'Linux', 'Windows'), line)) for line in lines]
 
@@ -115,8 +115,8 @@ def seen(machine):
 
 def played_and_simulated(machine):
     """Yields rows that compare the film as played here with a simulated machine. The simulated machine executes as many
-    instructions a second as this one did in that scene, by the counted costs of its pictures. So a machine that is busy
-    with other work only seems slower."""
+    instructions a second as this one did in that scene, by the counted costs of its pictures. So other work on this
+    machine slows both."""
     with machine.display():
         machine.run('build/odraz-debug --shown shown.csv --mute --from 34 --to 46')
     for real in rows(machine.run('build/seen shown.csv --summary')):
@@ -137,7 +137,7 @@ MOMENTS = 14, 24, 38, 58, 158  # outside the hall, since native times would incl
 
 
 def page_size(machine):
-    """Rows of the sizes that the page's build prints on its only line."""
+    """Rows of the page's sizes, which its build prints."""
     (machine.build / 'odraz.html').unlink(missing_ok=True)
     printed = machine.run(['cmake', '--build', machine.build, '--target', 'film_web'], noted=False)
     numbers = [int(word) for word in re.findall(r'\d+', re.search(r'html: (.*)', printed)[1])]
@@ -145,7 +145,7 @@ def page_size(machine):
     return [{'': name, 'bytes': value} for name, value in (
         ('`odraz.html`', whole), (f'... scripts of {scripts} and program of {program} coded', coded),
         ('... the decoder deflated', decoder), ('... its loader and the first line of markup', loader),
-        ('... for bytes that HTML would change', whole - coded - decoder - loader))]
+        ('... escapes of bytes that HTML would change', whole - coded - decoder - loader))]
 
 
 def native_ms(machine, second):
@@ -181,10 +181,10 @@ def page_play(machine):
             printed = machine.run(f'node tools/measure/bench/page.mjs play {name} build/odraz.html {PIECE} {starts}')
             machine.played[name] = played(printed)
             opened = re.findall(r'^page,(.*)$', printed, re.M)
-            yield dict(zip(('browser', 'opens', 'first', 'before', 'most'), [name, *best_of(opened)]))
+            yield dict(zip(('browser', 'opens', 'first', 'before', 'most'), [name, *summary_of(opened)]))
 
 
-def best_of(lines):
+def summary_of(lines):
     """The medians of the starts, and the largest memory."""
     columns = list(zip(*([float(cell) for cell in line.split(',')] for line in lines)))
     opens, first, before = map(statistics.median, columns[:3])

@@ -32,7 +32,7 @@ class Took:
 
 
 class Machine:
-    """The environment of a section: built programs, a working folder, its commands, and the facts that texts name."""
+    """The environment of a section: built programs, a working folder, its commands, and the values that its texts show."""
 
     def __init__(self, build, work, built=True):
         self.build, self.work, self.built = Path(build), Path(work), built
@@ -56,7 +56,7 @@ class Machine:
         return [str(folder / rest) if folder and rest else word for word, (folder, rest) in zip(words, found)]
 
     def note(self, command):
-        """Puts a command into the section's head."""
+        """Adds a command to the section's head."""
         text = command if isinstance(command, str) else shlex.join(map(str, command))
         text = textwrap.shorten(text, 150, placeholder=' ...')
         self.commands = [one for one in self.commands if one != text] + [text]
@@ -73,7 +73,7 @@ class Machine:
             try:
                 _, status, usage = os.wait4(process.pid, 0)
             except BaseException:
-                process.kill()  # since this program is being stopped
+                process.kill()  # this program is being stopped
                 raise
             process.returncode = os.waitstatus_to_exitcode(status)
             clock = time.monotonic() - began

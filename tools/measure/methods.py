@@ -155,7 +155,7 @@ def subspaces(machine):
 
 
 def sky(path):
-    """Writes a picture of the sky that lights every band in every colour: a function without light costs nothing."""
+    """Writes a picture of the sky that lights every band in every colour, since a band without light costs nothing."""
     random.seed(1)
     pixels = (random.randbytes(3) + bytes([128 if i % 97 else 133]) for i in range(1, 32 * 64 + 1))
     path.write_bytes(b'#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n' + b''.join(pixels))

@@ -45,9 +45,9 @@ SECTIONS = [
         'film', 'The film, played', 1.0,
         sources=['intro'], programs=['odraz-safe', 'seen'], packages=['xvfb'],
         parts=[
-            table(film.film, '''scene; rate = shown a second; traced = pictures traced; between = made between; shown;
-                missed = sixtieths of a second without a new one; trace_ms = ms to trace: median; trace_95 = 95 %;
-                between_ms = ms to make one between: median; between_95 = 95 %; show_ms = ms to show: median;
+            table(film.film, '''scene; rate = shown a second; traced = pictures traced; between = in-betweens made; shown;
+                missed = sixtieths of a second without a new picture; trace_ms = ms to trace: median; trace_95 = 95 %;
+                between_ms = ms to make an in-between: median; between_95 = 95 %; show_ms = ms to show: median;
                 show_95 = 95 %; samples = samples a traced pixel; width = pixels traced across'''),
             'Over all scenes: {shown} pictures a second were shown, {traced} traced.',
             '''{piece} seconds around every other cut between scenes were played at 1280x720, on a display in memory

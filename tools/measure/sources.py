@@ -108,7 +108,7 @@ def record_of(section, build):
 
 
 def verdict(section, record, build):
-    """Empty if the section is fresh, else a line with the reason."""
+    """A line with the reason why the section is not fresh; empty if it is."""
     if not record:
         return f'unmeasured: {section.name}: run tools/measure/all --only {section.name}, {section.minutes:g} minutes'
     for source in section.sources:

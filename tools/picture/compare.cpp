@@ -59,7 +59,7 @@ bool compare(const Picture &a, const Picture &b, const CompareSettings &s, std::
     for (const Picture *p : {&a, &b})
         common::need(p->others.empty(), "cannot compare all channels of a picture, which are" + p->others);
     common::need(a.light.empty() == b.light.empty(),
-                 "one picture has floats, which are linear, the other has not");
+                 "one picture has floats, which are linear, and the other has not");
     common::need(a.width == b.width && a.height == b.height,
                  common::format("the sizes differ: %dx%d and %dx%d", a.width, a.height, b.width, b.height));
     Difference d = differenceOf(a, b);
@@ -73,7 +73,7 @@ bool compare(const Picture &a, const Picture &b, const CompareSettings &s, std::
     std::map<std::string, uint64_t> unlike;
     std::set_symmetric_difference(a.unused.begin(), a.unused.end(), b.unused.begin(), b.unused.end(),
                                   std::inserter(unlike, unlike.end()));
-    for (const auto &[what, hash] : unlike) text += "not compared, and not alike: " + what + "\n";
+    for (const auto &[what, hash] : unlike) text += "not compared, and different: " + what + "\n";
     if (s.seen) {
         Image imageA = toImage(a), imageB = toImage(b);
         common::append(text, "mean flip %.4f, psnr in linear light %.2f dB, in sRGB %.2f dB\n",
@@ -128,9 +128,9 @@ int run(common::CommandLine &line) {
         "above\n"
         "--max and the PSNR is below --psnr (if given).");
     line.argument("A", pathA, "a picture: PNG, JPEG, TGA, BMP, PNM, Radiance HDR or OpenEXR");
-    line.argument("B", pathB, "another picture; with --png or --linear the file to write");
+    line.argument("B", pathB, "another picture; with --png or --linear, the file to write");
     line.option("--max", "N", s.most, {0, 255}, "the largest difference of a channel that passes");
-    line.option("--psnr", "DB", s.leastPsnr, {0, 1000}, "pictures pass from this PSNR on, whatever --max");
+    line.option("--psnr", "DB", s.leastPsnr, {0, 1000}, "the least PSNR that passes, whatever --max is");
     line.option("--diff", "OUT.png", s.diff, "write the differences, times eight; those in alpha are grey");
     line.flag(
         "--seen", s.seen,

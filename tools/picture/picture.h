@@ -23,7 +23,7 @@ struct Picture {
     std::vector<uint16_t> encoded = {}; // 65535 is 1; empty if there are floats
     std::vector<float> light = {};      // 1 is white
     std::string others = {};            // the names of all channels, if some are not read
-    // Statements in the file about its pixels that are not used, unless they say the usual: hashes, by name
+    // Hashes, by name, of the file's statements about its pixels that are neither used nor usual
     std::map<std::string, uint64_t> unused = {};
 
     size_t pixels() const { return (size_t)width * (size_t)height; }

@@ -13,7 +13,7 @@ namespace odraz::measure {
 
 namespace {
 
-constexpr int kRounds = 5; // times that start-up is measured
+constexpr int kRounds = 5; // number of measured starts
 
 // Times the steps of a solution by its progress reports.
 struct StepClock {
@@ -53,7 +53,7 @@ std::unique_ptr<SolvedHall> timeStartUp(const Gl &gl, Workers &workers) {
         StepClock clock;
         solved =
             std::make_unique<SolvedHall>(kHallSettings, gl, workers, kRoomBytes, nullptr, clock.progress());
-        // The first step has no report of its start: it takes the rest
+        // The first step does not report its start: it took the rest
         clock.steps[0].seconds = solved->seconds;
         for (size_t i = 1; i < clock.steps.size(); ++i) clock.steps[0].seconds -= clock.steps[i].seconds;
         size_t at = 0;

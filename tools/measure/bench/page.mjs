@@ -14,7 +14,7 @@ const until = async (b, ready) => {
   throw Error(`${kind}: ${ready} is still false after 300 s: ${JSON.stringify(await b.evaluate("self.film?.state()"))}`)
 }
 
-// The proportional set size, in MB, of the process that shows the page: the largest, since others are spare ones
+// The proportional set size, in MB, of the process that shows the page: the largest one, since the others are spare
 const memory = child => {
   const parents = new Map, shows = new Set
   for (const id of readdirSync('/proc').filter(id => +id))

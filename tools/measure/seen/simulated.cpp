@@ -68,10 +68,10 @@ private:
     void make(const ShownPicture &s, const MadeFrom &madeFrom) {
         PictureCost cost = costWith(costOf, machine, s, madeFrom);
         int64_t end = moment + nanosecondsOf(cost.serial / core() + cost.parallel / machine.rate);
-        for (int already = -1; already != presented;) {
-            already = presented;
+        for (int shownBefore = -1; shownBefore != presented;) {
+            shownBefore = presented;
             showUntil(end);
-            end += nanosecondsOf((presented - already) * presenting(machine) / machine.rate);
+            end += nanosecondsOf((presented - shownBefore) * presenting(machine) / machine.rate);
         }
         moment = end;
     }
@@ -86,7 +86,7 @@ private:
     const CostOf &costOf;
     SimulatedMachine machine;
     double to;                             // seconds of the film
-    std::vector<ShownPicture> list;        // by the numbers of the queue
+    std::vector<ShownPicture> list;        // indexed by the queue's numbers
     ShownPicture before = {}, traced = {}; // the last two traced pictures
     unsigned last = 0;                     // number of the picture that was shown last
     int presented = 0;                     // pictures shown so far
