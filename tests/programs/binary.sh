@@ -33,7 +33,7 @@ done
 check "(the search would find it)" grep -qE "$avx" "$WORK/code"
 
 # The pages that are decoded first hold only code that runs before the rest is decoded
-early() { # early MAP: prints the objects in these pages, leaving out the table of qualities, which any may provide
+early() { # early MAP: prints the objects in these pages, except for the table of qualities, which any object may contain
     awk '/^\.[a-zA-Z]/ { on = /^\.early(data)?( |$)/ } /^ \.[a-z]/ { section = $1 }
         on && $NF ~ /\.o\)?$/ && $(NF - 1) ~ /^0x/ && $(NF - 1) != "0x0" && section !~ /kQualities/ { print $NF }' "$1" |
         sed 's|.*/||' | sort -u
@@ -56,7 +56,7 @@ done
 # The film for Windows, made from the same objects
 objdump -d --no-show-raw-insn "$BUILD/odraz-windows.elf" >"$WORK/windows"
 objdump -d --no-show-raw-insn "$BUILD/libhost_windows.a" >"$WORK/host"
-check "odraz.exe names only the libraries that it should" test "$(grep -aoiE '[a-z0-9_-]+\.(dll|drv)' "$BUILD/odraz-safe.exe" | tr A-Z a-z | sed -E "s/.*(gdi32|kernel32|opengl32|user32|winmm)\\./\\1./" | sort -u | tr '\n' ' ')" = "gdi32.dll kernel32.dll opengl32.dll user32.dll winmm.dll "
+check "odraz.exe names five libraries and no others" test "$(grep -aoiE '[a-z0-9_-]+\.(dll|drv)' "$BUILD/odraz-safe.exe" | tr A-Z a-z | sed -E "s/.*(gdi32|kernel32|opengl32|user32|winmm)\\./\\1./" | sort -u | tr '\n' ' ')" = "gdi32.dll kernel32.dll opengl32.dll user32.dll winmm.dll "
 objdump -p "$BUILD/odraz.exe" >"$WORK/headers"
 check "... and imports from one" test "$(grep -c 'DLL Name: ' "$WORK/headers")" = 1 -a "$(grep -c 'DLL Name: kernel32.dll' "$WORK/headers")" = 1
 check "its code of host/ uses no AVX" lacks "$avx" "$WORK/host"

@@ -15,7 +15,7 @@ CHECKS=0 FAILED=0 FINISHED=
 leave() {
     local status=$? pid tries=0
     for pid in "${PIDS[@]}"; do kill "$pid" && kill -CONT "$pid"; done 2>/dev/null
-    # They may write into the folder until they end. A folder that cannot be removed does not fail the test
+    # The processes may write into the folder until they end. A folder that cannot be removed does not fail the test
     for pid in "${PIDS[@]}"; do PATIENCE=10 await gone "$pid" || kill -KILL "$pid"; done 2>/dev/null
     until rm -rf "$WORK" 2>/dev/null || [ $((++tries)) = 50 ]; do sleep 0.1; done
     [ -n "$FINISHED" ] || [ $status = 77 ] || { echo "FAILED: the test ended too early, with status $status" >&2; exit 1; }
@@ -48,7 +48,7 @@ skip_unless() {
         exit 77
     done
 }
-# lacking LIBRARY: prints a folder for LD_LIBRARY_PATH whose file of that name is a text, so the library does not load
+# lacking LIBRARY: prints a folder for LD_LIBRARY_PATH in which the library is a text file, so that it does not load
 lacking() {
     mkdir -p "$WORK/$1.d"
     echo "not a library" >"$WORK/$1.d/$1"
@@ -59,7 +59,7 @@ copy_sources() {
     mkdir -p "$1"
     (cd "$SOURCE" && git ls-files -z | xargs -0 cp --parents -t "$1") 2>"$WORK/copied" || true
 }
-# flip FILE OFFSET [BITS]: inverts the bits of one byte that the mask BITS has, by default all eight
+# flip FILE OFFSET [BITS]: inverts the bits of one byte that are set in the mask BITS, by default all eight
 flip() {
     printf "\\x$(printf %02x $(($(od -An -tu1 -j "$2" -N 1 "$1") ^ ${3-255})))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
 }
@@ -127,8 +127,8 @@ less() {
     done
     awk "BEGIN { exit !(($1) < ($2)) }"
 }
-# table FILE ACTION CONDITION: awk runs ACTION on every row of a CSV file. Succeeds if CONDITION holds then, the file
-# has a row after its header, and all numbers are finite
+# table FILE ACTION CONDITION: awk runs ACTION on every row of a CSV file. Succeeds if CONDITION holds at the end, the
+# file has a row after its header, and all numbers are finite
 table() {
     lacks '(^|,)[-+]?(nan|inf)' "$1" && awk -F, "NR > 1 { ++lines; $2 } END { exit !(lines > 0 && ($3)) }" "$1"
 }
@@ -158,8 +158,7 @@ ended() {
     await gone "$1" || kill -KILL "$1"
     wait "$1"
 }
-# worked PID HUNDREDTHS: waits until the process has used HUNDREDTHS of a second more of processor time; fails if it
-# ends first
+# worked PID N: waits until the process has used N hundredths of a second more of processor time; fails if it ends first
 worked() {
     local until=$(($(ticks "$1") + $2))
     PAUSE=0.02 await eval "[ \"\$(ticks $1)\" -ge $until ] || gone $1"

@@ -15,7 +15,7 @@ start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY
     : >"$WORK/display"
 }
 
-# A window that is mapped while its manager starts may stay unmapped, and GLFW 3.3 would wait for it for ever
+# A window that is mapped while its manager starts may stay unmapped, and GLFW 3.3 would wait for it forever
 has_window_manager() { xprop -root _NET_SUPPORTING_WM_CHECK | grep -q 'window id'; }
 start_window_manager() {
     skip_unless openbox xprop
@@ -45,7 +45,7 @@ begin() { # begin PROGRAM OPTION...: starts the program, waits for its window, a
     seen
 }
 
-# drawn: waits until odraz-debug has drawn two pictures, by the time in its title: then it shows every request
+# drawn: waits until the time in odraz-debug's title has changed twice. By then the picture shows every request
 drawn() {
     local before i
     for i in 1 2; do
@@ -57,7 +57,7 @@ title() { xdotool getwindowname "$window"; }
 
 # play OPTION...: starts the film by load(), and waits for a picture, which comes after unpacking and solving the hall
 play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
-# comes CONDITION: waits until it holds; fails if the program ends first
+# comes CONDITION: waits until the condition holds; fails if the program ends first
 comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
 press() { xdotool key --window "$window" "$@"; }
 # on_key KEYS WHAT COMMAND...: presses the keys; then the command must succeed
@@ -76,8 +76,8 @@ check_full_screen() {
     check "... in its corner" prints 'geometry 1000x700\+0\+0' xwininfo -id "$window"
     shot && mv "$WORK/shot.png" "$WORK/first.png"
     check "the picture changes" await differs
-    check "the aspect is kept, bars are black" is_black 1000x67+0+0
-    check "... below too" is_black 1000x67+0+633
+    check "the aspect ratio is kept, and the bars are black" is_black 1000x67+0+0
+    check "... below, too" is_black 1000x67+0+633
     check "... and the picture is not black" await is_bright
 }
 # grows [PID]: waits until the loading bar, the red in the middle row, has grown three times, or until the film begins,

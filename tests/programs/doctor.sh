@@ -14,7 +14,7 @@ finds() {
     echo "exit $got, wanted $status; printed: $(cat "$WORK/lines" "$WORK/err")" >&2
     return 1
 }
-lists() { [ "$(cut -d: -f1 "$WORK/lines" | tr '\n' ,)" = "$1" ]; } # lists NAME,NAME,: it printed these lines in this order
+lists() { [ "$(cut -d: -f1 "$WORK/lines" | tr '\n' ,)" = "$1" ]; } # lists NAME,NAME,: succeeds if it printed these lines in this order
 
 device 'hw card 31'
 check "without a display" finds 1 "OpenGL" "^no X display: set DISPLAY" "$odraz" --doctor
@@ -24,7 +24,7 @@ check "... and not on standard error" test ! -s "$WORK/err"
 start_display 640x400
 [ -e /usr/share/alsa/alsa.conf ] || { echo "SKIPPED: libasound2 is not installed"; exit 77; }
 device null
-check "with all that it needs" finds 0 "sound" "^fine$" "$odraz" --doctor
+check "with everything that it needs" finds 0 "sound" "^fine$" "$odraz" --doctor
 check "... it names the OpenGL of the display" grep -qE '^OpenGL: .*(llvmpipe|softpipe|Mesa)' "$WORK/lines"
 check "... and the OpenGL of --dump" grep -qE '^OpenGL for --dump: .*(llvmpipe|softpipe)' "$WORK/lines"
 check "... the processors" grep -qE "^processor: $(nproc) x ." "$WORK/lines"
@@ -38,7 +38,7 @@ check "... all else is listed too" lists "$all"
 check "without libEGL.so.1" finds 1 "OpenGL for --dump" "^no headless OpenGL 3.3: install" env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --doctor
 check "without a driver" finds 1 "OpenGL" "^no OpenGL 3.3 on this display: install" env LIBGL_DRIVERS_PATH=/none "$odraz" --doctor
 check "... where Mesa may print more" grep -q 'swrast' "$WORK/err"
-check "in little memory" finds 1 "memory" "^too little" bash -c "ulimit -v 500000; exec '$odraz' --doctor"
+check "with little memory" finds 1 "memory" "^too little" bash -c "ulimit -v 500000; exec '$odraz' --doctor"
 if has_mdwe; then
     check "where written memory may not be executed" finds 1 "write and run" "^MemoryDenyWriteExecute" "${MDWE[@]}" "$odraz" --doctor
 fi

@@ -52,7 +52,7 @@ seeds_for_obj() {
     options=(-max_len=8192 -dict=words)
 }
 
-# One file by another program, and one with everything that the reader supports: a strip, a fan, sparse and normalised
+# One file by Blender, and one with everything that the reader supports: a strip, a fan, sparse and normalised
 # numbers, a skin, transforms, lights, pictures
 seeds_for_gltf() {
     cp "$SOURCE/tests/support/models/blender.glb" seeds || return

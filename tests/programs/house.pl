@@ -1,6 +1,6 @@
 # house.pl SOURCE [FILE INCLUDED]: compares all includes and all links of the tree with the knows() lines of its
-# CMakeLists.txt (tools/build/rooms.cmake). Prints each violation on a line; exit status 1 if there is one.
-# FILE INCLUDED plants an include in the file. Tests may know every room, and no room may know tests.
+# CMakeLists.txt (tools/build/rooms.cmake). Prints each violation on a line; exit status 1 if there is one. With FILE
+# INCLUDED it checks this include, too, as if it were in FILE. Tests may know every room, and no room may know tests.
 use strict;
 use warnings;
 
@@ -15,7 +15,7 @@ sub text {
     return scalar <$file>;
 }
 
-# --- Read every CMakeLists.txt: who knows whom, and the sources and libraries of each target ---
+# --- Read every CMakeLists.txt: which rooms know which, and the sources and libraries of each target ---
 my (%knows, %sources, @linked);
 for my $list (grep { m{(^|/)CMakeLists\.txt$} && !m{^(tests|tools/film_template)/} } @files) {
     my ($room) = $list =~ m{^(.*)/} or next; # the top-level file adds rooms, no code
@@ -40,7 +40,7 @@ sub reach {
     push(@wrong, "$room knows itself, by a circle") and return {} if $entered{$room}++;
     my %all;
     for my $other (grep { $_ } keys %{$knows{$room} // {}}) {
-        -e $other || (() = glob("$other.*")) or push @wrong, "$room knows $other, which is not there";
+        -e $other || (() = glob("$other.*")) or push @wrong, "$room knows $other, which does not exist";
         %all = (%all, $other => 1, %{reach($other)});
     }
     return $reach{$room} = \%all;
@@ -71,7 +71,7 @@ sub judge {
     return if !defined $to; # generated
     ++$includes;
     my ($from, $room) = (room($file), room($to));
-    return push @wrong, "$file: no room has it" if !defined $from;
+    return push @wrong, "$file belongs to no room" if !defined $from;
     push @wrong, "$file includes $to" if !defined $room || !(may($from, $room) || may($from, $to));
 }
 my @code = grep { /\.(h|cpp|c|S)$/ && !m{^(tests|tools/film_template)/} } @files;

@@ -1,13 +1,14 @@
-# The house's first rule: code includes and links only rooms that its room knows, and there is no circle.
+# Code includes and links only rooms that its own room knows (tools/build/rooms.cmake), and no room knows itself by a
+# circle.
 . "$(dirname "$0")/common.sh"
 
 house() { perl "$SOURCE/tests/programs/house.pl" "$SOURCE" "$@"; }
-check "every include and every link goes to a room that is known" house
+check "every include and every link goes to a known room" house
 
 # Each planted include must be found
 finds() { [ "$(house "$@" | grep -c includes)" = 1 ]; }
 while read -r file included; do
-    check "(it would be found that $file includes $included)" finds "$file" "$included"
+    check "($file including $included would be found)" finds "$file" "$included"
 done <<'PLANTED'
 intro/base/text.h intro/host/files.h
 intro/trace/quality.h intro/trace/scene/shape.h
@@ -23,7 +24,7 @@ tools/radiosity/read/mesh.h tools/radiosity/solution/solution.h
 tools/picture/flip.cpp tests/support/open_room.h
 PLANTED
 
-# With CDPATH cd prints a folder. Scripts must find the house nevertheless
+# With CDPATH set, cd prints the folder. Scripts must find the repository nevertheless
 for script in watch test golden ledger new-film release render measure/all; do
     check "tools/$script with CDPATH" eval '(cd "$SOURCE" && CDPATH=.:/tmp "tools/$script" --help) >"$WORK/help"'
 done

@@ -20,7 +20,7 @@ check "nothing on stderr while all rooms keep to their shares" test ! -s "$WORK/
 (cd "$SOURCE/intro" && find . -mindepth 2 -name '*.cpp' -not -path './maker/*') | cut -d/ -f2 | sort -u >"$WORK/folders"
 check "no room is forgotten" test "$(awk 'NR == FNR { row[$1] = 1; next } !($1 in row)' "$WORK/printed" "$WORK/folders")" = ""
 report 40000
-check "a room that outgrows its share" prints '^trace +40000 .*more than its share$' rooms
+check "a room over its share" prints '^trace +40000 .*more than its share$' rooms
 check "... is reported on stderr" grep -q 'trace is over its share' "$WORK/err"
 rm "$WORK/build/odraz.json"
 check "a film that is not built" refuses 1 "build film and pack first" env BUILD="$WORK/build" "$ledger" rooms
@@ -40,14 +40,14 @@ check "... no line on stderr while all rooms keep their budgets" test ! -s "$WOR
 seq 20 | tee intro/trace/{picture.{svg,jpg,exr},model.{gltf,glb,obj,mtl},data.{csv,bin,keys},README.md,film.{nfo,diz}} >/dev/null
 seq 9 >intro/trace/run
 git add intro/trace/[!r]*
-check "... pictures, models, data, texts, and what git does not track do not count" prints '^intro/trace +10 +0 +0 +60 +10 +10 +0 +\+0$' lines
+check "... pictures, models, data, texts and untracked files do not count" prints '^intro/trace +10 +0 +0 +60 +10 +10 +0 +\+0$' lines
 git add -A
 fails() { lines >"$WORK/rows"; [ $? = 1 ] && [ "$(wc -l <"$WORK/err")" = "$1" ]; }
 check "... a room over its budget fails" fails 1
-check "... by a row" grep -qE '^intro/trace +10 +0 +9 +60 +19 +10 +-9 +\+9  over$' "$WORK/rows"
-check "... and a line" grep -q '^ledger: intro/trace has 19 lines, its budget is 10: ' "$WORK/err"
+check "... in its row" grep -qE '^intro/trace +10 +0 +9 +60 +19 +10 +-9 +\+9  over$' "$WORK/rows"
+check "... and in a line on stderr" grep -q '^ledger: intro/trace has 19 lines, its budget is 10: ' "$WORK/err"
 echo "intro 25" >tools/build/lines
-check "... lines of no room are over the budget of all" fails 1
+check "... lines outside of all rooms exceed the total budget" fails 1
 check "... which is a row, too" grep -qE '^all .* over$' "$WORK/rows"
-check "... a commit that is not there" refuses 1 "there is no commit 'colour'" tools/ledger lines colour
+check "... an unknown commit" refuses 1 "there is no commit 'colour'" tools/ledger lines colour
 finish

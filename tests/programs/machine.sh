@@ -8,13 +8,13 @@ check "without libX11.so.6" refuses 1 "libX11.so.6 is missing" env LD_LIBRARY_PA
 check "without threads" \
     refuses 1 "libpthread.so.0" env LD_LIBRARY_PATH="$(lacking libpthread.so.0)" "$odraz" --dump - --threads 2
 check "without memory" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
-check "without room for OpenGL" \
+check "without memory for OpenGL" \
     refuses 1 "not enough memory for OpenGL: raise ulimit -v" bash -c "ulimit -v 700000; exec '$BUILD/odraz-safe' --dump - --size 1x1 --from 120 --to 120.04"
 check "an empty interval of the hall needs no OpenGL" \
     env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --dump - --from 100 --to 100
 check "without headless OpenGL, for the hall" \
     refuses 1 "no headless OpenGL 3.3: install" env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --dump - --from 100 --to 100.04
-check "without a driver: one line, though Mesa says more" \
+check "without a driver: one line, though Mesa prints more" \
     refuses 1 "no headless OpenGL 3.3: install" env LIBGL_DRIVERS_PATH=/none "$odraz" --dump - --from 100 --to 100.04
 if has_mdwe; then
     check "where written memory may not be executed, odraz-safe draws scenes without the hall" \
@@ -41,7 +41,7 @@ check "without address randomisation" dumped "$WORK/still.ppm" setarch -R "$odra
 check "... the same" cmp "$WORK/plain.ppm" "$WORK/still.ppm"
 if command -v qemu-x86_64 >/dev/null; then
     check "on a processor of 2008" refuses 1 "AVX2" qemu-x86_64 -cpu Nehalem "$odraz" --version
-    qemu-x86_64 -cpu Haswell "$odraz" --version >"$WORK/haswell" 2>"$WORK/err" # qemu prints what it lacks
+    qemu-x86_64 -cpu Haswell "$odraz" --version >"$WORK/haswell" 2>"$WORK/err" # qemu prints which features it cannot emulate
     check "on a processor of 2013" grep -q ^odraz "$WORK/haswell"
 else
     echo "skipped: qemu-x86_64 is not installed"

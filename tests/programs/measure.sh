@@ -10,7 +10,7 @@ to=$WORK/results.md
 section() { awk -v name="$1" '/^<!-- .* -->$/ { sub(/:$/, "", $2); inside = $2 == name; next } inside' "$to"; }
 
 check "a section is measured" eval '"$all" --built --to "$to" --only size >/dev/null 2>"$WORK/err"'
-check "... which it says" grep -qx 'measuring size, 1 of 1: 0.1 minutes' "$WORK/err"
+check "... with a line of progress" grep -qx 'measuring size, 1 of 1: 0.1 minutes' "$WORK/err"
 check "... the film's size" \
     grep -qF "| \`odraz\`: packed | $(stat -c %s "$BUILD/odraz") | $(stat -c %s "$BUILD/odraz.exe") |" "$to"
 check "... with the command that makes it" prints 'By `cmake --build build --target film film_windows`:' section size
@@ -20,7 +20,7 @@ check "all sections are there, measured or not" test "$(grep -c '^## ' "$to")" =
 check "... twelve at most" less "$(wc -l <"$WORK/list")" 13
 check "... which take no longer than a quarter of an hour together" \
     less "$(awk '{ sum += $2 } END { print sum }' "$WORK/list")" 15.01
-check "what was not measured has its command" grep -q 'Not measured yet: `tools/measure/all --only packers`' "$to"
+check "a section that was not measured has its command" grep -q 'Not measured yet: `tools/measure/all --only packers`' "$to"
 cp "$to" "$WORK/before"
 check "a section that fails is reported" \
     eval '! BUILD=$WORK/none "$all" --built --to "$to" --only size 2>"$WORK/err" >/dev/null && grep -q "not changed: size" "$WORK/err"'
@@ -81,26 +81,26 @@ check "a comment makes nothing stale" reports 0 "$fresh" --strict
 echo 'int main() { int two = 1; return two - 1; }' >intro/file.cpp
 check "a local variable's name does, until the program is built" reports 0 "^stale: one: changed since $commit: intro\$"
 compile
-check "... and shown to be the same" reports 0 "$fresh" --strict
+check "... with the same code" reports 0 "$fresh" --strict
 echo 'int main() { int two = 7; return two - 1; }' >intro/file.cpp
 compile
 check "other code makes its section stale, and no other" reports 0 '^2 sections, 1 of them stale$'
 check "... which --strict refuses" reports 1 "^stale: one: changed since $commit: intro\$" --strict
 echo text >packer/README.md
 check "a README makes nothing stale" reports 0 '^2 sections, 1 of them stale$'
-check "what is stale is measured" eval '"$all" --built --stale >/dev/null 2>"$WORK/err"'
-check "... alone" test "$(grep -c ^measuring "$WORK/err")" = 1
-check "... and nothing is left" reports 0 "$fresh" --strict
+check "--stale measures the stale section" eval '"$all" --built --stale >/dev/null 2>"$WORK/err"'
+check "... and no other" test "$(grep -c ^measuring "$WORK/err")" = 1
+check "... after which nothing is stale" reports 0 "$fresh" --strict
 echo '# why' >>packer/file
 check "a script's comment makes nothing stale" reports 0 "$fresh" --strict
 echo 2 >>packer/file
 check "... its code does, whatever was built" reports 0 '^stale: two: changed since '
 "$all" --built --stale >/dev/null 2>&1
 sed -i 's/1,235/1,234/' README.md
-check "other figures than the sections'" \
+check "wrong figures in README.md are reported" \
     reports 1 '^the figures of README.md differ from RESULTS.md: run tools/measure/all --readme$'
 check "... are written again" "$all" --readme
 check "... as they were" reports 0 "$fresh" --strict
 sed -i "s/'packer')/'packer\/none')/" tools/measure/sections.py
-check "a source that is not there" reports 1 '^unknown: two needs packer/none, which git does not have$'
+check "a missing source" reports 1 '^unknown: two needs packer/none, which git does not have$'
 finish

@@ -6,5 +6,5 @@ LC_ALL=C IFS= read -r -N 2 -u 8 magic
 check "it makes a picture of the hall" test "$magic" = P6
 most=$(awk '/VmHWM/ { print int($2 / 1024) }' /proc/$pid/status)
 check "... within 512 MB: ${most:=none}" test "$most" -gt 100 -a "$most" -lt 512
-check "... and the rest of it" test "$(wc -c <&8)" = $((1280 * 720 * 3 + 16 - 2))
+check "... and writes the rest of it" test "$(wc -c <&8)" = $((1280 * 720 * 3 + 16 - 2))
 exec 8<&-

@@ -16,7 +16,7 @@ types() {
     cat "$WORK/printed" >&2
     return $status
 }
-check "every type is one, over $(wc -l <"$WORK/objects") objects" types @"$WORK/objects"
+check "no type has two definitions in $(wc -l <"$WORK/objects") objects" types @"$WORK/objects"
 
 # A planted second definition must be found
 echo 'namespace odraz { struct Arena { int size; }; int sizeOf(const Arena &a) { return a.size; } }' >"$WORK/twin.cpp"

@@ -1,11 +1,11 @@
 # Packs programs of ordinary compilers, which must behave as before. With "all" as the second argument it also packs
-# static programs, which contain glibc. (elf_test tests what is refused.)
+# static programs, which contain glibc. (elf_test tests which programs are refused.)
 . "$(dirname "$0")/common.sh"
 skip_unless gcc
 pack=$BUILD/pack small=(--model "$SOURCE/tests/support/small.model")
 cd "$WORK" || exit 1
 
-# same NAME OPTION...: packs the program NAME; succeeds if both do the same with two arguments
+# same NAME OPTION...: packs the program NAME; succeeds if it does the same with two arguments as before
 same() {
     "$pack" "$1" -o "$1.packed" "${@:2}" >packed.txt || return 1
     mkdir -p before after
@@ -56,15 +56,15 @@ for options in ${2:+"-static -Wl,-s" "-static-pie -Wl,-s"} "-no-pie -Wl,-s" "-Wl
 done
 if command -v g++ >/dev/null; then
     check "compiles C++" g++ -O1 -pthread "$SOURCE/tests/programs/pack/thrown.cpp" -o cpp
-    check "... with threads and exceptions, the same packed" same cpp "${small[@]}"
+    check "... with threads and exceptions: the same when packed" same cpp "${small[@]}"
 fi
 for compiler in clang musl-gcc "musl-gcc -static"; do
     command -v ${compiler% *} >/dev/null && $compiler -O1 c.c -o other 2>/dev/null || { echo "not checked: $compiler"; continue; }
-    check "of $compiler, the same packed" same other "${small[@]}"
+    check "a program by $compiler: the same when packed" same other "${small[@]}"
 done
 # Unpacked again
-check "finds that a packed one is whole" prints 'whole' "$pack" --test c.packed
-check "makes it plain" "$pack" -d c.packed -o plain
+check "--test reports that it is whole" prints 'whole' "$pack" --test c.packed
+check "-d unpacks it" "$pack" -d c.packed -o plain
 transcript ./plain x >got
 transcript ./c x >wanted
 check "... the same" cmp wanted got
@@ -72,7 +72,7 @@ check "... the same" cmp wanted got
 # Errors begin with the program's name, and none of its code runs
 cp c.packed damaged
 flip damaged 3800
-check "a damaged one prints that" refuses 1 "./damaged: damaged: get it afresh" ./damaged
+check "a damaged program reports it" refuses 1 "./damaged: damaged: get it afresh" ./damaged
 head -c 3900 c.packed >short && chmod +x short
 check "... one cut short, too" refuses 1 "./short: damaged: get it afresh" ./short
 check "... one without memory" refuses 1 "./c.packed: not enough free memory" bash -c 'ulimit -v 30000; exec ./c.packed'
@@ -83,20 +83,20 @@ for interpreter in lib64/lost=02 .=21 dev/null=80; do # a missing file, a folder
     check "... with the interpreter $name, too" refuses 1 "./lost.packed: no interpreter: errno ${interpreter#*=}" ./lost.packed
 done
 for call in open openat; do # a filter of the kernel refuses this call
-    check "... compiles what refuses $call" gcc -DCALL=SYS_$call "$SOURCE/tests/programs/pack/deny.c" -o deny_$call
+    check "... compiles a filter that refuses $call" gcc -DCALL=SYS_$call "$SOURCE/tests/programs/pack/deny.c" -o deny_$call
 done
 check "... runs without open, as its interpreter does" prints "the last 'x'" eval './deny_open ./c.packed x; true'
 check "... and prints that it cannot openat" refuses 1 "./c.packed: no interpreter: errno 01" ./deny_openat ./c.packed
 if has_mdwe; then
-    check "that it may not run" refuses 1 "./c.packed: may not run packed" "${MDWE[@]}" ./c.packed
+    check "... and that it may not run packed" refuses 1 "./c.packed: may not run packed" "${MDWE[@]}" ./c.packed
 fi
-check "packed with the name of another, it is whole" eval '"$pack" c -o named --safe-name hello-safe "${small[@]}" >/dev/null && "$pack" --test named >/dev/null'
-if has_mdwe; then check "... and names another that may run" refuses 1 "./named: use hello-safe" "${MDWE[@]}" ./named; fi
+check "a program packed with --safe-name is whole" eval '"$pack" c -o named --safe-name hello-safe "${small[@]}" >/dev/null && "$pack" --test named >/dev/null'
+if has_mdwe; then check "... and names the program to use instead" refuses 1 "./named: use hello-safe" "${MDWE[@]}" ./named; fi
 
 # A program that another tool has changed
 cp c moved
 if command -v patchelf >/dev/null && patchelf --add-needed libm.so.6 moved && patchelf --set-interpreter "/lib64/$(printf '../lib64/%.0s' {1..6})ld-linux-x86-64.so.2" moved; then
-    check "with its interpreter's name moved, the same packed" same moved "${small[@]}"
+    check "with its interpreter's name moved: the same when packed" same moved "${small[@]}"
 else
     echo "not checked: patchelf is not installed"
 fi
@@ -104,13 +104,13 @@ fi
 # The file that is written
 check "a file keeps its mode" eval 'cp c private && chmod 750 private && umask 022 && "$pack" private -o p --fast >/dev/null && test "$(stat -c %a p)" = 750'
 check "... unpacked, too" eval 'chmod 710 p && "$pack" -d p -o q && test "$(stat -c %a q)" = 710'
-check "a symbolic link stays one" eval 'mkdir target && ln -s target/file link && "$pack" c -o link "${small[@]}" >/dev/null && test -L link && "$pack" --test target/file >/dev/null'
+check "a symbolic link stays a link" eval 'mkdir target && ln -s target/file link && "$pack" c -o link "${small[@]}" >/dev/null && test -L link && "$pack" --test target/file >/dev/null'
 cp c appended && head -c 1000 /dev/zero | tr "\0" x >>appended
-check "a line warns of what is appended and left out" prints '1000 bytes appended' "$pack" appended -o y "${small[@]}"
+check "a line reports appended bytes, which are left out" prints '1000 bytes appended' "$pack" appended -o y "${small[@]}"
 
 # Files that are refused for their mode or their capabilities
 cp c setuid && chmod u+s setuid
-check "one with setuid" refuses 2 "setuid" "$pack" setuid -o x
+check "a setuid program" refuses 2 "setuid" "$pack" setuid -o x
 if command -v setcap >/dev/null && cp c capable && setcap cap_net_raw=p capable 2>/dev/null; then
     check "with file capabilities" refuses 2 "file capabilities" "$pack" capable -o x
 else

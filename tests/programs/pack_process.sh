@@ -1,11 +1,11 @@
-# A packed program finds its process, and other programs find it, as if it had not been packed.
+# A packed program sees its process, and other programs see it, as if it had not been packed.
 . "$(dirname "$0")/common.sh"
 skip_unless gcc
 pack=$BUILD/pack
 cd "$WORK" || exit 1
 mkdir lib
 
-# A library in $ORIGIN/lib, a preloaded library, and a program that prints what it finds
+# A library in $ORIGIN/lib, a preloaded library, and a program that prints what it sees
 echo 'int found(void) { return 42; }' >found.c
 echo 'int rand(void) { return -1234; }' >preloaded.c
 cat >c.c <<'END_OF_C'
@@ -101,7 +101,7 @@ ended_by_term() { # fails if the program ended before the signal: then it is tri
 }
 check "SIGTERM ends it while it decodes" await ended_by_term
 
-# What other programs find
+# What other programs see
 in_background in_a ./run wait
 check "it waits" await grep -q here out
 check "no memory is both writable and executable" bash -c "! grep ' rwx' /proc/$pid/maps"

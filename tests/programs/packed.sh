@@ -4,19 +4,19 @@ pack=$BUILD/pack hello=$WORK/hello
 check "the example is built and packed" prints 'bytes left' bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK"
 check "it runs" exits 7 "hello, 1 words, 42" "$hello"
 check "it gets its arguments" exits 7 "hello, 3 words, 42" "$hello" a b
-check "it costs its payload and 3,165 bytes" prints '\(3165 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
+check "its size is its payload and 3,165 bytes" prints '\(3165 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
 check "without randomised addresses" exits 7 "hello, 1 words, 42" setarch -R "$hello"
 check "with closed descriptors" bash -c "'$hello' <&- >&- 2>&-; test \$? = 7"
 check "by another path" exits 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"
-check "in little memory" exits 7 "hello, 1 words, 42" bash -c "ulimit -v 120000; exec '$hello'"
-check "in too little memory" refuses 1 "not enough free memory" bash -c "ulimit -v 40000; exec '$hello'"
+check "with little memory" exits 7 "hello, 1 words, 42" bash -c "ulimit -v 120000; exec '$hello'"
+check "with too little memory" refuses 1 "not enough free memory" bash -c "ulimit -v 40000; exec '$hello'"
 if has_mdwe; then check "where written memory may not be executed" refuses 1 "it may not run packed." "${MDWE[@]}" "$hello"; fi
 check "it may name a program to use instead" eval '"$pack" "$WORK/hello.elf" -o "$WORK/named" --safe-name hello-safe --fast >/dev/null && "$pack" --test "$WORK/named" >/dev/null'
 check "... which runs" exits 7 "hello, 1 words, 42" "$WORK/named"
-if has_mdwe; then check "... and prints it" refuses 1 "use hello-safe instead" "${MDWE[@]}" "$WORK/named"; fi
+if has_mdwe; then check "... and prints that name" refuses 1 "use hello-safe instead" "${MDWE[@]}" "$WORK/named"; fi
 
-check "--test finds that it is whole" prints ': whole; ' "$pack" --test "$hello"
-check "-d gives it back" "$pack" -d "$hello" -o "$WORK/plain"
+check "--test reports that it is whole" prints ': whole; ' "$pack" --test "$hello"
+check "-d unpacks it" "$pack" -d "$hello" -o "$WORK/plain"
 check "... and that runs" exits 7 "hello, 2 words, 42" "$WORK/plain" a
 # -d gives the image as the linker laid it out, except for the loader's tables, which are zeros. Compare the code
 read -r offset size <<<"$(readelf -SW "$WORK/hello.elf" | sed -n 's/.* \.text *PROGBITS *[0-9a-f]* \([0-9a-f]*\) \([0-9a-f]*\) .*/\1 \2/p')"

@@ -11,7 +11,7 @@ shown_at() { title | sed -nE 's/.*  ([0-9]+):([0-9.]+)  row .*/\1 \2/p' | awk '{
 at() { [ "$(shown_at)" = "$1" ]; } # at SECONDS, written as in the title
 near() { awk "BEGIN { off = $1 - $(shown_at); exit !(off < $2 && off > -$2) }"; } # near SECONDS TOLERANCE
 pointer() { xdotool mousemove --window "$window" "$1" "$2"; }
-look() { drawn && import -window "$window" "$WORK/$1.png"; } # look NAME: takes a picture of the window
+look() { drawn && import -window "$window" "$WORK/$1.png"; } # look NAME: saves a screenshot of the window
 # differ A B GEOMETRY: prints the share of pixels in that rectangle that differ by more than 2 %
 differ() {
     convert "$WORK/$1.png" "$WORK/$2.png" -crop "$3" +repage -compose difference -composite -colorspace gray -threshold 2% \
@@ -35,9 +35,9 @@ check "TAB shows the time line" less 0.5 "$(differ hidden shown $STRIP)"
 check "... and leaves the rest of the picture" less "$(differ hidden shown $REST)" 0.001
 pointer 320 350
 xdotool mousedown 1
-check "a click on it goes there" await near "$(seconds_at 320)" 0.3
+check "a click on it seeks there" await near "$(seconds_at 320)" 0.3
 xdotool mousemove_relative 40 0
-check "... and dragged further, further" await near "$(seconds_at 360)" 0.3
+check "... and dragging seeks further" await near "$(seconds_at 360)" 0.3
 xdotool mousemove_relative -- 0 -200
 drawn
 check "... even off the strip, without turning the camera" near "$(seconds_at 360)" 0.3
@@ -59,7 +59,7 @@ press l
 check "the right button marks a loop, which L ends" eval 'look unlooped; less 0.02 "$(differ looped unlooped 5x25+119+335)"'
 pointer 120 350
 xdotool click 1
-check "a click goes there, paused" await at "$(printf %05.2f "$(seconds_at 120)")"
+check "a click seeks there, paused" await at "$(printf %05.2f "$(seconds_at 120)")"
 press Next # (the unit tests of the panel test all steps)
 check "page down: the next bar" await at 32
 pointer 639 350
@@ -73,6 +73,6 @@ press Tab
 look after
 check "TAB hides it" less 0.5 "$(differ before after $STRIP)"
 press Escape
-check "ESC leaves" eval 'ended $pid'
+check "ESC quits" eval 'ended $pid'
 check "... and prints nothing" test ! -s "$WORK/err"
 finish

@@ -9,7 +9,7 @@ check "... with other materials" prints polygons "$radiosity" generate cube -o b
 check "... has them in its file" test "$(grep -A 2 -E '^newmtl (lamp|red|floor)' bright.mtl | grep K | tr '\n' ' ')" = "Kd 0.325 0.05 0.04 Ke 0 0 0 Kd 0.1 0.2 0.3 Ke 0 0 0 Kd 0.5 0.5 0.5 Ke 40 36 30 "
 few=(--rays 64 --element 0.25)
 check "solve" solved cube cube.obj "${few[@]}"
-check "... prints elements, sites, sweeps and memory, silently" eval 'grep -q "elements; [0-9]* sites (their corners) with [0-9]* rays" cube.out && grep -q "sweeps, residual" cube.out && grep -qE "needs about [1-9][0-9]* MB" cube.out && [ ! -s cube.err ]'
+check "... prints elements, sites, sweeps and memory, and nothing on stderr" eval 'grep -q "elements; [0-9]* sites (their corners) with [0-9]* rays" cube.out && grep -q "sweeps, residual" cube.out && grep -qE "needs about [1-9][0-9]* MB" cube.out && [ ! -s cube.err ]'
 check "... a table with its head" test "$(head -n 1 cube.csv)" = "polygon,x,y,z,nx,ny,nz,area,r,g,b,material"
 check "... a line for every element" test "$(($(wc -l <cube.csv) - 1))" = "$(sed -n 's/.* \([0-9]*\) elements.*/\1/p' cube.out)"
 check "... whose areas are the model's" table cube.csv 'a += $8' 'a > 599.9 && a < 600.1'
@@ -20,12 +20,12 @@ check "... give the same bytes" cmp bright.rad options.rad
 # ratio A B LOW HIGH: succeeds if the light of table A is LOW to HIGH times the light of table B
 ratio() { awk -F, "FNR > 1 { s[FILENAME] += \$8 * \$10 } END { d = s[\"$1\"] / s[\"$2\"]; exit !(d > $3 && d < $4) }" "$1" "$2"; }
 check "100 times the triangles" prints 'fine.obj: [0-9]* triangles' "$radiosity" generate cube -o fine.obj --area 0.5
-check "... are the same light" eval 'test "$(grep -c ^f fine.obj)" -ge 1200 && solved fine fine.obj "${few[@]}" && ratio cube.csv fine.csv 0.99 1.01'
+check "... give the same light" eval 'test "$(grep -c ^f fine.obj)" -ge 1200 && solved fine fine.obj "${few[@]}" && ratio cube.csv fine.csv 0.99 1.01'
 for knobs in "--final 64 --memory 500 --lamp-samples 64" "--hemicube 32 --patch 2 --residual 1e-6" "--direct hemicube --hemicube 25 --patch 4" "--direct hemicube --patch 4 --shots 500"; do
     check "solve $knobs" solved k cube.obj "${few[@]:2}" $knobs
-    check "... alike" ratio k.csv cube.csv 0.93 1.02
+    check "... gives about the same light" ratio k.csv cube.csv 0.93 1.02
 done
-check "no bounce" solved b cube.obj --element 0.25 --bounces 0
+check "without bounces" solved b cube.obj --element 0.25 --bounces 0
 check "... is direct light alone: the ceiling is dark except for its lamp, the floor is not" \
     table b.csv 'if ($6 == -1) { $9 == 0 ? ++dark : $9 >= 15 ? ++lamp : ++lit } if ($6 == 1 && $9 > 0) ++floor' 'dark > 100 && lamp > 0 && lit == 0 && floor > 100'
 check "export for viewers" eval '"$radiosity" export cube.rad --ply cube.ply && "$radiosity" export cube.rad --obj lit.obj'
@@ -88,7 +88,7 @@ floor='if ($6 == 1) { F = 0; for (i = 0; i < 4; ++i) { X = i % 2 ? $2 : 1 - $2; 
     F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } ++n; a += $9 / 0.5; b += $10 / 0.5; c += $11 / 2.4; d = $9 / (0.5 * F) - 1; off += d * d }'
 check "... lights its floor by the form factor, in three colours, everywhere within 3 % (rms)" table out.csv "$floor" 'a / n > 0.197 && a / n < 0.203 && b / a > 0.999 && b / a < 1.001 && c / a > 0.999 && c / a < 1.001 && sqrt(off / n) < 0.03'
 check "... and notes that black walls stay black" grep -q 'material black stays black: it reflects nothing' out.err
-check "a sun behind it, with --two-sided" lit "$plate" --two-sided --sun -30,90,10,10,10
+check "a sun behind a plate, with --two-sided" lit "$plate" --two-sided --sun -30,90,10,10,10
 check "... lights the back, as bright as fronts, and not the front" table out.csv '$6 < 0 ? back += $8 * $9 : front += $8 * $9' 'back > 9.99 && back < 10.01 && front == 0'
 check "a lamp" lit "$plate" --lamp 0,2,0,0.2,100,100,100
 check "... by its distance and angle" table out.csv 'r2 = $2 * $2 + $4 * $4 + 4; d = $9 / (0.5 * 100 * 0.01 / r2 * 2 / sqrt(r2)) - 1; if (d < -0.01 || d > 0.01) ++off' 'off + 0 == 0'
@@ -96,7 +96,7 @@ check "an ambient colour above 1" lit "${plate/grey/old}" --scale 10
 check "... is reported, and shines" eval 'grep -q "Ka is above 1 and is used as Ke" out.err && even 3'
 check "... --scale makes it ten times as long" table out.csv 'a += $8' 'a > 399.9 && a < 400.1'
 # Parallel plates: the closed form sums the form factors of rectangles with a corner above the point
-opposite() { # opposite HALF HEIGHT PERCENT COLUMN KD: all elements have the light of an emitting square within PERCENT
+opposite() { # opposite HALF HEIGHT PERCENT COLUMN KD: all elements must have the light of a square lamp within PERCENT
     table out.csv 'if ($6 == 1) { F = 0; for (i = 0; i < 4; ++i) { X = ('"$1"' + (i % 2 ? $2 : -$2)) / '"$2"'; Y = ('"$1"' + (i < 2 ? $4 : -$4)) / '"$2"'; p = sqrt(1 + X * X); q = sqrt(1 + Y * Y)
         F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } d = $'"$4"' / ('"$5"' * 1000 * F) - 1; ++n; if (d < -0.01 * '"$3"' || d > 0.01 * '"$3"') ++off }' 'n > 900 && off + 0 == 0'
 }
@@ -150,7 +150,7 @@ export in.rad --obj cube.obj
 render in.rad -o in.link
 render in.link -o soft
 END
-check "... and nothing was written over" cmp before <(cksum in.* soft hard ./*.ppm cube.obj)
+check "... and nothing was overwritten" cmp before <(cksum in.* soft hard ./*.ppm cube.obj)
 check "... but a later export replaces an earlier one" eval '"$radiosity" export cube.rad --obj lit.obj && grep -q "^f" lit.obj'
 
 # Outputs may be pipes and open descriptors
@@ -170,7 +170,7 @@ check "a closed pipe" grep -q "Computes the light" help
 
 # --- Progress: lines for scripts, a bar on a terminal ---
 check "with --progress" solved again cube.obj "${few[@]:2}" --final 8 --progress
-check "... every line has one form, every step ends, once, and none goes back" awk '!/^progress: (dividing|form factors|direct light|solving|final rays) [0-9]+ %(, residual [-+0-9.e]+)?(, [0-9]+ s left)?$/ { bad = 1 }
+check "... every line has the same form, and every step ends once and never goes back" awk '!/^progress: (dividing|form factors|direct light|solving|final rays) [0-9]+ %(, residual [-+0-9.e]+)?(, [0-9]+ s left)?$/ { bad = 1 }
     { n = $0; sub(/ %.*/, "", n); sub(/.* /, "", n); s = $0; sub(/ [0-9]+ %.*/, "", s); if (n + 0 < was[s]) bad = 1; was[s] = n + 0; ends[s] += / 100 %/ }
     END { for (s in ends) { ++steps; if (ends[s] != 1) bad = 1 } exit bad || steps != 5 || NR > 200 }' again.err
 # Ctrl-C when the bar on the terminal shows that some rows are done: the result has direct light and those rows
@@ -181,7 +181,7 @@ interrupted() { # fails if the program ended first: then it is tried again
     kill -INT "$(cat pid)" 2>/dev/null
     ended $pid && grep -q "stopped: direct light, and the rows of [1-9]" terminal
 }
-check "a terminal has a bar; Ctrl-C ends it well, and is reported" await interrupted
-check "... and writes what is there" "$radiosity" export big.rad --csv big.csv
+check "a terminal shows a bar; Ctrl-C ends the program, and is reported" await interrupted
+check "... and the light so far is written" "$radiosity" export big.rad --csv big.csv
 check "... all of it" table big.csv 'a += $8' 'lines > 1000 && a > 0'
 finish

@@ -32,15 +32,15 @@ for p in g["meshes"][0]["primitives"]:
 END
 if command -v python3 >/dev/null; then
     check "glTF holds the model, with a lightmap" python3 gltf.py light MOZ_lightmap
-    check "... or as it is seen" python3 gltf.py shown KHR_materials_unlit
+    check "... or with its radiosity, unlit" python3 gltf.py shown KHR_materials_unlit
 else
     echo "not checked: python3 is not installed"
 fi
-check "the lamps shine on in its materials" grep -q '^Ke 20 18 15' light/model.mtl
+check "the lamps also emit in its materials" grep -q '^Ke 20 18 15' light/model.mtl
 check "... and in glTF" grep -q '"KHR_materials_emissive_strength":{"emissiveStrength":20[.}]' light/model.gltf
-check "... but not twice where the pages have them" lacks '^Ke [^0]' shown/model.mtl
-check "a folder that holds something" refuses 2 "light: already exists: name a new or empty folder" "$radiosity" export m.rad --atlas light
+check "... but not where the pages already have their light" lacks '^Ke [^0]' shown/model.mtl
+check "a folder that is not empty" refuses 2 "light: already exists: name a new or empty folder" "$radiosity" export m.rad --atlas light
 # Every page exceeds this limit on the size of files
-check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' export m.rad --atlas x"
+check "pages that cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' export m.rad --atlas x"
 check "... leaves nothing" test -z "$(find . -maxdepth 1 -name 'x*')"
 finish

@@ -30,7 +30,7 @@ room() { # room MODEL LIMIT: limits the rms error, most of which comes from few 
     "$radiosity" export "$1.rad" --csv "$1.csv"
     area[$1]=$(awk -F, 'NR > 1 { sum += $8 } END { print sum }' "$1.csv")
 }
-orders() { # orders MODEL
+orders() { # orders MODEL: checks that coarser settings have larger errors
     local name
     solved "few elements" "$1" "${paths[@]}" --element "$(part "$1" 7500)"
     solved patches "$1" "${paths[@]}" --hemicube 16
@@ -39,7 +39,7 @@ orders() { # orders MODEL
     check "$1: patches are within a percent more" less "${rms[$1 patches]}" "$(awk "BEGIN { print ${rms[$1 default]} + 1 }")"
     check "... fewer elements are worse" less "${rms[$1 default]}" "${rms[$1 few elements]}"
     check "... and fewer patches" less "${rms[$1 patches]}" "${rms[$1 few patches]}"
-    check "... and lamps that hemicubes see" less "${rms[$1 patches]}" "${rms[$1 seen lamps]}"
+    check "... and lamps drawn into hemicubes" less "${rms[$1 patches]}" "${rms[$1 seen lamps]}"
 }
 planes() { # planes MODEL LIMIT: limits the median error, which includes the noise of the paths
     generated "$1"

@@ -21,7 +21,7 @@ for far in survey earth; do
             for (k = 2; k < 5; ++k) { d = \$(k + 12) - \$k; if (n == 1) first[k] = d; if (off(d, first[k]) > 2e-6) ++bad } }
         END { exit !(n > 1000 && s < 0.001 * light && bad + 0 == 0) }'"
 done
-check "the camera, too" "$radiosity" render survey.rad -o survey.png --eye 460123.5,211,5411235.15 --at 460123.5,211,5411233.25 --size 80x60
+check "a camera in survey coordinates" "$radiosity" render survey.rad -o survey.png --eye 460123.5,211,5411235.15 --at 460123.5,211,5411233.25 --size 80x60
 check "... sees the same" eval '"$radiosity" render near.rad -o near.png --eye 0,1,.9 --at 0,1,-1 --size 80x60 && [ "$(compare -metric AE -fuzz 2% near.png survey.png null: 2>&1)" -lt 20 ]'
 check "... is placed by itself" prints '^--eye 4601[0-9]{2}\.[0-9]+,2[0-9]+\.[0-9]+,54112[0-9]{2}\.[0-9]+ --at 460123\.[0-9]+,' "$radiosity" render survey.rad -o survey.png --size 80x60
 check "PLY has all digits" eval '"$radiosity" export survey.rad --ply survey.ply && [ "$(grep -cE "^460122\.5 21[0-9.]+ 54112[0-9]{2}\.[0-9]{2,} " survey.ply)" -gt 3 ]'
@@ -40,7 +40,7 @@ decal_room() { # decal_room FILE before|after Z: the decal lies at Z; the wall a
     done >"$1.floor"
     "$radiosity" render "$1.rad" -o "$1.png" --eye 0,1,.9 --at 0,1,-1 --size 160x120
 }
-alike() { # alike A B: the floors' light differs by at most 1 %, and the pictures are alike
+alike() { # alike A B: succeeds if the floors' light differs by at most 1 % and the pictures are alike
     paste "$1.floor" "$2.floor" | awk '{ d = ($1 - $2) / $2; if (d * d > 0.0001) off = 1 } END { exit NR != 2 || off }' &&
         [ "$(compare -metric AE -fuzz 4% "$1.png" "$2.png" null: 2>&1)" -lt 200 ]
 }
@@ -48,9 +48,9 @@ check "a room with a decal a millimetre in front of a wall" decal_room front aft
 check "... with it far behind" decal_room behind after -9
 check "... behind the wall that comes first" decal_room last after -1
 check "... with a note" grep -q 'polygons overlap in one plane, and the first is in front: line [0-9]* (decal) behind line [0-9]* (wall)$' last.err
-check "... has the light and the picture without it" alike last behind
+check "... has the light and the picture of the decal far behind" alike last behind
 check "... in front of the wall that comes later" decal_room first before -1
-check "... has those with it in front" alike first front
+check "... has the light and the picture of the decal in front" alike first front
 
 # --- Odd shapes and sizes: they are solved, lit, and visible, with at most one note ---
 odd() { # odd TEXT [NOTE [ELEMENT]]
@@ -92,5 +92,5 @@ for turn in 0 1; do
 done
 mkfifo fifo
 printf "mtllib fifo\n${square}f 1 2 3 4\n" >model.obj
-check "a pipe holds no materials" prints 'materials cannot be read.*not a regular file' bash -c "timeout $PATIENCE '$radiosity' solve model.obj -o m.rad --element 0.01 2>&1"
+check "a pipe is not read for materials" prints 'materials cannot be read.*not a regular file' bash -c "timeout $PATIENCE '$radiosity' solve model.obj -o m.rad --element 0.01 2>&1"
 finish

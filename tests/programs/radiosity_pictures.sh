@@ -22,7 +22,7 @@ floor() { # floor MTL-LINES: solves the floor, and writes floor.csv
     printf "newmtl m\nKd 1 1 1\n$1" >sub/floor.mtl
     solved floor floor.obj --element 0.0016 --rays 16 --sky 1,1,1
 }
-shows() { # shows RED BLUE: colours as conditions on X, Y, -1 .. 1 from below; not within 0.04 of a border
+shows() { # shows RED BLUE: the colours are conditions on X and Y, -1 .. 1, Y upwards. Skips points within 0.04 of a border
     table floor.csv "X = \$2; Y = -\$4; if (X * X > 0.0016 && Y * Y > 0.0016 && (X - 0.5) ^ 2 > 0.0016 && (X + 0.5) ^ 2 > 0.0016 && (Y - 0.5) ^ 2 > 0.0016 && (Y + 0.5) ^ 2 > 0.0016) {
         ++n; off += \$9 < ($1) - 0.005 || \$9 > ($1) + 0.005 || \$11 < ($2) - 0.005 || \$11 > ($2) + 0.005 || \$10 > 0.005 }" 'n > 1000 && off == 0'
 }
@@ -30,7 +30,7 @@ check "a picture that is scaled" floor 'map_Kd -s 2 2 my pictures/Floor.png\n'
 check "... repeats" shows '(X < -0.5 || (X > 0 && X < 0.5)) && (Y < -0.5 || (Y > 0 && Y < 0.5))' '(X > 0.5 || (X < 0 && X > -0.5)) && (Y < -0.5 || (Y > 0 && Y < 0.5))'
 check "... with -clamp on, and moved, is continued by its border" floor 'map_Kd -clamp on -s 2 2 -o 0.5 0 my pictures/Floor.png\n'
 check "... which is blue" shows 0 'Y < -0.5'
-check "a floor, its picture in another folder, by backslashes and other capitals" floor 'map_Kd my pictures\\\\floor.PNG\n'
+check "a floor whose picture is in another folder, named with backslashes and other capitals" floor 'map_Kd my pictures\\\\floor.PNG\n'
 check "... has the picture in its place" shows 'X < 0 && Y < 0' 'X > 0 && Y < 0'
 check "it is seen" "$radiosity" render floor.rad -o floor.png --eye 0,2.5,0.01 --at 0,0,0 --size 200x200 --exposure -1
 colour() { convert floor.png -format "%[fx:p{$1}.r>0.1] %[fx:p{$1}.b>0.1]" info:; }
@@ -48,6 +48,6 @@ check "... gets more red than blue; with final gathering the same" \
 mkfifo sub/fifo.png
 for missing in none fifo; do
     check "$missing.png" eval 'floor "Kd 0.25 0.25 0.25\nmap_Kd $missing.png\n" && grep -q "the material.s colour is used" floor.err'
-    check "... leaves Kd" table floor.csv 'if ($9 < 0.2499 || $9 > 0.2501) ++off' 'off + 0 == 0'
+    check "... leaves the colour Kd" table floor.csv 'if ($9 < 0.2499 || $9 > 0.2501) ++off' 'off + 0 == 0'
 done
 finish

@@ -1,4 +1,4 @@
-# radiosity solve --resume goes on with a stopped solution, and writes the same bytes as without the stop.
+# radiosity solve --resume continues a stopped solution, and writes the same bytes as without the stop.
 # With "all" as the second argument it is stopped in more steps and by more signals.
 . "$(dirname "$0")/radiosity_program.sh"
 all=${2-}
@@ -25,10 +25,10 @@ stopped_once() {
     kill -"$signal" $pid 2>/dev/null
     wait $pid
 }
-goes_on() { # goes_on SIGNAL STEP WORDS...: a solution that is stopped so can be resumed
+goes_on() { # goes_on SIGNAL STEP WORDS...: checks that a solution that was stopped in this way can be resumed
     check "$*" stopped "$@"
-    [ "$1" = KILL ] || check "... it prints how to go on" grep -q '^to continue: radiosity solve --resume part.rad.state' out
-    check "... goes on" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
+    [ "$1" = KILL ] || check "... it prints how to continue" grep -q '^to continue: radiosity solve --resume part.rad.state' out
+    check "... is resumed" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
     check "... to the same bytes" cmp whole.rad part.rad
     check "... and leaves no state" test ! -e part.rad.state
 }
@@ -44,8 +44,8 @@ for how in "KILL final" ${all:+"INT final"}; do
     goes_on $how "${gather[@]}"
 done
 
-# A state is for one model, and a material's picture is part of it
-paint() { printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\100\100%b' "$1" >paint.tga; } # one texel; its red
+# A state belongs to one model, of which the materials' pictures are a part
+paint() { printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\100\100%b' "$1" >paint.tga; } # paint RED: writes a picture of one texel
 echo 'map_Kd paint.tga' >>columns.mtl
 paint '\0200'
 check "a model with a picture, stopped" stopped INT form "${rays[@]}"
@@ -53,7 +53,7 @@ check "... has written its elements" eval '"$radiosity" export part.rad --csv pa
 head -c 100000 part.rad.state >cut.state
 check "a state cut short" refuses 2 "is damaged" "$radiosity" solve --resume cut.state
 paint '\0300'
-check "... whose picture changed" refuses 2 "another model" "$radiosity" solve --resume part.rad.state
+check "a state whose model has another picture now" refuses 2 "another model" "$radiosity" solve --resume part.rad.state
 paint '\0200'
-check "... and was changed back" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
+check "... and the first one again" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
 finish

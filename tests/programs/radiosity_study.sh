@@ -6,7 +6,7 @@
 check "the study of a cube" prints '^page/index.html: 9 solutions$' "$radiosity" study cube.obj -o page --quick
 
 # --- The page ---
-parts() { # parts FOLDER LEAST: the folder has the page, the files that it shows or links to (at least LEAST), no others
+parts() { # parts FOLDER LEAST: succeeds if the folder has the page, the files that it shows or links to (at least LEAST), no others
     grep -oE '(src|href)="[^"]*"' "$1/index.html" | sed 's/.*="//; s/"$//' | sort -u >parts
     (echo index.html && cat parts) | sort >wanted
     [ "$(wc -l <parts)" -ge "$2" ] && ls "$1" | sort | diff - wanted >&2
@@ -15,15 +15,15 @@ check "a page with all its parts, and nothing else" parts page 25
 check "... that needs no network" eval '! grep -rlE "(https?:)?//[a-z]|@import|url\(" page --include=*.html >&2'
 if command -v xmllint >/dev/null; then check "... well-formed, as its plots" xmllint --noout page/index.html page/*.svg; fi
 for csv in page/*.csv; do
-    check "$(basename "$csv"): numbers alone below its heads" lacks '(^|,)[-+]?(nan|inf)' "$csv"
+    check "$(basename "$csv"): only numbers below its titles" lacks '(^|,)[-+]?(nan|inf)' "$csv"
 done
 
 # --- Figures ---
 cell() { awk -F, -v n="$2" "$3 { print \$n; exit }" "page/$1.csv"; } # cell TABLE COLUMN CONDITION: prints a cell
 check "passes: the light so far and the light that is left add up" table page/passes.csv 'if ($2 != "") { all += $2; d = all + $3 - 100; if (d < 0) d = -d; if (d > 1) bad = 1 }' '!bad'
 # Each pass reflects the light of the last one in the same room
-check "... each brings half of the one before: about as much as the room reflects" table page/passes.csv 'if (NR > 3 && NR < 12) { share = $2 / last; if (share < 0.45 || share > 0.6) bad = 1 } last = $2' '!bad'
-check "... where new light counts at once, half as many reach .01 %" table page/orders.csv 'if ($1 == 0.01) good = $3 <= 0.6 * $2' good
+check "... each adds about half of the one before, which is what the room reflects" table page/passes.csv 'if (NR > 3 && NR < 12) { share = $2 / last; if (share < 0.45 || share > 0.6) bad = 1 } last = $2' '!bad'
+check "... with new light used at once, half as many reach .01 %" table page/orders.csv 'if ($1 == 0.01) good = $3 <= 0.6 * $2' good
 for method in gathering Gauss-Seidel 'shooting over'; do
     check "$method converges to the same light" less "$(cell methods_within 5 "/^$method/")" 0.01
 done
@@ -55,5 +55,5 @@ check "... and nothing is left" test -z "$(find . -maxdepth 1 -name 'x*')"
 check "an interrupt ends its table" await interrupted table "interrupted: x/index.html has what was measured until then"
 check "... and leaves the chapters that are done, with all their parts" eval '[ -s x/methods.csv ] && parts x 1'
 check "... on a page that lists what is missing" grep -q "<li>rasters: interrupted" x/index.html
-check "a folder that holds something" refuses 2 "page: already exists" "$radiosity" study cube.obj -o page
+check "a folder that is not empty" refuses 2 "page: already exists" "$radiosity" study cube.obj -o page
 finish

@@ -36,7 +36,7 @@ check "one lamp of two" eval "lit spot.png --lamps spot && lit number.png --lamp
 check "... is that lamp's light alone" like spot.png fresh.png 45
 check "... and the same by its number" cmp spot.png number.png
 check "a sky that is turned" lit turned.png --sky ahead.hdr --turn 90 --lamps none
-check "... is like the sky that lies there" like turned.png east.png 50
+check "... is like the sky whose spot lies there" like turned.png east.png 50
 check "... and unlike the sky before the turn" eval 'lit ahead.png --sky ahead.hdr --lamps none && ! like turned.png ahead.png 40'
 light() { "$radiosity" export room.prt --csv light.csv "$@" >out && awk -F, 'FNR > 1 { s += $9 * $8 } END { print s }' light.csv; }
 check "a lamp at twice its strength is twice its light" eval 'awk "BEGIN { d = $(light --lamps lamp=2) / $(light --lamps lamp); exit !(d > 1.9999 && d < 2.0001) }"'
@@ -64,7 +64,7 @@ check "a table of its light" "$radiosity" export hills.prt --csv hills.csv --sky
 check "... holds no more than the sky and the lamp give" table hills.csv 'if ($9 < 0 || $9 > 50) ++off' 'lines >= 800 && off + 0 == 0'
 
 # Ctrl-C during --check: the room is saved
-interrupted() { # fails if everything was compared: then it is tried again
+interrupted() { # fails if the check had already ended: then it is tried again
     in_background "$radiosity" transfer room.obj -o stopped.prt --element 0.004 --rays 128 --check
     stopped_at '^processor seconds' out
     [ $? = 1 ] && [ "$(cat err)" = "radiosity: interrupted: the check is incomplete; stopped.prt is saved" ]
@@ -72,7 +72,7 @@ interrupted() { # fails if everything was compared: then it is tried again
 check "Ctrl-C ends it with status 1 and one line" await interrupted
 check "... and the room can be rendered" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
-check "a lamp that is not there" refuses 2 "no lamp 'moon'; there are 1 lamp, 2 spot" "$radiosity" render room.prt -o x.png --lamps moon
+check "an unknown lamp" refuses 2 "no lamp 'moon'; there are 1 lamp, 2 spot" "$radiosity" render room.prt -o x.png --lamps moon
 check "options for a room with a solution" refuses 2 "is for a room that" "$radiosity" render fresh.rad -o x.png --turn 3
-check "none of them left a file" eval '! ls x.* 2>/dev/null'
+check "refusals leave no files" eval '! ls x.* 2>/dev/null'
 finish

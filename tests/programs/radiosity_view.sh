@@ -31,7 +31,7 @@ size=(--size 300x200) inside=(--size 300x200 --eye 0,5,4.9 --at 0,4,-5)
 check "bumps look as render shows them" compared 44 bumps.rad "${size[@]}" --up z
 check "... from the camera that render prints" cmp -s out <(grep -e --eye printed)
 check "... and the cube from inside" compared 44 cube.rad "${inside[@]}" --lens 100 --exposure -1
-check "... in the logarithm's tone" compared 28 cube.rad "${inside[@]}" --tone log
+check "... in the logarithmic tone" compared 28 cube.rad "${inside[@]}" --tone log
 
 # --- Models that are solved while they are shown ---
 for kind in "bumps ${sky[*]}" "cube --direct hemicube --bounces 3 --patch 2"; do
@@ -40,7 +40,7 @@ for kind in "bumps ${sky[*]}" "cube --direct hemicube --bounces 3 --patch 2"; do
     "$radiosity" solve "$model.obj" -o model.rad "$@" >out
     up=() && [ $model = cube ] || up=(--up z)
     view model.rad "${size[@]}" "${up[@]}" --screenshot file.png
-    check "$kind, solved while it is looked at" view "$model.obj" "${size[@]}" --screenshot live.png "$@"
+    check "$kind, solved while it is shown" view "$model.obj" "${size[@]}" --screenshot live.png "$@"
     check "... ends with the light of the file" eval '[ "$(pixels live.png)" = "$(pixels file.png)" ]'
 done
 
@@ -107,7 +107,7 @@ lines=0
 printed() { [ "$(grep -ce '^--eye' out)" -gt $lines ]; }
 prints_camera() { lines=$(grep -ce '^--eye' out); xdotool key c; await printed; }
 check "key C prints the camera" prints_camera
-check "... where it was put" eval '[ "$(camera)" = "${at[*]} --up y --exposure 0 --tone film --size 300x200" ]'
+check "... at its first place" eval '[ "$(camera)" = "${at[*]} --up y --exposure 0 --tone film --size 300x200" ]'
 flies() { # flies KEY COORDINATE: holds the key until the coordinate changes
     await rests
     from=$(place "$2")
@@ -123,7 +123,7 @@ rests() {
 }
 flown() { prints_camera && [ "$(place "$1")" != "$from" ]; }
 place() { camera | awk -v k="$1" '{ split($2, eye, ","); split($4, at, ","); print (k > 3 ? at[k - 3] : eye[k]) }'; }
-ahead() { # ahead SIGN FROM TO
+ahead() { # ahead SIGN FROM TO: succeeds if TO is above FROM (SIGN 1) or below it (-1)
     [ $1 = 1 ] && less "$2" "$3" || { [ $1 = -1 ] && less "$3" "$2"; }
 }
 for move in "w 3 -1" "a 1 -1" "e 2 1"; do

@@ -30,7 +30,7 @@ check "a window" begin "$radiosity" view hall.prt --sky "$sky" "${at[@]}"
 check "... has the keyboard" await focused
 check "... prints its keys" await grep -q '1 .. 9 0  *lamps' out
 check "... shows the picture" await shows plain.png
-check "... and what it is" await titled 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2'
+check "... and describes it in the title" await titled 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2'
 on_key 1 "key 1: without the first lamp" shows one.png
 check "... and the title lists the other" await titled 'lamps 2 '
 on_key 1 "... and back" shows plain.png
@@ -50,7 +50,7 @@ on_key F3 "... and back" shows plain.png
 xdotool mousemove --window "$window" 50 100 mousedown 3 mousemove --window "$window" 80 100 mousemove --window "$window" 200 100 mouseup 3
 check "the right button turns the sky" await shows turned.png
 check "... by a third of a degree for a pixel" await titled 'turn 50 '
-# A shell reads the line of key C: with clusters, a tilt, and the sky's name
+# A shell can read the line that key C prints, with clusters, a tilt, and the sky's name
 xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 100 85 mouseup 3
 await titled 'tilt 5  '
 on_key 'p comma minus' "other clusters" titled '40 clusters of 7 axes  lamps'
@@ -69,17 +69,17 @@ check "a room of 13 lamps" prints '13 ball 11$' "$radiosity" transfer hall.obj -
 many() { "$radiosity" view many.prt "${at[@]}" "$@" >printed 2>err; }
 many --screenshot three.png --lamps 1,2=3,12=9
 many --screenshot without.png --lamps 1,2=3
-check "without the twelfth it is another picture" eval "! like without.png three.png 46"
+check "without the twelfth lamp the picture differs" eval "! like without.png three.png 46"
 check "a window" begin "$radiosity" view many.prt "${at[@]}" --lamps 1,2=3,12=9
 await focused
 check "... with three of them" await titled 'lamps 1 2 12 '
 await shows three.png
 on_key shift+2 "Shift and 2: without the twelfth" shows without.png
-on_key shift+2 "... which comes back as strong as it was" shows three.png
+on_key shift+2 "... which comes back with its strength" shows three.png
 on_key shift+3 "Shift and 3: the thirteenth, which was off" titled 'lamps 1 2 12 13 '
 on_key c "key C prints strengths" grep -qE -- '--lamps 1,2=3,12=9,13$' out
 on_key 'shift+4 shift+9' "Shift and numbers of no lamp do nothing" titled 'lamps 1 2 12 13 '
 check "ESC ends it" escapes
-check "a turn of the sky" prints '^[0-9.]+ pictures a second of 240 x 150' "$radiosity" view hall.prt --sky "$sky" "${at[@]}" --spin 1
-check "--spin for what cannot be relit" refuses 2 "--spin is for a room" "$radiosity" view hall.obj --spin 1
+check "--spin turns the sky" prints '^[0-9.]+ pictures a second of 240 x 150' "$radiosity" view hall.prt --sky "$sky" "${at[@]}" --spin 1
+check "--spin with a model that cannot be relit" refuses 2 "--spin is for a room" "$radiosity" view hall.obj --spin 1
 finish

@@ -46,7 +46,7 @@ record() { # record FILE: sets recorder
     await test -s "$1"
 }
 # into_server TO SECONDS MOST [LOST]: play() plays the film until TO, and the server records its music. On a busy
-# machine the film may drop sound, as it should: then it is played again
+# machine the film drops sound, as intended: then it is played again
 into_server() { await server_records "$@"; }
 server_records() {
     record "$WORK/recorded"

@@ -1,7 +1,7 @@
 # tools/release makes archives that are equal in two runs, unpack with their file modes, and contain a film that runs.
 . "$(dirname "$0")/common.sh"
 skip_unless zip unzip tar gzip sha256sum
-git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a release is made of a commit, and here is no repository"; exit 77; }
+git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a release needs a git repository"; exit 77; }
 needs_built portable/radiosity
 export BUILD
 release=$SOURCE/tools/release
@@ -9,14 +9,14 @@ made=("$release" --built --unclean --no-capture --poster "$SOURCE/intro/film.png
 
 check "archives are made" prints ' .*/odraz-.*\.zip$' "${made[@]}" --to "$WORK/one"
 pages=$(ls "$BUILD/odraz.html" 2>/dev/null | wc -l)
-check "... three, with the page and an index five, and nothing else" test "$(ls -A "$WORK/one" | wc -l)" = $((3 + 2 * pages))
+check "... three, or five with the page and its index, and nothing else" test "$(ls -A "$WORK/one" | wc -l)" = $((3 + 2 * pages))
 sleep 1.1 # another second
 again=("$release" --built --unclean --poster "$SOURCE/intro/film.png" --capture-span 20,20.1 --to "$WORK/two")
 command -v ffmpeg >/dev/null || again+=(--no-capture)
-check "... and again, by another umask and zone, with a capture of a moment" bash -c 'umask 077; TZ=Asia/Tokyo; export TZ; exec "$@" >/dev/null 2>&1' - "${again[@]}"
-check "... the same to the byte" test "$(diff -r "$WORK/one" "$WORK/two" | grep -v "^Only in $WORK/two: odraz-1080p60\.")" = ""
+check "... and again, with another umask and time zone, and a short video" bash -c 'umask 077; TZ=Asia/Tokyo; export TZ; exec "$@" >/dev/null 2>&1' - "${again[@]}"
+check "... with the same bytes" test "$(diff -r "$WORK/one" "$WORK/two" | grep -v "^Only in $WORK/two: odraz-1080p60\.")" = ""
 if command -v ffmpeg >/dev/null; then
-    check "... which is 1080p60, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/two/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
+    check "the video is 1080p60, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/two/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
     check "... with its manifest, and nothing more" test "$(ls -A "$WORK/two" | wc -l)" = $((5 + 2 * pages))
 fi
 tgz=$(echo "$WORK"/one/odraz-[0-9]*.tar.gz) zip=$(echo "$WORK"/one/*.zip)
@@ -30,8 +30,8 @@ unpacked() { # unpacked HOW PROGRAMS-FOR-WINDOWS COMMAND...: unpacks as a viewer
     mkdir "$WORK/$how"
     check "$how unpacks" eval "(umask 022; cd '$WORK/$how' && $*)"
     check "... with its modes" test "$(modes "$how")" = "644 LICENSE.txt,644 README.txt,644 SHA256SUMS,644 file_id.diz,${exe:+644 odraz-safe.exe,644 odraz.exe,}644 odraz.nfo,644 poster.png,755 odraz,755 odraz-safe,"
-    check "... whole" eval "(cd '$WORK/$how/$name' && sha256sum -c --quiet --strict SHA256SUMS)"
-    check "... all of it in the checksums" test "$(wc -l <"$WORK/$how/$name/SHA256SUMS")" = $files
+    check "... and its checksums are right" eval "(cd '$WORK/$how/$name' && sha256sum -c --quiet --strict SHA256SUMS)"
+    check "... and cover all files" test "$(wc -l <"$WORK/$how/$name/SHA256SUMS")" = $files
 }
 unpacked tar 0 tar -xzf "$tgz"
 unpacked unzip 2 unzip -q "$zip"
@@ -44,9 +44,9 @@ check "... and runs" "$inside/odraz" --dump "$WORK/frames" --from 20 --to 20.04 
 # The texts (tools/release itself counts their columns)
 filled() { ! grep -rn '@[A-Z][A-Z_]*@' "$inside"/*.{txt,nfo,diz}; }
 plain() { ! LC_ALL=C grep -naP '[^\x20-\x7e\r]' "$inside"/*.{txt,nfo,diz}; }
-check "nothing is left to fill in" filled
-check "every character is one of ASCII, and so of CP437" plain
-check "the NFO's lines end as DOS has it" test "$(grep -c $'\r$' "$inside/odraz.nfo")" = "$(wc -l <"$inside/odraz.nfo")"
+check "no placeholder is left" filled
+check "every character is ASCII, and so has the same code in CP437" plain
+check "the NFO's lines end with CR LF" test "$(grep -c $'\r$' "$inside/odraz.nfo")" = "$(wc -l <"$inside/odraz.nfo")"
 check "... and has the size for Windows" grep -q "$(stat -c %s "$BUILD/odraz.exe" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
 check "... and has the size" grep -q "$(stat -c %s "$BUILD/odraz" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
 for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2 Wine odraz.exe; do check "README.txt mentions $word" grep -qF -e "$word" "$inside/README.txt"; done
@@ -55,7 +55,7 @@ for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2 Wine odraz.exe; do c
 if [ "$pages" = 1 ]; then
     links() { grep -oE '(href|src)="[^"]*"' "$WORK/one/index.html" | cut -d'"' -f2 | sort -u; }
     check "the index has links to all files" test "$(links)" = "$(ls "$WORK/one" | grep -vx index.html | LC_ALL=C sort)"
-    check "... and nothing is left to fill in" lacks '@[A-Z_]*@' "$WORK/one/index.html"
+    check "... and no placeholder is left" lacks '@[A-Z_]*@' "$WORK/one/index.html"
 fi
 check "the tools alone" prints "odraz-tools-.*gz\$" "$release" --built --unclean --only tools --to "$WORK/tools"
 check "... have the same files, in one archive" diff <(tar -tzf "$WORK"/tools/*) <(tar -tzf "$WORK"/one/odraz-tools-*)
@@ -65,13 +65,13 @@ check "... nothing else can be made alone" refuses 2 "--only needs tools, not 'f
 tools=odraz-tools-${name#odraz-}-linux-x86_64
 check "the tools unpack" tar -C "$WORK" -xzf "$WORK/one/$tools.tar.gz"
 cd "$WORK/$tools" || exit 1
-check "... whole" sha256sum -c --quiet --strict SHA256SUMS
-check "... all of them in the checksums" test "$(wc -l <SHA256SUMS)" = "$(find . -type f ! -name SHA256SUMS | wc -l)"
+check "... and their checksums are right" sha256sum -c --quiet --strict SHA256SUMS
+check "... and cover all files" test "$(wc -l <SHA256SUMS)" = "$(find . -type f ! -name SHA256SUMS | wc -l)"
 check "... with their READMEs and licences" test -s doc/pack/README.md -a -s doc/radiosity/README.md -a -s doc/radiosity/METHOD.md -a -s doc/CI.md -a -s LICENSE.txt -a -s NOTICES.txt
-check "nothing is left to fill in" eval '! grep -nE "@[A-Za-z][A-Za-z_-]*@" README.txt'
+check "no placeholder is left" eval '! grep -nE "@[A-Za-z][A-Za-z_-]*@" README.txt'
 check "their README has 80 columns" test "$(wc -L <README.txt)" -le 80
 for program in compare pack radiosity; do
-    check "$program may be run, and has a --help" prints '^[Uu]sage: ' "./$program" --help
+    check "$program runs, and prints its help" prints '^[Uu]sage: ' "./$program" --help
     check "... README.txt lists it" grep -q "^  $program  " README.txt
     objdump -p $program >"$WORK/needs"
     if [ $program = radiosity ]; then
@@ -88,10 +88,10 @@ check "... and reports what is wrong with a file" refuses 2 "cannot read" ./radi
 cd "$WORK" || exit 1
 
 # Wrong arguments and programs are refused
-check "a poster that is no picture" refuses 2 "is not a PNG" "$release" --poster "$BUILD/odraz"
+check "a poster that is not a picture" refuses 2 "is not a PNG" "$release" --poster "$BUILD/odraz"
 check "a folder that cannot be made" refuses 1 "cannot write to" "${made[@]}" --to /proc/here
-check "programs that are not there" env BUILD="$WORK" bash -c '"$@" 2>&1 | grep -q "is not built"' - "${made[@]}" --to "$WORK/three"
-refuses_unclean() { # the + of a program's version marks that its tree differed
+check "programs that are not built" env BUILD="$WORK" bash -c '"$@" 2>&1 | grep -q "is not built"' - "${made[@]}" --to "$WORK/three"
+refuses_unclean() { # a + after the version: the program was built from a tree that differs from its commit
     mkdir "$WORK/other"
     printf '#!/bin/sh\necho odraz 1.2.3 0123456789ab+\n' >"$WORK/other/odraz"
     chmod +x "$WORK/other/odraz"
@@ -100,13 +100,13 @@ refuses_unclean() { # the + of a program's version marks that its tree differed
 }
 check "a build of a tree that differs from its commit" refuses_unclean
 sed -i 's/ab+/ab/' "$WORK"/other/odraz*
-check "a build of another commit" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "is of commit 0123456789ab, not of"' - "$release" --built --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/three"
+check "a build of another commit" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "is from commit 0123456789ab, not from"' - "$release" --built --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/three"
 cp "$BUILD/odraz" "$BUILD/odraz-safe" "$WORK/other"
-check "a build for Windows of another commit" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz-safe.exe is of another build"' - "${made[@]}" --to "$WORK/three"
+check "a build for Windows of another commit" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz-safe.exe is from another build"' - "${made[@]}" --to "$WORK/three"
 cp "$BUILD/odraz-safe.exe" "$BUILD/pack" "$WORK/other"
-check "... a packed one" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz.exe is of another build"' - "${made[@]}" --to "$WORK/three"
-check "... and leaves nothing" test -z "$(ls -A "$WORK/three")"
-# A small repository whose programs are of its commit and whose figures are stale
+check "... a packed film of another build" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz.exe is from another build"' - "${made[@]}" --to "$WORK/three"
+check "refusals leave nothing" test -z "$(ls -A "$WORK/three")"
+# In a small repository the programs are built from the commit, but the figures are stale
 mkdir -p "$WORK"/house/{intro,build,tools/measure}
 cd "$WORK/house" || exit 1
 cp "$SOURCE/intro/film.conf" intro
@@ -119,6 +119,6 @@ for program in odraz odraz-safe odraz.exe odraz-safe.exe; do
     chmod +x build/$program
 done
 stale=(env BUILD="$PWD/build" tools/release --built --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/three")
-check "stale figures" bash -c '! "$@" 2>"$0" && grep -q "^stale: size:" "$0"' "$WORK/err" "${stale[@]}"
-check "... unless asked to" bash -c '! "$@" 2>"$0" && ! grep -q stale "$0"' "$WORK/err" "${stale[@]}" --unclean
+check "stale figures are refused" bash -c '! "$@" 2>"$0" && grep -q "^stale: size:" "$0"' "$WORK/err" "${stale[@]}"
+check "... but not with --unclean" bash -c '! "$@" 2>"$0" && ! grep -q stale "$0"' "$WORK/err" "${stale[@]}" --unclean
 finish

@@ -7,7 +7,7 @@ film=$BUILD/odraz-safe
 render=$SOURCE/tools/render
 span=(--from 15.8 --to 16.28 --fps 25) # across a cut, 12 frames, none of the hall
 small=("${span[@]}" --size 160x90 --quality draft)
-parted=("${small[@]}" --shard 5) # in three
+parted=("${small[@]}" --shard 5) # in three shards
 to=$WORK/to
 mkdir "$to"
 rendered() { "$render" --film "$film" "$@" >"$WORK/out" 2>"$WORK/err" || { cat "$WORK/err" >&2; return 1; }; }
@@ -37,8 +37,8 @@ check "... is its last frame" test "$(ls "$to/end")" = frame-004099.ppm
 # --- Video ---
 check "a video in one shard" rendered "${small[@]}" "$to/one.mp4"
 check "... has the frames' sums" cmp "$to/one.manifest" "$to/one.mp4.manifest"
-check "a video in three shards, two at once, that is kept" rendered "${parted[@]}" --jobs 2 --keep "$to/kept.mp4"
-check "... is the same to the byte" same_video "$to/kept.mp4"
+check "a video in three shards, two at once, which are kept" rendered "${parted[@]}" --jobs 2 --keep "$to/kept.mp4"
+check "... has the same bytes" same_video "$to/kept.mp4"
 shown() { ffprobe -loglevel error -count_frames -show_entries stream="$1" -of default=nokey=1:noprint_wrappers=1 "$to/one.mp4" | xargs; }
 check "it holds H.264 and AAC" test "$(shown codec_name)" = "h264 aac"
 check "... twelve frames" test "$(shown nb_read_frames | cut -d' ' -f1)" = 12
@@ -48,8 +48,8 @@ like() { # like MATRIX: prints the PSNR of the last frame, whose colours are con
     ffmpeg -loglevel error -y -i "$to/one.mp4" -vf "select=eq(n\,11),scale=in_color_matrix=$1,format=rgb24" -frames:v 1 "$WORK/last.ppm" &&
         "$BUILD/compare" "$WORK/last.ppm" "$to/one/frame-000406.ppm" | sed 's/psnr \([0-9.]*\).*/\1/'
 }
-check "... which is true" less "$(awk "BEGIN { print $(like bt601) + 1 }")" "$(like bt709)"
-check "it can be played before it is whole" eval '[ "$(grep -abo -m 1 moov "$to/one.mp4" | head -n 1 | cut -d: -f1)" -lt "$(grep -abo -m 1 mdat "$to/one.mp4" | head -n 1 | cut -d: -f1)" ]'
+check "... and the colours are converted by it" less "$(awk "BEGIN { print $(like bt601) + 1 }")" "$(like bt709)"
+check "it can be played before it is loaded completely" eval '[ "$(grep -abo -m 1 moov "$to/one.mp4" | head -n 1 | cut -d: -f1)" -lt "$(grep -abo -m 1 mdat "$to/one.mp4" | head -n 1 | cut -d: -f1)" ]'
 check "a video without loss" rendered "${parted[@]}" "$to/one.mkv"
 check "... has every bit of the frames" cmp <(ffmpeg -loglevel error -i "$to/one.mkv" -c:v ppm -f image2pipe -) <(cat "$to"/one/*.ppm)
 check "... and of the music" cmp <(ffmpeg -loglevel error -i "$to/one.mkv" -f s16le -) <("$film" --wav - "${span[@]:0:4}" | tail -c +45)
@@ -67,14 +67,14 @@ rm "$parts/000405-000407.sums"
 truncate -s -5 "$parts/000395-000400.nut"
 flip "$parts/000400-000405.nut" 5000
 check "one unfinished, one cut short, one damaged: all are made again, to the same video" resumes 3
-check "... and those that were there are reported" test "$(grep -c 'again: its file is missing or damaged' "$WORK/err")" = 2
+check "... and the two damaged files are reported" test "$(grep -c 'again: its file is missing or damaged' "$WORK/err")" = 2
 kept
 cp "$parts/000395-000400.nut" "$parts/000400-000405.nut"
 sed -i "\$ s/^[0-9a-f]*/$(sha256sum <"$parts/000395-000400.nut" | cut -d' ' -f1)/" "$parts/000400-000405.sums"
 check "a shard that holds other frames, and seems right" fails "${parted[@]}" --resume "$to/r.mp4"
 check "... is reported" reported 'frame 400 differs from the film; --resume makes its shard again'
-check "... and it does" resumes 1
-check "a run that was made is not overwritten" refuses 1 "r.mp4.parts is left from an earlier run: continue it with --resume, or remove it" \
+check "... and --resume makes it again" resumes 1
+check "an earlier run is not overwritten" refuses 1 "r.mp4.parts is left from an earlier run: continue it with --resume, or remove it" \
     "$render" --film "$film" "${parted[@]}" "$to/r.mp4"
 check "... nor mixed with one of another quality" refuses 1 "was made with 'quality draft', now 'quality play'" \
     "$render" --film "$film" "${parted[@]}" --quality play --resume "$to/r.mp4"
@@ -98,7 +98,7 @@ for out in broken.mp4 broken; do
     touch "$WORK/bad"
 done
 
-# No room: a file may be 100 kB larger than the film
+# Without room for a shard: a limit allows files that are 100 kB larger than the film
 limit=$((($(stat -c %s "$film") + 100000) / 1024))
 check "no room for a shard" eval '(ulimit -f $limit; fails "${span[@]}" --size 320x180 --quality draft "$to/full.mp4")'
 check "... is reported" grep -q '^tools/render: frames 395 to 406 failed: ' "$WORK/err"
@@ -161,13 +161,13 @@ END
     check "... and all that it started" await all_gone
     rm -r "$to/int.mp4.parts"
 else
-    echo "not checked: hosts, for GNU parallel is not installed"
+    echo "not checked: hosts, since GNU parallel is not installed"
 fi
 
 # --- What it cannot do ---
 check "an option that the film refuses" refuses 2 "--quality needs draft" "$render" --film "$film" --quality best "$to/x.mp4"
 check "an odd size" refuses 2 "even width and height" "$render" --film "$film" "${small[@]}" --size 65x36 "$to/x.mp4"
-check "a folder that holds something" refuses 2 "not an empty folder" "$render" --film "$film" "$to/one"
+check "a folder that is not empty" refuses 2 "not an empty folder" "$render" --film "$film" "$to/one"
 # It would install a missing ffmpeg: here it cannot
 mkdir "$WORK/bin"
 for program in bash dirname cat sed grep id basename; do ln -s "$(command -v $program)" "$WORK/bin"; done
@@ -175,5 +175,5 @@ printf '#!/bin/sh\nexit 1\n' | tee "$WORK/bin/dpkg-query" "$WORK/bin/sudo" >"$WO
 chmod +x "$WORK/bin/"*
 check "no ffmpeg, which cannot be installed" eval 'PATH=$WORK/bin fails "$to/x.mp4"'
 check "... is reported" grep -qx 'render: apt-get could not install ffmpeg' "$WORK/err"
-check "what it refuses leaves nothing" parts_gone
+check "refusals leave nothing" parts_gone
 finish

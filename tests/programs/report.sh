@@ -27,17 +27,17 @@ json_sums() { # json_sums REPORT: its figures add up, in whole bits
 }
 check "a page, a report and a text" "${packs[@]}" --html a.html --report a.json --text a.md --budget 5000 >printed
 check "the page adds up to the file" prints '^[0-9]+ bytes of [0-9]+, [0-9]{2} stretches, [1-9][0-9]+ instructions$' sums a.html
-check "... which is as large as on the page" grep -q " of $(stat -c %s packed), " printed
+check "... whose size is on the page" grep -q " of $(stat -c %s packed), " printed
 check "the report adds up, too" json_sums a.json
 check "the text has size and budget" grep -qx "\*\*\`packed\`: $(sed ':a; s/\B[0-9]\{3\}\>/,&/; ta' <<<"$(stat -c %s packed)") bytes\*\*, .* left of 5,000" a.md
 perl "$page" a.html tables >tables
-check "the page knows the archive's file, and the folder" eval 'grep -q "\"twice.o\",\"libtwice.a\"" tables && grep -q "\"main.o\",\"folder\"" tables'
-check "what has two names is there once" test "$(grep -oE '"(once|again)"\]' tables | wc -l)" = 1
-check "what has no name is there, too" grep -q '"(nothing named in .rodata)"\]' tables
+check "the page names the object in the archive, and the folder" eval 'grep -q "\"twice.o\",\"libtwice.a\"" tables && grep -q "\"main.o\",\"folder\"" tables'
+check "a function with two names is listed once" test "$(grep -oE '"(once|again)"\]' tables | wc -l)" = 1
+check "unnamed data is listed, too" grep -q '"(nothing named in .rodata)"\]' tables
 read -r address size <<<"$(readelf -SW program | sed -n 's/.* \.text *PROGBITS *\([0-9a-f]*\) [0-9a-f]* \([0-9a-f]*\) .*/\1 \2/p')"
 objcopy -O binary -j .text program code
 check "the page has the program's bytes" cmp code <(perl "$page" a.html bytes | tail -c +$((0x$address + 1)) | head -c $((0x$size)))
-check "it needs no network" eval '! grep -qE "https?://|src=|@import|url\(" a.html'
+check "the page needs no network" eval '! grep -qE "https?://|src=|@import|url\(" a.html'
 check "without objdump" env PATH=/none "${pack[@]}" program -o packed --html c.html >/dev/null
 check "... a page without instructions" prints ', 0 instructions$' sums c.html
 strip program -o stripped
@@ -61,11 +61,11 @@ check "... the page, too, and both add up" sums g.html >/dev/null
 perl "$page" g.html tables >tables
 check "... by rooms and their shares" grep -q '"shares":{"house":100,"stub":4000}' tables
 check "... with the stub's" grep -q '"stubRoom":"stub"' tables
-check "nothing has changed since itself" prints '^No symbol changed by four bytes or more\.$' "${packs[@]}" --text - --than g.json
+check "a comparison with itself lists no changes" prints '^No symbol changed by four bytes or more\.$' "${packs[@]}" --text - --than g.json
 over() { "${packs[@]}" --html over.html --budget 9 >/dev/null 2>&1; [ $? = 1 ] && sums over.html >/dev/null; }
-check "a page of what is over budget is written" over
+check "a program over its budget gets a page, too" over
 
-check "an earlier report that is not there yet is noted" eval '"${packs[@]}" --text - --than none >text 2>note && grep -qx "pack: there is no none yet, so nothing is compared: write it with --report" note && grep -q " symbol" text'
+check "a missing earlier report is noted" eval '"${packs[@]}" --text - --than none >text 2>note && grep -qx "pack: there is no none yet, so nothing is compared: write it with --report" note && grep -q " symbol" text'
 
 # --- Refused before anything is packed or written ---
 echo '{"file": 5}' >foreign
@@ -73,7 +73,7 @@ rm packed
 for words in "--than foreign: foreign: not a report of pack" "--report none/x: cannot write none/x"; do
     check "refused: ${words%%: *}" refuses 2 "${words#*: }" "${packs[@]}" --html x.html ${words%%: *}
 done
-check "nothing is written then" eval '[ ! -e packed ] && [ ! -e x.html ] && ! ls | grep part'
+check "refusals write nothing" eval '[ ! -e packed ] && [ ! -e x.html ] && ! ls | grep part'
 
 # --- tools/ledger, with this program in place of the film ---
 mkdir -p film/generated && cp program film/odraz.elf && cp program.map film/odraz.map && ln -s "$BUILD/pack" film/pack && : >film/generated/symbols && cp a.html film/odraz

@@ -8,13 +8,13 @@ cd "$WORK" || exit 1
 # --- The document ---
 document=$WORK/film.rocket
 check "writes the tracks, without a display" env -u DISPLAY "$debug" --tracks "$document"
-check "... which are a document" xmllint --noout "$document"
+check "... as a well-formed document" xmllint --noout "$document"
 has() { grep -qF "$1" "$document"; }
 check "... with every number of a camera" eval 'for n in {eye,target}.{x,y,z} roll lens; do has "<track name=\"table.camera.tableWide:$n\">" || exit 1; done'
 check "... and a scene's own tracks" has '<track name="hall:exposure">'
 check "... keys are on the film's rows" eval 'sed -n "/tableWide:eye.y/,/<.track>/p" "$document" | grep -qF "row=\"160\" value=\"1.5\" interpolation=\"2\""'
-check "... whose names differ" test -z "$(grep '<track ' "$document" | sort | uniq -d)"
-check "no folder" refuses 1 "cannot write $WORK/none/tracks" "$debug" --tracks "$WORK/none/tracks"
+check "... no two of which have the same name" test -z "$(grep '<track ' "$document" | sort | uniq -d)"
+check "a missing folder" refuses 1 "cannot write $WORK/none/tracks" "$debug" --tracks "$WORK/none/tracks"
 
 # --- An editor ---
 start_display 640x400
@@ -53,11 +53,11 @@ check "it seeks to the light" comes 'titled "row 2.0 "'
 drawn
 kept light
 order key point:keyLight 0 0 0
-check "a step" comes '! is light'
+check "a step changes the picture" comes '! is light'
 drawn
 kept step
 order key point:keyLight 0 0 3
-check "a ramp" comes '! is step'
+check "... and so does a ramp" comes '! is step'
 check "... gives another picture than a smooth track" eval '! is light'
 order key point:keyLight 0 0 2
 check "... which is the film's" comes 'is light'
@@ -67,14 +67,14 @@ check "it seeks again" comes 'titled "row 168.0 "'
 # --- Keys set in the window ---
 press Right
 check "the film seeks, too" comes 'titled "row 172.0 "'
-check "... and sends it to the editor" comes "received 'row 172'"
+check "... and sends its row to the editor" comes "received 'row 172'"
 drawn
 kept film
 xdotool keydown --window "$window" w
 check "flies" comes '! is film'
 xdotool keyup --window "$window" w
 press r
-check "the script's view again" comes 'is film'
+check "key R: the script's view again" comes 'is film'
 xdotool keydown --window "$window" d
 comes '! is film'
 xdotool keyup --window "$window" d
@@ -90,18 +90,18 @@ press r
 check "... which is the script's view now" comes '! is film && less "$(error)" 0.1'
 echo "somebody's work" >"$FILM.rocket"
 press x
-check "a file of others is not written over" comes 'titled "$FILM.rocket already exists"'
-check "... and is as it was" grep -qx "somebody's work" "$FILM.rocket"
+check "an existing file is not overwritten" comes 'titled "$FILM.rocket already exists"'
+check "... and is unchanged" grep -qx "somebody's work" "$FILM.rocket"
 rm "$FILM.rocket"
 press x
-check "writes the document" comes '[ -s "$FILM.rocket" ]'
+check "key X writes the document" comes '[ -s "$FILM.rocket" ]'
 check "... with that key, for eye and target" test "$(grep -A6 'tableWide:\(eye\|target\)' "$FILM.rocket" | grep -c 'row="172"')" = 6
 press shift+k
 check "the key is removed" comes 'is film'
 
 rm "$FILM.rocket"
 order save
-check "writes it on the order of the editor, too" comes '[ -s "$FILM.rocket" ]'
+check "the editor's order writes it, too" comes '[ -s "$FILM.rocket" ]'
 
 # (rocket_test tests editors that come and go, and that send nonsense)
 order hang-up
@@ -109,5 +109,5 @@ check "the film connects again" comes '[ "$(grep -cx film "$WORK/received")" = 2
 check "the picture is the film's own" comes 'is film'
 check "nothing that the editor received was nonsense" eval '! grep -q "nonsense\|stranger" "$WORK/received"'
 xdotool key --window "$window" Escape 2>/dev/null
-check "it leaves" ended "$pid"
+check "it quits" ended "$pid"
 finish

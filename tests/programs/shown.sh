@@ -16,7 +16,7 @@ check "seen sums it up" prints '^flake,[0-9.]+,[0-9]+,[0-9]+,[0-9]+,' "$BUILD/se
 at=$(awk -F, 'NR > 1 && $1 >= 0 { printf "%.3f", $1 + 0.001; exit }' "$list") # when the first picture is on the screen
 check "... and judges it" \
     prints '^flake,30,[0-9]+,0\.[0-9]+,[0-9.]+,[0-9.]+$' "$BUILD/seen" "$list" --at "$at" --screen 160x90
-check "... and writes the pictures on the screen, and the true ones" eval \
+check "... and writes the pictures on the screen, and the reference pictures" eval \
     '"$BUILD/seen" "$list" --at "$at" --length 0.0667 --screen 160x90 --pictures "$WORK/pictures" >"$WORK/out" &&
     [ "$(ls "$WORK/pictures" | sed "s/^[0-9]*-//" | tr "\n" " ")" = "0-truth.png 0.png 1-truth.png 1.png 2-truth.png 2.png 3-truth.png 3.png " ]'
 
@@ -29,7 +29,7 @@ check "... is judged" eval \
 check "the page's player makes no in-betweens" eval \
     '[ "$("$BUILD/seen" --machine 16 --page 1.6 --summary | cut -d, -f 6 | sort -u | tr "\n" " ")" = "0 between " ]'
 check "--page without a machine" refuses 2 "--page needs --machine" "$BUILD/seen" "$list" --page 2
-check "several screens are judged on none" refuses 2 "several screens need --judged" "${players[@]}"
+check "several screens without --judged" refuses 2 "several screens need --judged" "${players[@]}"
 
 check "writes to standard output" \
     eval '"$BUILD/odraz-debug" --shown - --from 50 --to 50.5 --size 64x36 --mute | grep -q "^at,time,kind"'

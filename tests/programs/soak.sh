@@ -17,7 +17,7 @@ if can_serve; then
     mute=
 fi
 
-# looks SECONDS: prints the process's milliseconds, MB, descriptors and threads each second; kills it when it hangs
+# looks SECONDS: samples the process each second: prints milliseconds, MB, descriptors, threads; kills it when it hangs
 looks() {
     local began=${EPOCHREALTIME/[.,]/} at descriptors
     until gone $pid; do
@@ -30,9 +30,9 @@ looks() {
         sleep 1
     done
 }
-# taken: sums up the looks at a run after its start, which lasts 1.5 times the time of the first picture and a second.
-# Prints their number; the most memory, descriptors and threads; how many MB more than in the first third; how many more
-# descriptors and threads the last third has at least than the first third has at most
+# taken: sums up the samples of a run after its start, which lasts a second and 1.5 times the time of the first picture.
+# Prints their number; the most memory, descriptors and threads; by how many MB memory exceeds that of the first third;
+# the fewest descriptors and threads in the last third, less the most in the first third
 taken() {
     awk -v first="$(sed -n 's/^first picture after \(.*\) s$/\1/p' "$WORK/out")" '
         first != "" && $1 >= 1500 * first + 1000 { ++n; for (k = 2; k <= 4; ++k) value[k, n] = $k }
@@ -58,8 +58,8 @@ for ((run = 1, end = SECONDS + $(awk "BEGIN { printf \"%d\", $minutes * 60 }"); 
     [ $FAILED = 0 ] || finish
     check "... prints nothing on standard error" test ! -s "$WORK/err"
     read -r n mb descriptors threads mb_more descriptors_more threads_more <<<"$(taken)"
-    echo "    $n looks: $mb MB, $descriptors descriptors, $threads threads at most"
-    [ "$n" -ge 3 ] || continue # the machine is too busy for three looks: growth cannot be judged
+    echo "    $n samples: $mb MB, $descriptors descriptors, $threads threads at most"
+    [ "$n" -ge 3 ] || continue # the machine is too busy for three samples: growth cannot be judged
     check "... within 512 MB" less "$mb" 512
     check "... takes at most $ROOM MB more after its first third" less "$mb_more" $ROOM.01
     check "... no more descriptors" test "$descriptors_more" -le 0

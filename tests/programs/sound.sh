@@ -1,4 +1,4 @@
-# The music that the packed film writes: whole, in parts; its loudness, and the times of its events.
+# The music that the packed film writes, as a whole and in parts; its loudness, and the times of its events.
 . "$(dirname "$0")/common.sh"
 skip_unless ffmpeg sha256sum
 needs_built listen
@@ -49,10 +49,10 @@ grep -v '^onset' "$WORK/heard"
 heard() { awk -F, -v seen=0 "\$1 == \"$1\" { ++seen; if (!($2)) { print > \"/dev/stderr\"; bad = 1 } } END { exit bad || !seen }" "$WORK/${3-heard}"; }
 check "it has no DC offset" heard all '$2 < 3e-4'
 check "it has no click: no step between samples stands out" heard step '$2 < 12'
-check "left and right belong together, and are not the same, in every scene" heard scene '$4 >= 0.2 && $4 <= 0.8'
+check "left and right are alike, but not the same, in every scene" heard scene '$4 >= 0.2 && $4 <= 0.8'
 most='most = 0; for (i = 6; i <= NF; ++i) if ($i > most) most = $i;'
 octaves() { awk -F, "\$1 == \"scene\" { ++seen; $most if (most > 0.5) bad = 1 } END { exit bad || seen < 7 }" "$WORK/heard"; }
-check "no octave has more than half of a scene" octaves
+check "no octave has more than half of a scene's energy" octaves
 onset='$4 >= -20 && $4 <= 20 && $5 >= 2.5'
 check "every cut and every audible event is heard, within 20 ms" heard onset "$onset"
 check "... more than 50 of them" test "$(grep -c '^onset' "$WORK/heard")" -gt 50

@@ -5,7 +5,7 @@
 needs_built tradeoff
 skip_unless g++
 tradeoff=$BUILD/tradeoff
-# the scenes, and the ones in which qualities are compared
+# All scenes, and the scenes in which qualities are compared
 scenes=(field) compared=(field)
 if [ "${2-}" = all ]; then
     scenes=(A B field point table flake patches hall odraz credits) compared=(A B field table flake hall)
@@ -13,7 +13,7 @@ fi
 quick=("$tradeoff" --width 256)
 check "the tracer's trade-off is measured" \
     eval '"${quick[@]}" $([ ${#scenes[@]} -gt 1 ] || echo --scene field) >"$WORK/csv"'
-check "... as a table, its measures named" \
+check "... as a table with these columns" \
     grep -qx "scene,setting,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db" "$WORK/csv"
 for scene in "${scenes[@]}"; do
     check "... with the qualities of $scene" test "$(grep -c "^$scene," "$WORK/csv")" = 3
@@ -23,7 +23,7 @@ measured() { awk -F, -v column="$1" -v scene="$2" -v setting="$3" '$1 == scene &
 for scene in "${compared[@]}"; do
     for pair in "draft play" "play film"; do
         set -- $pair
-        check "... in which $2 is nearer than $1 in $scene: by FLIP" less "$(measured 5 $scene $2)" "$(measured 5 $scene $1)"
+        check "$2 is nearer to the reference than $1 in $scene: by FLIP" less "$(measured 5 $scene $2)" "$(measured 5 $scene $1)"
         check "... in linear light" less "$(measured 6 $scene $1)" "$(measured 6 $scene $2)"
         check "... and in sRGB" less "$(measured 7 $scene $1)" "$(measured 7 $scene $2)"
     done
@@ -33,11 +33,11 @@ again() {
     "${quick[@]}" --rounds 1 --scene credits --references "$WORK/kept" --setting play --setting play,grid=2,cutoff=1/64 \
         --setting level=1.5 | cut -d, -f1-3,5-
 }
-check "a setting of one's own, a reference to keep" prints '^credits,play grid=2 cutoff=1/64,4.000,' again
-check "... which is kept" test "$(stat -c %s "$WORK/kept/credits-256")" = $((256 * 144 * 3))
+check "changed knobs, and a folder for references" prints '^credits,play grid=2 cutoff=1/64,4.000,' again
+check "... which has the reference" test "$(stat -c %s "$WORK/kept/credits-256")" = $((256 * 144 * 3))
 cp "$WORK/printed" "$WORK/first"
 check "... and used again" cmp "$WORK/first" <(again)
-check "a level of the governor's has samples between those of its qualities" \
+check "level 1.5 takes fewer samples than play" \
     less "$(sed -n 's/^credits,level=1.5,\([^,]*\),.*/\1/p' "$WORK/first")" "$(sed -n 's/^credits,play,\([^,]*\),.*/\1/p' "$WORK/first")"
 
 # (a program of a few hundred bytes, since the film takes a second)
@@ -49,16 +49,16 @@ check "... as a table" grep -qx "bytes,payload,encode_s,decode_kb_s,memory_mb" "
 check "... smaller than the packed file by its headers" less "$(bytes)" "$(stat -c %s "$WORK/hello")"
 ships=$(bytes)
 check "... with fewer contexts" packed --contexts 4 --slots 16 "$WORK/hello.elf"
-check "... with arbitrary ones, searched for" packed --arbitrary --search 0.2 "$WORK/hello.elf"
+check "... with a search from arbitrary ones" packed --arbitrary --search 0.2 "$WORK/hello.elf"
 check "... which are no better than those that ship" less "$ships" "$(($(bytes) + 40))"
 objcopy -O binary -j .text "$BUILD/pack" "$WORK/code"
 head -c 4096 "$WORK/code" >"$WORK/sample"
 check "instructions alone" packed "$WORK/sample"
 check "... all of them" grep -q '^4096,' "$WORK/csv"
 
-check "a knob that is not there" \
+check "an unknown knob" \
     refuses 2 "unknown knob 'colour': use one of grid" "$tradeoff" --setting play,colour=1
-check "a quality that is not there" refuses 2 "unknown quality 'fine'" "$tradeoff" --setting fine
+check "an unknown quality" refuses 2 "unknown quality 'fine'" "$tradeoff" --setting fine
 check "an invalid level" refuses 2 "level" "$tradeoff" --setting level=3
 check "an invalid number of contexts" refuses 2 "a multiple of 4" "$BUILD/bench_pack" --contexts 5 "$WORK/sample"
 finish

@@ -15,7 +15,7 @@ house="$WORK/a house"
 to=$house/build
 copy_sources "$house"
 mkdir -p "$WORK/bin" "$to"
-# In place of CMake: ends when tools/watch has shown its count
+# A stand-in for CMake, whose build ends when tools/watch has printed its step count
 cat >"$WORK/bin/cmake" <<END
 #!/bin/bash
 [ \$1 = --build ] || exit 0
@@ -49,7 +49,7 @@ check "... first prints what it does and how long it takes" eval \
 check "... prints that there is no display, before it builds" eval 'sed -n "/^no display/,\$p" "$WORK/err" | grep -q "^building: "'
 check "... makes a contact sheet of 33 frames" prints ' 1956x1560 ' identify "$to/film.png"
 probe() { ffprobe -v error -show_entries stream=codec_name,duration -of csv=p=0 "$to/film.mp4" | tr '\n' ' '; }
-check "... and a video of $length seconds, one of every ten, with sound" test "$(probe)" = "h264,$length.000000 aac,$length.000000 "
+check "... and a video of $length seconds, one second of every ten, with sound" test "$(probe)" = "h264,$length.000000 aac,$length.000000 "
 
 touch "$WORK/broken"
 export PATH="$WORK/bin:$PATH"
@@ -57,7 +57,7 @@ in_background env DISPLAY=:99999999 "$house/tools/watch"
 ended $pid
 check "a build that fails ends it with status 1" test $? = 1
 check "... and prints why" grep -qx 'no compiler' "$WORK/err"
-check "a display that cannot be opened is none" grep -q '^no display (DISPLAY is :99999999, ' "$WORK/err"
+check "a display that cannot be opened counts as none" grep -q '^no display (DISPLAY is :99999999, ' "$WORK/err"
 
 rm "$WORK/broken"
 start_display 640x400

@@ -1,4 +1,4 @@
-# The film in a window: it starts, draws, resizes, fills the screen, and leaves.
+# The film in a window: it starts, draws, resizes, fills the screen, and ends.
 . "$(dirname "$0")/display.sh"
 skip_unless xprop openbox wmctrl
 packed=$BUILD/odraz odraz=$BUILD/odraz-safe # the same program, which starts without unpacking
@@ -8,15 +8,15 @@ load() { begin "$@" --threads 1 && await focused; } # load PROGRAM OPTION...
 
 start_display 1000x700
 
-# Without a window manager: full screen by size alone, with the keyboard
+# Without a window manager the film makes its window as large as the screen, and takes the keyboard
 check "plays on the full screen" play "$packed" --from 100
 check_full_screen
-check "ESC leaves" leaves xdotool key Escape
+check "ESC quits" leaves xdotool key Escape
 
 # Loading: a bar grows, and ESC ends the film
 check "opens a window" load "$packed"
 check "a bar grows while it loads" grows $pid
-check "ESC leaves while it loads" leaves xdotool key Escape
+check "ESC quits while it loads" leaves xdotool key Escape
 
 check "plays in a window" play "$odraz" --window --size 640x360 --from 50 --stats
 check "its window has the film's size" measures 640 360
@@ -33,12 +33,12 @@ check "draws at another size" await is_black 180x300+0+0
 check "with bars at both sides" await is_black 180x300+720+0
 check "... and the picture between" await is_bright
 xdotool windowsize "$window" 3 2
-check "gets tiny" await measures 3 2
+check "shrinks to 3 x 2 pixels" await measures 3 2
 check "... and plays on" worked $pid 30
 xdotool windowsize "$window" 700 500
-check "... to be seen again" await is_black 700x52+0+0
+check "... and is drawn when it is larger again" await is_black 700x52+0+0
 check "... with a picture" await is_bright
-check "Alt-F4 leaves" leaves xdotool key alt+F4
+check "Alt-F4 quits" leaves xdotool key alt+F4
 check "--stats names the scene" grep -qE '^flake +[1-9]' "$WORK/out"
 check "nothing is printed on standard error" test ! -s "$WORK/err"
 
@@ -54,23 +54,23 @@ leaves_by_click() {
 check "a missing library opens a small window" begin env LD_LIBRARY_PATH="$(lacking libGL.so.1)" "$packed"
 check "... which a click ends with status 1" leaves_by_click
 check "... and reports it on standard error too" grep -q 'libGL.so.1 is missing' "$WORK/err"
-check "a driver that is missing opens one too" begin env LIBGL_DRIVERS_PATH=/none "$odraz"
+check "a missing driver opens one, too" begin env LIBGL_DRIVERS_PATH=/none "$odraz"
 check "... which a click ends with status 1" leaves_by_click
 check "... and Mesa's own lines about it are not printed" test "$(wc -l <"$WORK/err")" = 1
 
 # Under a window manager
 start_window_manager
-check "plays under it" play "$odraz" --from 30
+check "plays under a window manager" play "$odraz" --from 30
 check "it requests the full screen" await fills_the_screen
-check "it gets it" await measures 1000 700
-check "it draws there" await is_bright
-check "ESC leaves there" leaves xdotool key Escape
+check "... and gets it" await measures 1000 700
+check "... and draws there" await is_bright
+check "ESC quits there" leaves xdotool key Escape
 check "opens a window there" load "$packed" --window --size 640x360
 check "... managed by the window manager" await managed
-check "the close button leaves while it loads" leaves wmctrl -i -c "$window"
+check "the close button quits while it loads" leaves wmctrl -i -c "$window"
 check "plays in a window there" play "$odraz" --window --size 640x360 --from 30
 check "... managed by the window manager" await managed
-check "the close button leaves" leaves wmctrl -i -c "$window"
+check "the close button quits" leaves wmctrl -i -c "$window"
 
 # The display ends while the film plays
 check "plays once more" play "$odraz" --window --size 320x180 --from 30
@@ -81,7 +81,7 @@ check "... and one line" grep -qx 'odraz: the display went away' "$WORK/err"
 
 # Displays that lack something
 start_display 640x360 -extension MIT-SCREEN-SAVER
-check "plays where no screen saver can be held off" "$odraz" --window --mute --from 4 --to 4.5 2>"$WORK/err"
+check "plays where the screen saver cannot be held off" "$odraz" --window --mute --from 4 --to 4.5 2>"$WORK/err"
 check "... silently" test ! -s "$WORK/err"
 start_display 640x360x16
 check "a screen of 16 bits opens a small window" begin "$odraz" --window --mute --from 4

@@ -17,10 +17,10 @@ cd "$WORK/in" || exit 1
 broken=$WORK/broken
 check "the film, whole, runs" prints '^odraz' "$film" --version
 
-from() { local span=$(($2 - $1)); at=$(($1 + (RANDOM * 32768 + RANDOM) % span)); } # from A B: sets at at random, A <= at < B
-write() { dd of="$broken" bs=1 seek="$1" conv=notrunc status=none; }             # write OFFSET: writes standard input there
+from() { local span=$(($2 - $1)); at=$(($1 + (RANDOM * 32768 + RANDOM) % span)); } # from A B: sets `at` to a random offset, A <= at < B
+write() { dd of="$broken" bs=1 seek="$1" conv=notrunc status=none; }             # write OFFSET: copies standard input to it
 reports_it() { refuses 1 "damaged: get it afresh" "$broken" --dump - --from 20 --to 20.04 --size 16x9; }
-each() { # each COMMAND: damages $broken by the command, $tries times; the film must report it each time
+each() { # each COMMAND: the command damages $broken, $tries times; the film must report it each time
     local n
     for ((n = 1; n <= tries; ++n)); do
         cp "$film" "$broken"
@@ -29,7 +29,7 @@ each() { # each COMMAND: damages $broken by the command, $tries times; the film 
         reports_it || { echo "try $n of seed $seed: $*, at $at of $size" >&2; return 1; }
     done
 }
-wrong_bytes() { # copies up to 4096 bytes from anywhere in the file
+wrong_bytes() { # overwrites up to 4096 bytes with other bytes of the file
     local to
     from $UNGUARDED "$size"
     to=$at
@@ -40,7 +40,7 @@ cut_anywhere() {
     from 660 "$size"
     truncate -s $at "$broken"
 }
-filled_up() { # replaces the file's end by zeros
+filled_up() { # replaces the file's end with zeros
     from 660 $((size - 100))
     truncate -s $at "$broken"
     truncate -s "$size" "$broken"

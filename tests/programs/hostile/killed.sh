@@ -11,9 +11,9 @@ cd "$WORK" || exit 1
 # Ten frames, large enough to be killed while they are written
 part=(--from 20 --to 20.4 --size 1280x720 --quality draft)
 TIMEFORMAT='%U %S'
-takes=$({ time "$odraz" --dump reference "${part[@]}"; } 2>&1 | awk '{ print int(100 * ($1 + $2)) + 1 }') # of processor time
+takes=$({ time "$odraz" --dump reference "${part[@]}"; } 2>&1 | awk '{ print int(100 * ($1 + $2)) + 1 }') # hundredths of a second of processor time
 frames=$(ls reference | wc -l)
-check "... has its frames: $frames" test "$frames" = 10
+check "the reference has ten frames: $frames" test "$frames" = 10
 
 parts=0 found=0 early=0 done=0
 whole() { # every frame in dump/ is the reference's
@@ -31,7 +31,7 @@ killed() { # a dump that has ended before it is killed does not count
         rm -rf dump
         "$odraz" --dump dump "${part[@]}" 2>err &
         pid=$!
-        # At a random moment; every second time, as soon as there is a file of a certain frame
+        # Kill it at a random moment; every second time, as soon as a random frame has a file
         at=$((RANDOM % 10))
         if [ $((n % 2)) = 0 ]; then
             until compgen -G "dump/frame-00050$at.ppm*" >/dev/null || gone $pid; do :; done
@@ -47,10 +47,10 @@ killed() { # a dump that has ended before it is killed does not count
         parts=$((parts + left))
     done
 }
-check "$kills kills: every frame that is there is whole" killed
-echo "    $found frames were there, $parts files *.part were left, $early dumps had ended before"
+check "$kills kills: every frame that was written is whole" killed
+echo "    $found frames were written, $parts files *.part were left, $early dumps ended before the kill"
 
-# A file as an unfinished dump leaves it
+# A file like one that a killed dump leaves
 mkdir -p dump
 echo "half a frame" >dump/frame-000500.ppm.99999.part
 check "a later dump into the same folder" "$odraz" --dump dump "${part[@]}"
@@ -73,5 +73,5 @@ together() { # together DUMPS
     cat err.*
     [ $good = "$1" ] && [ -z "$(cat err.*)" ] && diff -r reference dump
 }
-for dumps in 2 2 4 4; do check "$dumps dumps at once into one folder: none prints anything, all the same frames" together $dumps; done
+for dumps in 2 2 4 4; do check "$dumps dumps at once into one folder: nothing is printed, and the frames are the same" together $dumps; done
 finish

@@ -2,13 +2,13 @@
 # personalities; empty or huge environment variables; folders that are gone, read-only or full; a display that does not
 # exist. Fewer than 4 descriptors and stacks below 64 KB are not tried: the loader and the kernel refuse them.
 #   surroundings.sh BUILD odraz|odraz-safe
-# (closed descriptors: commandline.sh; missing libraries, old processors, no room: machine.sh; MDWE: machine.sh,
-# packed.sh)
+# (commandline.sh closes descriptors; machine.sh tests missing libraries, old processors and little memory; machine.sh
+# and packed.sh test MDWE)
 . "$(dirname "$0")/../common.sh"
 name=${2:-odraz-safe}
 odraz=$BUILD/$name
 unset DISPLAY WAYLAND_DISPLAY
-# Close descriptors that the caller left open: they would count
+# Close descriptors that the caller left open: they would count towards the limit
 for fd in /proc/self/fd/*; do fd=${fd##*/}; [ "$fd" -lt 3 ] || [ "$fd" = 255 ] || eval "exec $fd>&-"; done
 chmod 711 "$WORK"
 cd "$WORK" || exit 1
@@ -26,7 +26,7 @@ same() {
     head -c 300 err >&2
     return 1
 }
-# limited OPTION VALUE COMMAND...: runs the command under a limit (ulimit). under OPTION VALUE: sets UNDER to that
+# limited OPTION VALUE COMMAND...: runs the command under a limit (ulimit). under OPTION VALUE: sets UNDER to do so
 limited() { local limit="ulimit $1 $2"; shift 2; bash -c "$limit"' && exec "$@"' limited "$@"; }
 export -f limited
 under() { local limit="ulimit $1 $2"; shift 2; UNDER=(bash -c "$limit"' && exec "$@"' under); }
@@ -34,13 +34,13 @@ under() { local limit="ulimit $1 $2"; shift 2; UNDER=(bash -c "$limit"' && exec 
 # --- Limits ---
 under -n 4; check "with 4 descriptors" same plain "${UNDER[@]}"
 under -s 256; check "with a stack of 256 KB" same plain "${UNDER[@]}"
-under -s unlimited; check "with a stack without limit" same plain "${UNDER[@]}"
+under -s unlimited; check "with an unlimited stack" same plain "${UNDER[@]}"
 under -c 0; check "without core files" same plain "${UNDER[@]}"
 under -l 0; check "without locked memory" same plain "${UNDER[@]}"
 check "the hall, with all of these" same hall bash -c 'ulimit -n 4 -s 256 -c 0 -l 0 && exec "$@"' under
-under -s unlimited; check "... with a stack without limit" same hall "${UNDER[@]}"
+under -s unlimited; check "... with an unlimited stack" same hall "${UNDER[@]}"
 under -s 64; check "with a stack of 64 KB" same plain "${UNDER[@]}"
-# Whatever the limit on address space: the picture, or one line
+# With any limit on address space the film draws the picture or prints one line
 any_room() {
     local kb status refused=0 drawn=0
     for kb in $(seq 6000 11000 250000); do
@@ -48,7 +48,7 @@ any_room() {
         status=$?
         if [ $status = 0 ] && cmp -s plain.ppm got.ppm && [ ! -s err ]; then drawn=$((drawn + 1))
         elif [ $status = 1 ] && [ "$(wc -l <err)" = 1 ] && [ ! -s got.ppm ]; then refused=$((refused + 1))
-        else echo "of $kb KB: exit status $status, $(head -c 300 err)" >&2; return 1; fi
+        else echo "with a limit of $kb KB: exit status $status, $(head -c 300 err)" >&2; return 1; fi
     done
     echo "    too little $refused times, enough $drawn times"
     [ $refused -gt 0 ] && [ $drawn -gt 0 ]
@@ -72,7 +72,7 @@ timed_out() {
     [ $? -gt 128 ] && [ -n "$(ls timed)" ] || return 1
     for frame in timed/*.ppm; do [ ! -e "$frame" ] || [ "$(stat -c %s "$frame")" = $((480 * 270 * 3 + 15)) ] || { echo "$frame" >&2; return 1; }; done
 } 2>/dev/null # which hides the shell's "Killed"
-check "killed at a limit of processor time: frames that are there are whole" timed_out
+check "killed at a limit of processor time: frames that were written are whole" timed_out
 
 # --- The environment, folder, signals and personality that it starts with ---
 check "an empty environment" same plain env -i
@@ -81,8 +81,8 @@ long=$(head -c 120000 /dev/zero | tr '\0' x)
 check "a huge one" same plain env A="$long" B="$long" C="$long" D="$long"
 check "an odd one" same plain env HOME=/nowhere LC_ALL=tr_TR.UTF-8 LANG=$'\xff' TERM= TZ=:/dev/zero LANGUAGE=xx XDG_RUNTIME_DIR=/ TMPDIR=/nowhere
 check "no HOME" same hall env -u HOME -u XDG_RUNTIME_DIR -u XDG_CACHE_HOME
-check "a name that is empty" same plain bash -c 'exec -a "" "$@"' odd
-check "a folder that is gone" same plain bash -c 'mkdir gone && cd gone && rmdir ../gone && exec "$@"' odd
+check "an empty program name" same plain bash -c 'exec -a "" "$@"' odd
+check "a working folder that was removed" same plain bash -c 'mkdir gone && cd gone && rmdir ../gone && exec "$@"' odd
 check "ignored signals" same plain bash -c 'trap "" INT TERM HUP CHLD PIPE USR1; exec "$@"' odd
 for personality in -X -Z -B -L -3 -S --uname-2.6; do check "setarch $personality" same plain setarch $personality; done
 check "setarch -X, for the hall" same hall setarch -X

@@ -17,7 +17,7 @@ junk=('' ' ' - -- 0 -1 1e999 -nan inf 99999999999999999999 0x10 +1 .5 1. '٣' '�
     --help= -h ... '*' "'" '"' \\ /dev/null/x none/deeper)
 folders=(d d/ ./e . d/. ž $'\xff' - none/d file /proc "${long:0:300}" "${long:0:5000}")
 files=(a ./b ž $'\xfe' - none/b . file /dev/full /dev/null "${long:0:300}" "${long:0:5000}")
-values() { # values OPTION PLACEHOLDER: sets good to values for it, by its name or its placeholder in --help
+values() { # values OPTION PLACEHOLDER: sets good to values to try, by its name or its placeholder in --help
     case $name$1 in
     odraz*--dump) good=("${folders[@]}") ;;
     odraz*--wav) good=("${files[@]}") ;;
@@ -79,7 +79,7 @@ make_words() {
         option=${picked% *}
         values "$option" "${picked#* }"
         case $((RANDOM % 32)) in
-        0) words+=("$option") ;;                                     # without its value, or with the next word
+        0) words+=("$option") ;;                                     # without a value, or with the next word as its value
         1) pick "${junk[@]}"; words+=("$picked") ;;                  # a value without an option
         2) words+=("${option%?}") ;;                                 # misspelt
         3) pick "${good[@]-x}"; words+=("$option=$picked") ;;
@@ -126,14 +126,14 @@ complaint() { # complaint STATUS: prints what is wrong with the last run
     lines=$(wc -l <err)
     case $status in
     0)
-        # (radiosity prints notes on the model, pack the progress of its search and that there is no file of --than)
+        # (radiosity prints notes on the model, pack its search's progress, and a note if the file of --than is missing)
         case $name in radiosity) grep -v '^radiosity: ' err ;; pack) grep -vE '^(searching|pack: there is no)' err ;; *) cat err ;; esac |
             sed 's/^/although it succeeded: /' ;;
     1 | 2)
         # (--doctor prints a list, and exits with 1 if something is missing)
         [ $status = 1 ] && grep -q '^processor: ' out && return
         [ "$lines" = 1 ] && [ -z "$(tail -c 1 err)" ] || echo "$lines lines on standard error"
-        # (pack prints its results before a file cannot be written)
+        # (pack prints its results before it fails to write a file)
         [ ! -s out ] || [ $name = pack ] || echo "standard output although it failed" ;;
     124 | 137) echo "it did not end" ;;
     *) echo "exit status $status" ;;
@@ -163,7 +163,7 @@ tried() {
         [ "$(ls run)" = "$given" ] || { rm -rf run && cp -a given run; }
     done
     echo "    $succeeded succeeded, $failed failed"
-    [ $succeeded -gt $((runs / 50)) ] && [ $failed -gt $((runs / 50)) ] # or the words would test little
+    [ $succeeded -gt $((runs / 50)) ] && [ $failed -gt $((runs / 50)) ] # otherwise the words would test little
 }
 check "$runs command lines for $name" tried
 finish

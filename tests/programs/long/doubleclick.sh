@@ -11,7 +11,7 @@ QUIET=20        # seconds after which a film that has not started will not start
 archive=${2-}
 if [ -z "$archive" ]; then
     skip_unless zip unzip
-    git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a release is made of a commit, and here is no repository"; exit 77; }
+    git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a release needs a git repository"; exit 77; }
     BUILD=$BUILD "$SOURCE/tools/release" --built --unclean --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/release" >/dev/null || exit 1
     archive=$(echo "$WORK"/release/*.tar.gz)
 fi

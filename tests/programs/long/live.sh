@@ -1,4 +1,4 @@
-# Live editing: builds a copy of the house, starts its odraz-debug, and changes the sources while it plays.
+# Live editing: builds a copy of the repository, starts its odraz-debug, and changes the sources while it plays.
 . "$(dirname "$0")/../common.sh"
 . "$SOURCE/tests/programs/display.sh"
 skip_unless git cmake openbox wmctrl convert
@@ -26,7 +26,7 @@ leaves() { press Escape 2>/dev/null; ended "$pid"; } # (its window may be gone b
 leaves_unsaved() { press Escape && comes 'titled "not saved"' && leaves; }
 reported() { grep -q "$1" <(tail -n +$((marked + 1)) "$WORK/err"); }
 mark() { marked=$(wc -l <"$WORK/err"); }
-edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED
+edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED: edits a source by sed
 restore() { cp "$WORK/kept/$1" "$house/intro/$1"; }
 # shows COMMAND...: runs the command, and waits until the picture of the new sources is shown
 shows() { mark && "$@" && comes 'reported "shown"' && drawn; }
@@ -51,28 +51,28 @@ check "it plays" starts 20
 [ -n "$window" ] || finish
 check "... with sound" comes 'loud 1'
 edit show/score.cpp 's/^void playRow(.*{$/& return;/'
-check "a score without notes is heard" comes 'loud 0'
+check "a score without notes is silent" comes 'loud 0'
 restore show/score.cpp
-check "... and one with notes again" comes 'loud 1'
+check "... and the first score is heard again" comes 'loud 1'
 
 # --- Pictures ---
 table=show/scenes/table.cpp
-check "it leaves" leaves
+check "it quits" leaves
 check "it plays again" starts 17 # the shot that is changed ends at 24 s
 check "it pauses" pauses
 check "a scene that is changed is shown" changes red "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
 mark
 echo "this is no C++" >>"$house/intro/$table"
-check "what does not compile is reported" comes 'reported "intro/$table:[0-9:]* error: "'
+check "a compiler error is reported" comes 'reported "intro/$table:[0-9:]* error: "'
 drawn
 kept wrong
 upper() { convert "$WORK/$1.png" -crop 320x60+0+0 +repage "rgb:$WORK/$1.rgb"; }
 stands() { upper red && upper wrong && cmp "$WORK/red.rgb" "$WORK/wrong.rgb" && ! cmp -s "$WORK/red.png" "$WORK/wrong.png"; }
 check "... over the picture, which stays" stands
-check "what is mended is the same picture as at first" goes_back "$table"
-check "a material" changes material show/materials.cpp 's/diffuse = 0.375f/diffuse = 0.9f/'
+check "the first source gives the first picture again" goes_back "$table"
+check "a changed material is shown" changes material show/materials.cpp 's/diffuse = 0.375f/diffuse = 0.9f/'
 check "... and back" goes_back show/materials.cpp
-check "an event" changes event show/events.h 's/{kBallsSetOff, *kTable, *16,/{kBallsSetOff, kTable, 4,/'
+check "a changed event is shown" changes event show/events.h 's/{kBallsSetOff, *kTable, *16,/{kBallsSetOff, kTable, 4,/'
 check "... and back" goes_back show/events.h
 fly
 press k
@@ -80,9 +80,9 @@ check "a key is set" comes 'titled "key set on row"'
 unreported
 check "... which is another view" eval '! same before'
 kept before
-check "a changed scene is shown from there" changes viewed "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
+check "a changed scene is shown from this view" changes viewed "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
 check "... and back" goes_back "$table"
-check "it leaves" leaves_unsaved
+check "it quits" leaves_unsaved
 check "... and reports nothing else" eval '! grep -v " shown \| error: " "$WORK/err"'
 
 # --- Edits are saved into the sources ---
@@ -108,16 +108,16 @@ check "it is saved" saves
 check "... built and shown" comes 'reported "shown"'
 check "... the same picture" comes 'same edited'
 changed_lines() { diff "$WORK/kept/show/film.keys" "$film" | grep -c '^[<>]'; }
-check "... of which one key is new in the source" test "$(changed_lines)" = 1
-check "the film is built of it" cmake --build "$house/build" --target "$FILM-safe" >/dev/null
+check "... and one key is new in the source" test "$(changed_lines)" = 1
+check "the film is built from it" cmake --build "$house/build" --target "$FILM-safe" >/dev/null
 "$house/build/$FILM-safe" --dump "$WORK/frames" --fps 8 --from "$(awk "BEGIN { print $row / 8 }")" --to "$(awk "BEGIN { print $row / 8 + 0.1 }")" --size 320x180 --quality play
 equal() { convert "$WORK/edited.png" -depth 8 "rgb:$WORK/seen.rgb" && convert "$WORK/frames/frame-$(printf %06d "$row").ppm" -depth 8 "rgb:$WORK/dumped.rgb" && cmp "$WORK/seen.rgb" "$WORK/dumped.rgb"; }
 check "... and dumps the picture that was seen, to the bit" equal
-# (keys_test tests files that others write meanwhile)
+# (keys_test tests files that other programs change meanwhile)
 check "another key" flies
 wmctrl -i -c "$window"
-check "edits are not lost by closing the window" comes 'titled "not saved"'
-check "... but by ESC after it" leaves
+check "closing the window does not lose edits" comes 'titled "not saved"'
+check "... but ESC after it does" leaves
 restore show/film.keys
 
 # --- The hall ---
@@ -137,18 +137,18 @@ again() {
         restore show/hall_model.cpp && comes 'reported "solving the hall again"'
 }
 check "a hall that is changed again while it is solved" shows again
-check "... is the same picture as at first" comes 'same before'
-check "what changes only its picture" changes dust show/hall.cpp 's/kDust = 0.017f/kDust = 0.17f/'
+check "... gives the first picture again" comes 'same before'
+check "a change to its picture alone" changes dust show/hall.cpp 's/kDust = 0.017f/kDust = 0.17f/'
 check "... needs no solving" eval '! reported "solving the hall"'
 sed -n 's/.*: shown/    shown:/p' "$WORK/err"
 check "... and back" goes_back show/hall.cpp
 mark
 edit show/hall_model.cpp 's/kShaft, 0\.46f/kShaft, 0.4f/'
 check "it is solved" comes 'reported "solving the hall again"'
-check "it leaves while it solves" leaves
+check "it quits while it solves" leaves
 check "it plays again" starts 95 --mute
 restore show/hall_model.cpp
 check "it compiles" comes 'titled building'
-check "it leaves while it compiles" leaves
-check "... with its compilers" await eval "! pgrep -f '^[^ ]*(ninja|cc1plus|cmake) .*$house' >/dev/null"
+check "it quits while it compiles" leaves
+check "... and so do its compilers" await eval "! pgrep -f '^[^ ]*(ninja|cc1plus|cmake) .*$house' >/dev/null"
 finish

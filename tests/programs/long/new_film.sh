@@ -19,12 +19,12 @@ for file in "$film/build/$name"{,.exe,-safe,-safe.exe} "$WORK/plain-$name"{,.exe
     strings -n 4 "$file" | tr A-Z a-z >"$WORK/strings"
     check "${file##*/} does not name odraz" lacks odraz "$WORK/strings"
 done
-check "(the film of this house would be found)" eval 'strings -n 4 "$BUILD/odraz-safe" | grep -q odraz'
+check "(the name in this film would be found)" eval 'strings -n 4 "$BUILD/odraz-safe" | grep -q odraz'
 check "it names $name-safe where it may not run packed" grep -qa "use $name-safe" "$film/build/$name"
 
 # Its archives have its texts, not those of odraz
 check "archives are made of it" eval '"$film/tools/release" --built --no-capture --poster "$film/tests/golden/film-006.png" >/dev/null'
-check "... of the film alone, with its page and an index, if that is built" test "$(ls "$film/build/release" | wc -l)" = $((2 + 2 * $(ls "$film/build/$name.html" 2>/dev/null | wc -l)))
+check "... of the film alone, with its page and an index if the page is built" test "$(ls "$film/build/release" | wc -l)" = $((2 + 2 * $(ls "$film/build/$name.html" 2>/dev/null | wc -l)))
 tar -C "$WORK" -xzf "$film/build/release/$name-0.1.0.tar.gz"
 for text in $name.nfo README.txt file_id.diz; do check "... whose $text does not name odraz" lacks odraz "$WORK/$name-0.1.0/$text"; done
 check "... and a licence of this year" grep -qx "Copyright (c) $(date +%Y) the $name team" "$WORK/$name-0.1.0/LICENSE.txt"
@@ -42,8 +42,8 @@ check "without a display, tools/watch makes a video" env -u DISPLAY "$film/tools
 check "... of one second" prints '^1\.0' ffprobe -v error -show_entries format=duration -of csv=p=0 "$film/build/film.mp4"
 
 # The tests find faults
-check "another picture is found" eval 'sed -i "s/{2.6f, 0.9f, 0.27f}/{0.9f, 2.6f, 0.27f}/" "$film/intro/show/scenes/stage.cpp" && cmake --build "$film/build" --target film >/dev/null && ! "$film/tools/golden" check >/dev/null'
-check "... kept, it is the right one" eval '"$film/tools/golden" renew >/dev/null && "$film/tools/golden" check >/dev/null'
+check "a changed picture is found" eval 'sed -i "s/{2.6f, 0.9f, 0.27f}/{0.9f, 2.6f, 0.27f}/" "$film/intro/show/scenes/stage.cpp" && cmake --build "$film/build" --target film >/dev/null && ! "$film/tools/golden" check >/dev/null'
+check "... and passes when it is the golden one" eval '"$film/tools/golden" renew >/dev/null && "$film/tools/golden" check >/dev/null'
 check "a budget that is too small stops the build" eval 'sed -i "s/^FILM_BUDGET=.*/FILM_BUDGET=30000/" "$film/intro/film.conf" && ! cmake --build "$film/build" --target film >"$WORK/log"'
-check "... and prints by how much" grep -q 'over budget by [0-9]* bytes' "$WORK/log"
+check "... and prints the excess" grep -q 'over budget by [0-9]* bytes' "$WORK/log"
 finish

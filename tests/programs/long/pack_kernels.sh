@@ -4,7 +4,7 @@ skip_unless gcc qemu-system-x86_64 busybox apt-get dpkg
 pack=$BUILD/pack
 cd "$WORK" || exit 1
 kernel=$(apt-cache depends linux-image-cloud-amd64 2>/dev/null | sed -n 's/.*Depends: //p' | head -n 1)
-apt-get download "$kernel" >/dev/null 2>&1 && dpkg -x linux-image*.deb kernel || { echo "SKIPPED: no kernel can be had"; exit 77; }
+apt-get download "$kernel" >/dev/null 2>&1 && dpkg -x linux-image*.deb kernel || { echo "SKIPPED: cannot download a kernel"; exit 77; }
 
 cat >c.c <<'END_OF_C'
 #include <stdio.h>
@@ -22,7 +22,7 @@ mkdir -p root/{bin,proc,lib64,lib/x86_64-linux-gnu}
 cp /bin/busybox root/bin/
 cp -L /lib64/ld-linux-x86-64.so.2 root/lib64/
 cp -L /lib/x86_64-linux-gnu/{libc.so.6,libdl.so.2} root/lib/x86_64-linux-gnu/
-packs() { # packs OPTION...: packs a program that is linked with these options, for the machine to run
+packs() { # packs OPTION...: links a program with these options, and packs it for the machine
     gcc -O1 -s c.c "$@" -o program && "$pack" program -o "root/bin/packed$1" --loader --fast >/dev/null
 }
 for options in "" -no-pie -static -static-pie; do check "packs a program linked by gcc $options" packs $options; done
@@ -38,11 +38,11 @@ echo "/bin/hello: status $?"
 END_OF_INIT
 chmod +x root/init
 (cd root && find . | busybox cpio -o -H newc) 2>/dev/null | gzip -1 >initrd
-# An emulated processor takes a minute
+# The emulated processor needs about a minute
 timeout $((PATIENCE * 2)) qemu-system-x86_64 -M q35 -cpu max,la57=on -m 512 -nographic -no-reboot -kernel kernel/boot/vmlinuz-* -initrd initrd \
     -append "console=ttyS0 quiet panic=-1" 2>&1 </dev/null | tr -d '\r' >log
 check "the kernel has 5-level paging" grep -q '^.*kernel .*, la57$' log
 sed -n 's/.*kernel /kernel /p' log
-check "all four run" test "$(grep -c '^/bin/packed.*: status 5$' log)" = 4 -a "$(grep -c '^word 43 0$' log)" = 4
-check "one made for the packer, too" grep -q '^/bin/hello: status 7$' log
+check "all four packed programs run" test "$(grep -c '^/bin/packed.*: status 5$' log)" = 4 -a "$(grep -c '^word 43 0$' log)" = 4
+check "so does a program made for packing" grep -q '^/bin/hello: status 7$' log
 finish

@@ -6,8 +6,8 @@ pack=$BUILD/pack programs=$SOURCE/tests/programs/long/programs
 cd "$WORK" || exit 1
 : >table
 
-# same NAME PROGRAM COMMAND: strips and packs the program; succeeds if COMMAND, which runs ./run, prints the same of
-# both
+# same NAME PROGRAM COMMAND: strips and packs the program; succeeds if COMMAND, which runs ./run, prints the same
+# for both
 same() {
     local name=$1 packed fast small began took
     mkdir -p before after quick
@@ -30,7 +30,7 @@ same() {
 }
 # noise FILE: prints the bytes in blocks of 4 KB that xz cannot compress, such as curl's manual, which is compressed
 noise() { split -b 4096 --filter='xz -9e | wc -c' "$1" | awk '$1 > 4000 { sum += 4096 } END { print sum + 0 }'; }
-# try NAME PROGRAM COMMAND: checks this if the program is there
+# try NAME PROGRAM COMMAND: checks the program with same() if it is installed
 try() {
     [ -x "$2" ] || { echo "not checked: $1"; return; }
     check "$1" same "$@"

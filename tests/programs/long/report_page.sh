@@ -15,18 +15,18 @@ silent() { ! grep -i ':CONSOLE' "$WORK/console" >&2; }
 check "it opens" eval 'browse --dump-dom "file://$page" >"$WORK/dom"'
 check "... complete" grep -q 'data-ready="yes"' "$WORK/dom"
 check "... and prints nothing on the console" silent
-check "it is used" eval 'browse --dump-dom "file://$WORK/poked.html" >"$WORK/dom"'
+check "a script uses the page" eval 'browse --dump-dom "file://$WORK/poked.html" >"$WORK/dom"'
 grep -o 'data-failed="[^"]*"' "$WORK/dom"
-check "... as it should be" grep -q 'data-failed=""' "$WORK/dom"
-check "... in many ways" grep -qE 'data-checked="[3-9][0-9]"' "$WORK/dom"
-check "... silently" silent
+check "... and all its checks pass" grep -q 'data-failed=""' "$WORK/dom"
+check "... at least thirty of them" grep -qE 'data-checked="[3-9][0-9]"' "$WORK/dom"
+check "... without a line on the console" silent
 # Compare instructions, without objdump's symbols
 objdump -d -w -z -M intel --no-show-raw-insn "$BUILD/odraz.elf" |
     sed -nE 's/^ *([0-9a-f]+):\t/\1 /; t found; d; :found; s/ *<.*//; s/  +/ /g; s/ $//; p' | sort >"$WORK/by_objdump"
 perl -0ne 'if (/<pre class="instructions">(.*?)<\/pre>/s) { print "$1\n" }' "$WORK/dom" | sort >"$WORK/by_page"
 check "objdump prints something" test "$(wc -l <"$WORK/by_objdump")" -gt 20000
-check "... and the page the same" eval 'diff "$WORK/by_objdump" "$WORK/by_page" | head -5 >&2; cmp "$WORK/by_objdump" "$WORK/by_page"'
-check "a picture of it" browse --hide-scrollbars --screenshot="$WORK/page.png" "file://$page"
+check "... and the page shows the same" eval 'diff "$WORK/by_objdump" "$WORK/by_page" | head -5 >&2; cmp "$WORK/by_objdump" "$WORK/by_page"'
+check "a screenshot of the page" browse --hide-scrollbars --screenshot="$WORK/page.png" "file://$page"
 check "... has many colours" test "$(convert "$WORK/page.png" -format %k info:)" -gt 500
 check "a narrow window" browse --hide-scrollbars --window-size=500,900 --screenshot="$WORK/narrow.png" "file://$page"
 check "... silently" silent
@@ -37,5 +37,5 @@ check "... shows that" grep -q 'This page cannot be shown' "$WORK/dom"
 
 # The comment on a change, comparing the film with itself
 check "a comment on the film" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+0 .* left of 65,536$' env BUILD="$BUILD" "$SOURCE/tools/ledger" pack --text - --than "$BUILD/odraz.json"
-check "... which is as it was" grep -q '^No symbol changed by four bytes or more\.$' "$WORK/printed"
+check "... which lists no changed symbol" grep -q '^No symbol changed by four bytes or more\.$' "$WORK/printed"
 finish

@@ -1,13 +1,13 @@
-# The film in other systems, with their glibc and their Mesa: pictures, the hall's light and the music are equal to the
+# The film on other systems, with their glibc and their Mesa: pictures, the hall's light and the music are equal to the
 # bit. debootstrap installs each system, and chroot enters it, so this needs root and a Debian mirror.
 # On 2026-11-25 all was equal with Debian 11 (glibc 2.31, Mesa 20.3) and sid (glibc 2.43, Mesa 26.2).
-#   systems.sh BUILD [SYSTEM...]      of debian11 debian13 sid; none named: the oldest and the newest
+#   systems.sh BUILD [SYSTEM...]      SYSTEM: debian11, debian13 or sid (default: the oldest and the newest)
 . "$(dirname "$0")/../common.sh"
 shift
 skip_unless debootstrap unshare
 needs_built compare
 [ "$(id -u)" = 0 ] || { echo "SKIPPED: it needs root"; exit 77; }
-# In a new mount namespace: the mounts disappear with this process, however it ends
+# Run in a new mount namespace, so that the mounts disappear with this process, however it ends
 [ -n "${ODRAZ_OWN_MOUNTS-}" ] || ODRAZ_OWN_MOUNTS=1 exec unshare --mount --propagation private bash "$0" "$BUILD" "$@"
 declare -A SUITES=([debian11]=bullseye [debian13]=trixie [sid]=sid)
 [ $# -gt 0 ] || set -- debian11 sid
@@ -19,7 +19,7 @@ declare -A PARTS=(
     [frames]="--dump - --from 20 --to 60 --fps 1/4 --size 320x180"
     [hall]="--dump - --from 120 --to 120.04 --size 160x90"
     [music]="--wav -")
-# draws TO PART COMMAND...: writes the part that the command, the film, draws to TO.PART
+# draws TO PART COMMAND...: runs the film by the command, and writes that part to TO.PART
 draws() {
     "${@:3}" ${PARTS[$2]} >"$WORK/$1.$2" </dev/null
 }

@@ -1,5 +1,5 @@
-# The whole film, with a picture a second in draft, play and film, is the same with one thread and with seven, in the
-# film and in OpenGL.
+# The whole film, with a picture a second in draft, play and film, is the same with one thread and with seven, both
+# in the film and in OpenGL.
 . "$(dirname "$0")/../common.sh"
 . "$(dirname "$0")/same_film.sh"
 for threads in 1 7; do

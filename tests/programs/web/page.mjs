@@ -151,7 +151,7 @@ await hidden.evaluate('f.style.display = "block"')
 await hidden.click()
 check('... and plays', await until(hidden, 'f.contentWindow.film.state().shown > 0', 60), 0)
 const wide = await hidden.evaluate('f.contentDocument.querySelector("canvas").width')
-check('... as large as it is then', wide == 1000, wide)
+check('... in the size of its frame', wide == 1000, wide)
 await hidden.close()
 server.close()
 
@@ -162,7 +162,7 @@ if (kind == 'chromium') {
   await none.click()
   const goesOn = await until(none, 'film.state().film > 64.5')
   check('without WebGL leaves the hall out', goesOn, await none.evaluate('film.state()'))
-  check('... with a word', await none.evaluate('/WebGL 2/.test(document.querySelector("p").textContent)'), 'p')
+  check('... and prints why', await none.evaluate('/WebGL 2/.test(document.querySelector("p").textContent)'), 'p')
   check('... and no error', !none.errors.length, none.errors)
   await none.close()
 }

@@ -5,11 +5,11 @@ check "the example is built" bash "$SOURCE/packer/example/build.sh" "$pack" "$WO
 exe=$WORK/hello.exe
 check "it runs" exits 7 "hello, 42" "$wine" "$exe"
 check "by another path" exits 7 "hello, 42" bash -c "cd '$WORK' && exec '$wine' ./hello.exe"
-check "--test finds it whole" prints ': whole; ' "$pack" --test "$exe"
-check "-d gives it back" "$pack" -d "$exe" -o "$WORK/plain.exe"
+check "--test reports that it is whole" prints ': whole; ' "$pack" --test "$exe"
+check "-d unpacks it" "$pack" -d "$exe" -o "$WORK/plain.exe"
 check "... and that runs" exits 7 "hello, 42" "$wine" "$WORK/plain.exe"
 check "... as --plain makes it" "$pack" "$WORK/hello_windows.elf" -o "$WORK/again.exe" --pe --plain
-check "... to the byte" cmp "$WORK/plain.exe" "$WORK/again.exe"
+check "... with the same bytes" cmp "$WORK/plain.exe" "$WORK/again.exe"
 
 # Damage. (The film has the same checking code)
 broken=$WORK/broken.exe
