@@ -17,7 +17,8 @@ namespace odraz::radiosity {
 
 namespace {
 
-int roundedUp(double x) { return ((int)std::ceil(x) + 3) / 4 * 4; } // for compressed textures
+// Rounds up to a multiple of 4, as compressed textures need.
+int roundedUp(double x) { return ((int)std::ceil(x) + 3) / 4 * 4; }
 
 // Finds the number of texels along each chart's sides.
 void sizeCharts(const Solution &b, Atlas &atlas) {
@@ -164,8 +165,8 @@ private:
         return {};
     }
 
-    // Finds a texel's value, the mean around it over the adjacent cells that are occupied. If texels are as
-    // fine as elements, all of these have the same value there. Returns false if none is occupied.
+    // Finds a texel's value: the mean over the part of its area that lies in occupied cells. If texels are as
+    // fine as elements, it is the mean of these cells' values at its middle. Returns false if there are none.
     bool find(int i, int j, Rgb &to) const {
         float u = place.uOf(c, (float)i + 0.5f), v = place.vOf(c, (float)j + 0.5f);
         float width = place.uOf(c, 1) - place.uOf(c, 0), height = place.vOf(c, 1) - place.vOf(c, 0);

@@ -41,7 +41,7 @@ void writePng(const common::NewFolder &folder, const std::string &name, const At
 
 void writeHdr(const common::NewFolder &folder, const std::string &name, const AtlasPage &size,
               std::vector<float> &&texels) {
-    // Add half a step of the eight bits, because the writer truncates
+    // Add half a step of the eight-bit mantissa, because the writer truncates
     for (size_t i = 0; i < texels.size(); i += 3) {
         float most = std::max({texels[i], texels[i + 1], texels[i + 2]});
         int exponent;
@@ -62,11 +62,11 @@ std::string mtlOf(const AtlasModel &m) {
     std::string text;
     common::append(text, "# %s-N.png are sRGB; 1 stands for %.7g in %s-N.hdr, which are linear\n",
                    m.name.c_str(), (double)m.one, m.name.c_str());
-    text += m.radiosity ? "# They have radiance, emission included: show them unchanged\n"
-                        : "# They have irradiance over pi: radiance is that times Kd, plus Ke\n";
+    text += m.radiosity ? "# They contain radiance, emission included: show them unchanged\n"
+                        : "# They contain irradiance over pi: multiply it by Kd and add Ke to get radiance\n";
     if (m.pictured)
-        text +=
-            "# Materials called pictured: instead of Kd take reflectance-N.png, at the same coordinates\n";
+        text += "# For materials called pictured.. use reflectance-N.png instead of Kd, at the same "
+                "coordinates\n";
     for (const AtlasMaterial &a : m.materials) {
         common::append(text, "newmtl %s\nKd %.7g %.7g %.7g\nKe %.7g %.7g %.7g\n", a.name.c_str(),
                        (double)a.reflects.x, (double)a.reflects.y, (double)a.reflects.z, (double)a.emits.x,
@@ -79,7 +79,7 @@ std::string mtlOf(const AtlasModel &m) {
 std::string objOf(const AtlasModel &m) {
     std::string text;
     common::append(text,
-                   "# by odraz: vt are places on %s-N.png and .hdr; every plane is a smoothing group\n"
+                   "# by odraz: vt are coordinates on %s-N.png and .hdr; every plane is a smoothing group\n"
                    "mtllib model.mtl\n",
                    m.name.c_str());
     const int digits = m.solution.digits() + 1;

@@ -157,8 +157,8 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
                     {"wrapS", GL_CLAMP_TO_EDGE},
                     {"wrapT", GL_CLAMP_TO_EDGE}};
     Json node = {{"mesh", 0}};
-    if (const Vec3 &place = m.solution.place; length(place) > 0)
-        node["translation"] = {place.x, place.y, place.z};
+    if (const Vec3 &origin = m.solution.origin; length(origin) > 0)
+        node["translation"] = {origin.x, origin.y, origin.z};
     Json all = {{"asset", {{"version", "2.0"}, {"generator", "odraz radiosity"}}},
                 {"extensionsUsed", extensions},
                 {"scene", 0},

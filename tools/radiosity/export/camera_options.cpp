@@ -9,17 +9,17 @@ namespace odraz::radiosity {
 
 namespace {
 
-Vec3d placeOf(const std::string &option, const std::string &text) {
+Vec3d pointOf(const std::string &option, const std::string &text) {
     std::vector<double> p = common::numbersOf(option, text, 3);
     return {p[0], p[1], p[2]};
 }
 
 // Returns a point as an option, and sets the point to the rounded numbers of this option.
-std::string pointOption(const char *option, Vec3 &p, const Vec3 &place) {
-    Vec3d at = toDouble(place) + toDouble(p);
-    int digits = Solution::digitsAt(place) - 1;
+std::string pointOption(const char *option, Vec3 &p, const Vec3 &origin) {
+    Vec3d at = toDouble(origin) + toDouble(p);
+    int digits = Solution::digitsAt(origin) - 1;
     std::string text = common::format("%.*g,%.*g,%.*g", digits, at.x, digits, at.y, digits, at.z);
-    p = toFloat(placeOf(option, text) - toDouble(place));
+    p = toFloat(pointOf(option, text) - toDouble(origin));
     return std::string(option) + " " + text;
 }
 
@@ -30,12 +30,12 @@ void CameraOptions::addTo(common::CommandLine &line) {
     line.group("Camera");
     auto place = [&](const std::string &option, Vec3d &to, const std::string &what) {
         line.option(
-            option, "X,Y,Z", [&to, option](const std::string &text) { to = placeOf(option, text); }, what);
+            option, "X,Y,Z", [&to, option](const std::string &text) { to = pointOf(option, text); }, what);
     };
     place("--eye", eye, "the camera's position; without --eye and --at it shows the whole model");
     place("--at", target, "the point that it looks at");
     line.option("--lens", "DEGREES", s.lens, {1, 170}, "vertical field of view");
-    line.option("--up", {"y", "z"}, s.upIsZ, "the axis that points up; by default y, or that of a room");
+    line.option("--up", {"y", "z"}, s.upIsZ, "the axis that points up; by default y, or the room's");
     line.option(
         "--size", "WxH",
         [&s](const std::string &text) {
@@ -43,7 +43,7 @@ void CameraOptions::addTo(common::CommandLine &line) {
             s.width = width, s.height = height;
         },
         "pixels (default " + std::to_string(s.width) + "x" + std::to_string(s.height) + ")");
-    line.option("--exposure", "STOPS", s.stops, {-20, 20}, "brighter by STOPS powers of two");
+    line.option("--exposure", "STOPS", s.stops, {-20, 20}, "multiply the brightness by 2^STOPS");
     line.option("--tone", {"film", "log"}, s.logarithmic,
                 "use the film's curve, or show the logarithm of the light");
 }
@@ -53,14 +53,14 @@ void CameraOptions::finish(const common::CommandLine &line) {
     if (placed != line.has("--at")) line.refuse("--eye and --at go together: give both, or neither");
 }
 
-void CameraOptions::moveTo(const Vec3 &place) {
-    settings.place = place;
-    settings.eye = toFloat(eye - toDouble(place)), settings.target = toFloat(target - toDouble(place));
+void CameraOptions::moveTo(const Vec3 &origin) {
+    settings.origin = origin;
+    settings.eye = toFloat(eye - toDouble(origin)), settings.target = toFloat(target - toDouble(origin));
 }
 
 std::string placeOptions(RenderSettings &s) {
-    std::string first = pointOption("--eye", s.eye, s.place);
-    return first + " " + pointOption("--at", s.target, s.place);
+    std::string first = pointOption("--eye", s.eye, s.origin);
+    return first + " " + pointOption("--at", s.target, s.origin);
 }
 
 std::string cameraLine(RenderSettings s) {

@@ -12,13 +12,13 @@ public:
     // Call it after parse(). Throws Refused if only half of a camera is given.
     void finish(const common::CommandLine &line);
 
-    // Takes the axis that points up from a room, unless an option set it.
-    void upOf(bool upIsZ) {
+    // Sets the axis that points up to a room's, unless --up was given.
+    void useUpOf(bool upIsZ) {
         if (!up) settings.upIsZ = upIsZ;
     }
 
-    // Makes the points in `settings` relative to Solution::place. Call it for every solution.
-    void moveTo(const Vec3 &place);
+    // Makes the points in `settings` relative to Solution::origin. Call it for every solution.
+    void moveTo(const Vec3 &origin);
 
     RenderSettings settings;
     bool placed = false; // options place the camera
@@ -28,7 +28,8 @@ private:
     Vec3d eye = {}, target = {}; // in model coordinates
 };
 
-// The options that place this camera: --eye X,Y,Z --at X,Y,Z. Moves the camera to the rounded numbers.
+// The options that place this camera: --eye X,Y,Z --at X,Y,Z. Moves the camera to the rounded position
+// that they state.
 std::string placeOptions(RenderSettings &settings);
 // The same, followed by all other options of the picture.
 std::string cameraLine(RenderSettings settings);

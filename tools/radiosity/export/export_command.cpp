@@ -87,8 +87,8 @@ int runRender(common::CommandLine &line) {
     Workers workers = allProcessors();
     RenderSettings &s = camera.settings;
     auto eyeFor = [&](const Solution &solution, const TransferRoom *room) {
-        if (room) camera.upOf(room->upIsZ);
-        camera.moveTo(solution.place);
+        if (room) camera.useUpOf(room->upIsZ);
+        camera.moveTo(solution.origin);
         if (!camera.placed) {
             placeCamera(solution, s);
             std::printf("%s\n", placeOptions(s).c_str());

@@ -63,7 +63,7 @@ struct LitCorners {
 };
 
 // A point in model coordinates.
-std::string placeText(const Solution &solution, const Vec3 &point) {
+std::string pointText(const Solution &solution, const Vec3 &point) {
     const int digits = solution.digits();
     Vec3d p = solution.inModel(point);
     return common::format("%.*g %.*g %.*g", digits, p.x, digits, p.y, digits, p.z);
@@ -86,7 +86,7 @@ void exportCsv(const Solution &solution, const std::string &path) {
     auto put = [&] {
         if (!(sum.area > 0)) return;
         Vec3 n = solution.charts[(size_t)chart].n;
-        Vec3d p = toDouble(solution.place) + sum.p / sum.area, mean = sum.radiosity / sum.area;
+        Vec3d p = toDouble(solution.origin) + sum.p / sum.area, mean = sum.radiosity / sum.area;
         common::append(text, "%d,%.*g,%.*g,%.*g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g,%s\n", chart, digits, p.x,
                        digits, p.y, digits, p.z, (double)n.x, (double)n.y, (double)n.z, sum.area, mean.x,
                        mean.y, mean.z, csvField(solution.materialOf(chart)).c_str());
@@ -103,7 +103,7 @@ void exportCsv(const Solution &solution, const std::string &path) {
 void exportPolygons(const Solution &solution, const std::string &path, bool ply) {
     ColourScale colour(solution);
     LitCorners corners(solution);
-    const char *type = length(solution.place) > 0 ? "double" : "float";
+    const char *type = length(solution.origin) > 0 ? "double" : "float";
     std::string text;
     common::append(text,
                    ply ? "ply\nformat ascii 1.0\ncomment %s; colours are sRGB, 1 stands for %g\n"
@@ -116,7 +116,7 @@ void exportPolygons(const Solution &solution, const std::string &path, bool ply)
                        "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
                        corners.points.size(), type, type, type, corners.faces.size());
     for (const SolutionPoint &p : corners.points) {
-        text += (ply ? "" : "v ") + placeText(solution, p.p);
+        text += (ply ? "" : "v ") + pointText(solution, p.p);
         for (float c : {colour(p.radiosity.x), colour(p.radiosity.y), colour(p.radiosity.z)})
             ply ? common::append(text, " %d", (int)(c * 255 + 0.5f))
                 : common::append(text, " %.4f", (double)c);

@@ -16,7 +16,7 @@
 namespace odraz::radiosity {
 
 void placeCamera(const Solution &solution, RenderSettings &s) {
-    s.place = solution.place;
+    s.origin = solution.origin;
     std::vector<Vec3> corners;
     for (const Facet &f : solution.facets)
         for (int k = 0; k < 4; ++k)

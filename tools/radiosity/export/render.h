@@ -11,8 +11,8 @@
 namespace odraz::radiosity {
 
 struct RenderSettings {
-    Vec3 eye, target; // relative to `place`
-    Vec3 place = {};  // Solution::place
+    Vec3 eye, target; // relative to `origin`
+    Vec3 origin = {}; // Solution::origin
     bool upIsZ = false;
     float lens = 60; // vertical field of view, degrees
     int width = 1280, height = 720;

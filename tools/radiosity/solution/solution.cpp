@@ -57,7 +57,7 @@ bool valid(const Solution &b) {
     auto finite = [&](const std::vector<Rgb> &list) {
         return all(list, [](const Rgb &c) { return moderate(c); });
     };
-    return moderate(b.place) && !b.charts.empty() && b.light.size() == b.texels.size() &&
+    return moderate(b.origin) && !b.charts.empty() && b.light.size() == b.texels.size() &&
            b.reflects.size() == b.charts.size() && b.emits.size() == b.charts.size() && finite(b.light) &&
            finite(b.reflects) && finite(b.emits) && finite(b.cellReflects) &&
            (b.cellReflects.empty() || b.cellReflects.size() == b.cells.size()) &&
@@ -77,18 +77,18 @@ constexpr char kSolutionMagic[] = "odraz radiosity 5\n";
 } // namespace
 
 void Solution::put(std::string &to) const {
-    const std::vector<Vec3> origin = {place};
-    radiosity::put(to, origin, charts, facets, cells, texels, light, reflects, emits, cellReflects, material,
+    const std::vector<Vec3> origins = {origin};
+    radiosity::put(to, origins, charts, facets, cells, texels, light, reflects, emits, cellReflects, material,
                    names);
 }
 
 bool Solution::get(const std::string &from, size_t &at) {
-    std::vector<Vec3> origin;
-    if (!radiosity::get(from, at, origin, charts, facets, cells, texels, light, reflects, emits, cellReflects,
-                        material, names) ||
-        origin.size() != 1)
+    std::vector<Vec3> origins;
+    if (!radiosity::get(from, at, origins, charts, facets, cells, texels, light, reflects, emits,
+                        cellReflects, material, names) ||
+        origins.size() != 1)
         return false;
-    place = origin[0];
+    origin = origins[0];
     return valid(*this);
 }
 

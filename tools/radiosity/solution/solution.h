@@ -20,7 +20,7 @@ struct SolutionPoint {
 };
 
 struct Solution {
-    Vec3 place = {}; // the solution's origin in model coordinates; files and options use model coordinates
+    Vec3 origin = {}; // in model coordinates, which files and options use; all points are relative to it
     std::vector<Chart> charts;
     std::vector<Facet> facets;
     std::vector<Cell> cells;
@@ -50,9 +50,9 @@ struct Solution {
         const std::function<void(int chart, int cell, const std::vector<SolutionPoint> &)> &visit) const;
 
     // A point in model coordinates, and the number of digits that it needs as text.
-    Vec3d inModel(const Vec3 &p) const { return toDouble(place) + toDouble(p); }
-    int digits() const { return digitsAt(place); }
-    static int digitsAt(const Vec3 &place) { return length(place) > 0 ? 13 : 7; }
+    Vec3d inModel(const Vec3 &p) const { return toDouble(origin) + toDouble(p); }
+    int digits() const { return digitsAt(origin); }
+    static int digitsAt(const Vec3 &origin) { return length(origin) > 0 ? 13 : 7; }
 
     // The name of a chart's material, in printable characters; empty if unknown.
     std::string materialOf(int chart) const;

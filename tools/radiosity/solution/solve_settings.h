@@ -29,8 +29,8 @@ using LightWatcher = std::function<void(const Solution &soFar, bool bounced)>;
 struct SolveSettings {
     SolveMethod method = SolveMethod::kRays;
     double element = 0;   // area of an element; 0: 1/30,000 of the model's, or 1/120,000 with final rays
-    int lampSamples = 16; // shadow rays from each place to the largest lamp, 1 .. 256
-    int bounces = -1;     // -1: until the residual is reached
+    int lampSamples = 16; // shadow rays from each sample point to the largest lamp, 1 .. 256
+    int bounces = -1;     // number of bounces to follow; -1: until the residual is reached
     float residual = 1e-4f;
     size_t memory = (size_t)8192 << 20; // bytes; a solution that needs more is refused
     Surroundings surroundings;
@@ -46,7 +46,7 @@ struct SolveSettings {
     bool analytic = true; // find direct light by shadow rays; false: hemicubes see the lamps
     int shots = 0; // above 0: shoot light (shooting.h) with at most this number of hemicubes, without rows
     int each = 1;  // hemicubes of each patch, for measurements; 0: find no rows
-    EyeOf eyeOf;   // their eyes; null: one in the middle of the patch
+    EyeOf eyeOf;   // their eyes; null: all in the middle of the patch
 
     LightWatcher watcher; // may be null
     // Decides whether to compute light for the watcher now, which takes time; null: always

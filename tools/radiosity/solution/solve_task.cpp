@@ -38,7 +38,7 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
         report.notes.push_back(std::to_string(coarse) + " polygons are longer than " +
                                std::to_string(kMaxAcross) +
                                " elements: their elements are longer than --element asks");
-    solution.place = mesh.origin;
+    solution.origin = mesh.origin;
     this->settings.surroundings.moveTo(mesh.origin);
     std::vector<int> begin; // offset of each material's name
     for (const MeshMaterial &m : mesh.materials) {

@@ -26,7 +26,7 @@ void addLobe(BandLight &to, int bands, const Vec3 &towards, float exponent, cons
 } // namespace
 
 std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ) {
-    auto place = [&](float x, float y, float z) { return asInModel({x, y, z}, upIsZ); };
+    auto direction = [&](float x, float y, float z) { return asInModel({x, y, z}, upIsZ); };
     std::vector<TriedSky> all(5);
     const char *names[] = {"even", "gradient", "glow", "two lights", "random"};
     auto even = (float)std::sqrt(4 * std::numbers::pi);
@@ -34,10 +34,10 @@ std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ) {
         all[i].name = names[i];
         all[i].light[0] = Rgb{0.7f, 0.8f, 1} * even;
     }
-    addLobe(all[1].light, std::min(bands, 2), place(0, 1, 0), 1e6f, {1.5f, 1.7f, 2});
-    addLobe(all[2].light, bands, place(0.8f, 0.35f, -0.5f), 12, {20, 12, 5});
-    addLobe(all[3].light, bands, place(-0.6f, 0.7f, 0.4f), 12, {3, 6, 12});
-    addLobe(all[3].light, bands, place(0.5f, 0.2f, 0.9f), 12, {14, 4, 2});
+    addLobe(all[1].light, std::min(bands, 2), direction(0, 1, 0), 1e6f, {1.5f, 1.7f, 2});
+    addLobe(all[2].light, bands, direction(0.8f, 0.35f, -0.5f), 12, {20, 12, 5});
+    addLobe(all[3].light, bands, direction(-0.6f, 0.7f, 0.4f), 12, {3, 6, 12});
+    addLobe(all[3].light, bands, direction(0.5f, 0.2f, 0.9f), 12, {14, 4, 2});
     for (int k = 1; k < bands * bands; ++k) {
         auto random = [k](int c) { return 2 * (unitFloat(pcg((uint32_t)(3 * k + c))) - 0.5f); };
         all[4].light[(size_t)k] = {random(0), random(1), random(2)};
@@ -128,8 +128,8 @@ public:
         }
         return true;
     }
-    // Compares one subspace with one subspace per cluster, at the same number of stored floats, as in the
-    // lecture. Call it after printSkies().
+    // Compares one subspace for all rows with one for each cluster, at the same number of stored floats. Call
+    // it after printSkies().
     bool printSubspaces() {
         std::vector<float> rows = room.rows(), scale = columnScale(room, rows);
         std::vector<int> ranks;

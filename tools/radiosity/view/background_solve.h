@@ -50,7 +50,7 @@ private:
     // Used only by the solver's thread
     std::unique_ptr<Solution> solution; // the solution published last
     std::shared_ptr<const ViewMesh> shown;
-    double next = 0, began = 0; // wall-clock times: to compute light again, when computing it began
+    double next = 0, began = 0; // wall-clock times: when to compute light again; when computing it began
     bool computing = false;     // light is being computed, since `began`
     // Used by both threads, under the lock
     std::mutex lock;

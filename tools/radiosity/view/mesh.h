@@ -30,7 +30,7 @@ struct ViewMesh {
     float size; // diagonal of the bounding box
 
 private:
-    std::vector<Solution::CellPoint> cellPoints; // of each point, in the cell that holds its light
+    std::vector<Solution::CellPoint> cellPoints; // each point's position in the cell that holds its light
     void placeHemicubes(const Solution &solution, const std::vector<uint32_t> &firsts);
 };
 

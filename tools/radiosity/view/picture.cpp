@@ -62,12 +62,12 @@ ViewPicture::ViewPicture(const ViewGl &gl) : gl(gl), reversed(hasClipControl(gl)
     gl.glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
-void ViewPicture::attribute(GLuint place, int count, GLenum type, size_t stride, size_t offset) const {
+void ViewPicture::attribute(GLuint location, int count, GLenum type, size_t stride, size_t offset) const {
     if (type == GL_UNSIGNED_INT)
-        gl.glVertexAttribIPointer(place, count, type, (GLsizei)stride, (void *)offset);
+        gl.glVertexAttribIPointer(location, count, type, (GLsizei)stride, (void *)offset);
     else
-        gl.glVertexAttribPointer(place, count, type, GL_TRUE, (GLsizei)stride, (void *)offset);
-    gl.glEnableVertexAttribArray(place);
+        gl.glVertexAttribPointer(location, count, type, GL_TRUE, (GLsizei)stride, (void *)offset);
+    gl.glEnableVertexAttribArray(location);
 }
 
 void ViewPicture::load(std::shared_ptr<const ViewMesh> to) {

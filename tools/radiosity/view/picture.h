@@ -33,7 +33,7 @@ struct ViewTone {
 
 class ViewPicture {
 public:
-    explicit ViewPicture(const ViewGl &gl); // `gl`: of the current context. Throws std::runtime_error
+    explicit ViewPicture(const ViewGl &gl); // `gl`: current context. Throws std::runtime_error
     void load(std::shared_ptr<const ViewMesh> mesh);
     void relight(const std::vector<Rgb> &light);
 
@@ -62,7 +62,7 @@ private:
     void clear(float number) const;
     void drawHelp(std::span<const ViewKey> keys, int width, int height);
     GLuint program(const char *vertex, const char *fragment, bool reversed);
-    void attribute(GLuint place, int count, GLenum type, size_t stride, size_t offset) const;
+    void attribute(GLuint location, int count, GLenum type, size_t stride, size_t offset) const;
 
     ViewGl gl;
     bool reversed;

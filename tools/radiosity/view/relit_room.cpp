@@ -110,7 +110,7 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
         std::lock_guard held(lock);
         if (isNew) clusters = std::move(found), isNew = false, changed = true;
         if (failed) {
-            std::fprintf(stderr, "radiosity: %d clusters cannot be found: %s; the %d stay\n", failed,
+            std::fprintf(stderr, "radiosity: cannot find %d clusters: %s; keeping the %d\n", failed,
                          whyFailed.c_str(), clusters.count);
             if (requested == failed) requested = clusters.count;
             failed = 0;

@@ -83,8 +83,8 @@ int runView(common::CommandLine &line) {
         TransferRoom given = TransferRoom::read(job.in);
         Workers workers = allProcessors();
         job.relight.changeClusters(given, workers);
-        job.camera.upOf(given.upIsZ);
-        job.camera.moveTo(given.model.place);
+        job.camera.useUpOf(given.upIsZ);
+        job.camera.moveTo(given.model.origin);
         job.view.camera = job.camera.settings;
         RelitRoom room(std::move(given), job.relight, ViewWindow::wake);
         ViewWindow window(job.view);
@@ -97,7 +97,7 @@ int runView(common::CommandLine &line) {
     }
     if (!isModel(job.in)) {
         Solution solution(job.in);
-        job.camera.moveTo(solution.place);
+        job.camera.moveTo(solution.origin);
         job.view.camera = job.camera.settings;
         auto mesh = std::make_shared<const ViewMesh>(solution);
         ViewWindow window(job.view);

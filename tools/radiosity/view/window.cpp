@@ -64,7 +64,7 @@ ViewWindow::~ViewWindow() { glfwDestroyWindow(window); }
 
 void ViewWindow::wake() { glfwPostEmptyEvent(); }
 
-// Every key makes the tone-mapped picture again, and some keys the scene too.
+// Every key tone-maps the picture again; some keys also draw the scene again.
 void ViewWindow::key(int key, bool shift) {
     retone = true;
     if (room && room->key(key, shift)) return;
