@@ -163,7 +163,7 @@ void ElementReflectance::toPatches(Model &m) const {
     std::vector<ColourSum> sums((size_t)m.patchCount);
     for (size_t i = 0; i < ofCell.size(); ++i) {
         const Cell &c = m.cells[i];
-        int quarters = 0; // visible ones
+        int quarters = 0; // number of visible quarters of the cell
         for (int k = 0; k < 4; ++k) quarters += m.quarterVisible(c, k);
         if (quarters) sums[(size_t)c.patch].add((double)c.area * quarters, ofCell[i]);
     }

@@ -11,7 +11,8 @@ namespace odraz::radiosity {
 struct ElementReflectance {
     std::vector<Rgb> ofCell, ofChart; // both empty if no material has a readable picture
 
-    // Computes both. `chartOf`: each triangle's chart. Materials whose picture is unreadable reflect Kd.
+    // Computes both. `chartOf`: the chart of each triangle. Materials whose picture cannot be read reflect
+    // Kd.
     void compute(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
                  std::span<const Cell> cells, std::vector<std::string> &notes);
     // Sets each patch's reflectance to the mean of its cells.

@@ -10,8 +10,8 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr double kEven = 0.999995; // normals count as parallel above this cosine of their angle
-constexpr size_t kBothSides = 4;   // triangles at an inner edge of a sheet that is lit from both sides
+constexpr double kCoplanar = 0.999995; // normals count as parallel if their cosine is larger
+constexpr size_t kBothSides = 4;       // number of triangles at an inner edge of a sheet lit from both sides
 
 using Vec2d = std::array<double, 2>;
 
@@ -147,7 +147,7 @@ struct ChartBuilder {
         chart.facetsCount = (int)regions.facets.size() - chart.firstFacet;
         for (int t : triangles) regions.chartOf[(size_t)t] = (int)regions.charts.size();
         regions.charts.push_back(chart);
-        regions.off.push_back((float)box.off);
+        regions.deviation.push_back((float)box.deviation);
         regions.material.push_back(material);
         return true;
     }
@@ -158,8 +158,8 @@ private:
     };
     struct Extent { // in a PlaneFrame
         Vec2d lo = {1e300, 1e300}, hi = {-1e300, -1e300};
-        double twiceArea = 0; // the triangles'
-        double off = 0;       // the triangles' largest distance from the plane
+        double twiceArea = 0; // twice the area of the triangles
+        double deviation = 0; // the triangles' largest distance from the plane
         double width() const { return hi[0] - lo[0]; }
         double height() const { return hi[1] - lo[1]; }
     };
@@ -190,7 +190,8 @@ private:
         for (int t : triangles) {
             for (int c : mesh.triangles[(size_t)t].corners) {
                 Vec2d p = project(c, frame);
-                box.off = std::max(box.off, std::fabs(dot(mesh.points[(size_t)c] - frame.origin, frame.n)));
+                box.deviation =
+                    std::max(box.deviation, std::fabs(dot(mesh.points[(size_t)c] - frame.origin, frame.n)));
                 for (size_t k = 0; k < 2; ++k)
                     box.lo[k] = std::min(box.lo[k], p[k]), box.hi[k] = std::max(box.hi[k], p[k]);
             }
@@ -269,22 +270,24 @@ private:
 
     static bool sameEnds(const Edge &a, const Edge &b) { return a.low == b.low && a.high == b.high; }
 
-    // Whether an edge's triangles form one sheet: two, or two fronts and two backs if both sides are lit.
+    // Whether the triangles at an edge form one sheet: two triangles or, if both sides are lit, two fronts
+    // and two backs.
     bool oneSheet(std::span<const Edge> all) const {
         if (all.size() == 2) return true;
         if (all.size() != kBothSides) return false;
         size_t fronts = 0;
         for (const Edge &e : all) {
-            double angle = dot(normals[(size_t)all[0].triangle], normals[(size_t)e.triangle]);
-            if (std::fabs(angle) < kEven) return false;
-            fronts += angle > 0;
+            double cosine = dot(normals[(size_t)all[0].triangle], normals[(size_t)e.triangle]);
+            if (std::fabs(cosine) < kCoplanar) return false;
+            fronts += cosine > 0;
         }
         return fronts == kBothSides / 2;
     }
 
+    // Whether triangle b has the material of triangle a and lies in its plane.
     bool joins(int a, int b) const {
         const Triangle &s = mesh.triangles[(size_t)a], &t = mesh.triangles[(size_t)b];
-        if (s.material != t.material || dot(normals[(size_t)a], normals[(size_t)b]) < kEven) return false;
+        if (s.material != t.material || dot(normals[(size_t)a], normals[(size_t)b]) < kCoplanar) return false;
         const auto &points = mesh.points;
         Vec3d origin = points[(size_t)s.corners[0]], side = points[(size_t)s.corners[1]] - origin;
         double most = std::min(tiny * tiny, 1e-5 * dot(side, side));
@@ -300,14 +303,14 @@ private:
         for (size_t k = 0; k + 1 < all.size(); ++k)
             for (size_t l = k + 1; l < all.size(); ++l) {
                 int s = all[k].triangle, t = all[l].triangle, a = sets.root(s), b = sets.root(t);
-                // Compare with the region's first triangle, or regions would follow curved surfaces
+                // Compare both with the region's first triangle, or regions would follow curved surfaces
                 if (all[k].forward != all[l].forward && a != b && joins(std::min(a, b), s) &&
                     joins(std::min(a, b), t))
                     sets.parent[(size_t)std::max(a, b)] = std::min(a, b);
             }
     }
 
-    // The region that has this edge as its border, or -1.
+    // The region on whose border edge i lies, or -1.
     int borderOf(size_t i) const {
         int root = roots[(size_t)edges[i].triangle];
         for (size_t k = i - std::min(i, kBothSides - 1); k < std::min(i + kBothSides, edges.size()); ++k)

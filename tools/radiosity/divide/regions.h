@@ -11,9 +11,9 @@ namespace odraz::radiosity {
 struct Regions {
     std::vector<Chart> charts; // not divided into patches
     std::vector<Facet> facets;
-    std::vector<int> material; // each chart's, index into Mesh::materials
-    std::vector<int> chartOf;  // each triangle's
-    std::vector<float> off;    // for each chart: the largest distance of a corner from its plane
+    std::vector<int> material;    // for each chart: index into Mesh::materials
+    std::vector<int> chartOf;     // for each triangle: its chart
+    std::vector<float> deviation; // for each chart: the largest distance of a corner from its plane
 };
 
 // Finds the charts. Cells have sides of about `cell`. Throws ModelError for too many materials.

@@ -47,7 +47,7 @@ struct ModelWriter : ObjWriter {
                 triangles += 2;
             }
     }
-    // A box seen from outside. It has a bottom if `bottom` names a material, and a top if it is below 10.
+    // A box seen from outside. It has a bottom if `bottom` names a material, and a top if hi.y is below 10.
     void box(const char *mtl, Vec3d lo, Vec3d hi, const char *bottom) {
         double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         rect(mtl, {lo[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});

@@ -1,5 +1,5 @@
-// Hemicubes with any number of pixels along the top face. The film's have an even number; the thesis's
-// smallest has 25.
+// Hemicubes with any number of pixels along the top face. The film's hemicubes have an even number; the
+// thesis's smallest has 25.
 //
 // With an odd px a half face is px / 2 = h + 1/2 rows high. The picture is drawn as for an even px: the faces
 // begin at rows px, px + h + 1/2, 2 px and 2 px + h + 1/2. Row px + h is half the upper edge of the first
@@ -55,7 +55,8 @@ struct FormFactorRows {
     }
 };
 
-// A row is the mean of `each` hemicubes at `eyeOf`; null: at the patch's middle, rotated differently.
+// A row is the mean of `each` hemicubes, whose eyes `eyeOf` returns. If `eyeOf` is null, all are at the
+// patch's middle, rotated differently.
 struct RowSettings {
     std::vector<uint8_t> lit; // patches to find rows for; rows contain only these
     size_t memory;            // bytes

@@ -13,18 +13,18 @@ std::vector<Rgb> PatchSystem::reflectDirect() const {
 }
 
 float PatchSystem::sweep(std::vector<Rgb> &b, bool atOnce) const {
-    Rgb put = {}, changed = {};
+    Rgb initial = {}, change = {};
     std::vector<Rgb> before;
     if (!atOnce) before = b;
     for (size_t i = 0; i < patches.size(); ++i) {
         const Rgb &reflects = patches[i].reflects;
         Rgb now = reflects * (direct[i] + rows.gather((int)i, atOnce ? b : before));
-        put += reflects * direct[i];
-        changed += {std::fabs(now.x - b[i].x), std::fabs(now.y - b[i].y), std::fabs(now.z - b[i].z)};
+        initial += reflects * direct[i];
+        change += {std::fabs(now.x - b[i].x), std::fabs(now.y - b[i].y), std::fabs(now.z - b[i].z)};
         b[i] = now;
     }
-    auto share = [](float a, float of) { return of > 0 ? a / of : 0; };
-    return std::max({share(changed.x, put.x), share(changed.y, put.y), share(changed.z, put.z)});
+    auto share = [](float part, float all) { return all > 0 ? part / all : 0; };
+    return std::max({share(change.x, initial.x), share(change.y, initial.y), share(change.z, initial.z)});
 }
 
 // Rays follow the cosine law, in a spiral (Vogel, 1979: the golden angle on a disc) with a different rotation

@@ -1,10 +1,10 @@
 // Shooting, or progressive refinement: the patches with the most unshot light shoot first.
 //
 // A shooter is a patch, or a block of patches on one chart. It sends out the light that its patches received
-// and have not shot yet, through one hemicube at one of them, chosen at random by its share of that light. A
-// few hemicubes give a good picture that is only too dark. The light from patch i at patch j is B_i F_ji, and
-// by reciprocity F_ji = F_ij A_i / A_j. Light is irradiance / pi and radiance, areas are in squared units of
-// the model.
+// and have not shot yet, through one hemicube at one of them, chosen quasi-randomly by its share of that
+// light. After a few hemicubes the picture is already good, only too dark. The light from patch i at patch j
+// is B_i F_ji, and by reciprocity F_ji = F_ij A_i / A_j. Light is irradiance / pi and radiance, areas are in
+// squared units of the model.
 //
 // Source: Cohen, Chen, Wallace and Greenberg, "A Progressive Refinement Approach to Fast Radiosity Image
 // Generation", SIGGRAPH 1988; blocks of patches that shoot are its "patches", the receivers its "elements".
@@ -17,7 +17,7 @@ namespace odraz::radiosity {
 // The groups of patches that shoot together.
 struct Shooters {
     std::vector<int> patches;  // sorted by shooter
-    std::vector<size_t> first; // index of each shooter's first patch, and the end of the last one's
+    std::vector<size_t> first; // index of each shooter's first patch, and the end of the list
 
     size_t count() const { return first.size() - 1; }
     std::span<const int> of(int shooter) const {
@@ -37,7 +37,7 @@ public:
     // For each patch: its emission, and the direct light, of which the reflected share is shot.
     Shooting(const Model &model, Shooters shooters, std::vector<Rgb> emits, std::vector<Rgb> direct);
 
-    // The share of the initial light that is not shot yet, 1 .. 0; above 1 only if reflectances are.
+    // The share of the initial light that is not shot yet, 1 .. 0; above 1 only if reflectances exceed 1.
     double left() const { return initialPower > 0 ? unshotPower / initialPower : 0; }
     // Up to `count` shooters that have light, the brightest first.
     std::vector<int> brightest(int count) const;
@@ -99,7 +99,7 @@ public:
 private:
     const Model &model;
     AnyHemicubes hemicubes;
-    uint32_t number = 0; // the next hemicube's, which determines its rotation
+    uint32_t number = 0; // number of the next hemicube, which determines its rotation
 };
 
 } // namespace odraz::radiosity

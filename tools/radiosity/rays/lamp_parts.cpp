@@ -90,7 +90,7 @@ void LampRays::sortParts(const Mesh &mesh) {
     for (auto &[code, i] : order) {
         sorted.push_back(parts[i]);
         sum += (double)(parts[i].area * parts[i].power);
-        until.push_back((float)sum);
+        sums.push_back((float)sum);
     }
     parts = std::move(sorted);
 }

@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The least distance^2 / area at which a part counts as a disc; the same for a whole triangle
+// Beyond this distance^2 / area an emitter counts as a disc: for parts, and for whole triangles
 constexpr float kNear = 16, kNearWhole = 400;
 
 // Lambert's formula: a sum over the edges of a polygon.
@@ -59,7 +59,8 @@ Rgb fromSunsAndBalls(const Surroundings &surroundings, const RayTree &tree, cons
 
 } // namespace
 
-// A wall that touches the emitter hides points near its side.
+// Near the emitter's sides the ray ends a little beyond the emitter, so that walls that touch it there block
+// the ray.
 bool LampRays::Emitter::visible(const RayTree &tree, const Vec3 &p, float a, float b) const {
     Vec3 d = point(a, b) - p;
     if (a + b > 1) a = 1 - a, b = 1 - b; // as point() does
@@ -131,13 +132,13 @@ Rgb LampRays::fromParts(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint3
     uint32_t state = pcg(seed);
     auto random = [&] { return unitFloat(state = pcg(state)); };
     for (int k = 0; k < rays; ++k) {
-        float at = ((float)k + shift) / (float)rays * until.back();
-        auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
+        float at = ((float)k + shift) / (float)rays * sums.back();
+        auto i = std::min((size_t)(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin()),
                           parts.size() - 1);
         const Emitter &part = parts[i];
         float a = random(), b = random(), factor = formFactor(part, p, n, kNear);
         if (factor > 0 && maxComponent(part.radiance) > 0 && part.visible(tree, p, a, b))
-            sum += part.radiance * (factor * until.back() / ((float)rays * part.area * part.power));
+            sum += part.radiance * (factor * sums.back() / ((float)rays * part.area * part.power));
     }
     return sum;
 }
@@ -181,7 +182,7 @@ std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &surround
                 light[texelOf(k)] = lamps.at(tree, surroundings, r);
                 all += light[texelOf(k)] * (float)r.count, points += r.count;
             }
-            // Texels without points that count get the mean of the site
+            // Texels whose points are all excluded get the mean of the site
             for (uint32_t k = 0, next; k < s.pointCount; k = next) {
                 int count = 0;
                 for (next = k; next < s.pointCount && texelOf(next) == texelOf(k); ++next)

@@ -24,14 +24,14 @@ public:
     LampRays(const Mesh &mesh, const Regions &regions, int samples);
     bool none() const { return parts.empty(); }
     double share() const { return emittingShare; } // the part of the model's area that emits
-    void clear() { parts.clear(), until.clear(), wholes.clear(); }
+    void clear() { parts.clear(), sums.clear(), wholes.clear(); }
 
     // The sample points of a texel, from which rays are cast.
     struct Receiver {
         Vec3 p[4], n;
         int count;     // points, 1 .. 4
         uint32_t seed; // different for each texel
-        int sharers;   // points that share the rays (one for each part)
+        int sharers;   // points that share the rays: one for each part, at most kMostRays
         float shift;   // selects this texel's share of them, 0 .. 1
     };
     // The mean light at the points of a texel, as irradiance / pi.
@@ -42,8 +42,8 @@ private:
         Vec3 corner[3], n;
         float area;
         Rgb radiance;
-        float power;  // brightness, as a share of the brightest one's
-        float height; // the least of its three
+        float power;  // luminance, as a share of the brightest emitter's
+        float height; // least of its three heights
         Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
         // Maps the unit square evenly to the triangle.
         Vec3 point(float a, float b) const {
@@ -56,7 +56,7 @@ private:
     double emittingShare = 0;
     float brightest = 0;
     std::vector<Emitter> parts;
-    std::vector<float> until;    // running sums of the parts' power
+    std::vector<float> sums;     // running sums of the parts' power
     std::vector<Emitter> wholes; // triangles that emit, undivided; empty if there are too many
     void divide(const Mesh &mesh, const Triangle &t, int samples, double largest);
     void sortParts(const Mesh &mesh);

@@ -101,16 +101,16 @@ static Vec3 planePoint(const Chart &c, const Texel &t, int number) {
 
 // The height above a chart's plane from which rays search for its triangles.
 static float startHeight(const Regions &regions, int chart) {
-    return regions.charts[(size_t)chart].off() * 4 + regions.off[(size_t)chart] * 2;
+    return regions.charts[(size_t)chart].off() * 4 + regions.deviation[(size_t)chart] * 2;
 }
 
-// The point just above the triangle that the ray hit after `drop`.
+// The point just above the triangle that the ray down to p hit at the distance `drop`.
 static Vec3 surfacePoint(const Regions &regions, int chart, const Vec3 &p, float drop) {
     const Chart &c = regions.charts[(size_t)chart];
     return p + c.n * startHeight(regions, chart) - c.n * (drop - c.off());
 }
 
-// The distance of the ray down to the chart's triangle at a point of its plane; kNowhere if there is none.
+// Casts a ray down at a point of a chart's plane. Returns its distance to the chart's triangle, or kNowhere.
 constexpr float kNowhere = -1;
 static float dropTo(const Regions &regions, const RayTree &tree, int chart, const Vec3 &p) {
     const Chart &c = regions.charts[(size_t)chart];
@@ -121,7 +121,8 @@ static float dropTo(const Regions &regions, const RayTree &tree, int chart, cons
     return met ? below.t : kNowhere;
 }
 
-// Whether rays to all sides hit backs, as inside a closed body. None goes straight up, out of open tubes.
+// Whether rays to all sides hit backs, as inside a closed body. No ray goes straight up, where it would leave
+// an open tube.
 static bool inside(const RayTree &tree, const Chart &c, const Vec3 &p) {
     for (int i = 0; i < 8; ++i) {
         float slant = i & 2 ? 0.5f : 2.f, a = (i & 1 ? -slant : slant) * 0.8f,
@@ -194,7 +195,7 @@ void LightGrid::useSitesAsPatches() {
 
 // --- Hidden texels ---
 
-// Visits the texels of the chart around one.
+// Visits a texel's neighbours on its chart, diagonal ones too.
 template <class Visit> static void forNeighbours(const Chart &c, int texel, const Visit &visit) {
     int columns = c.across + 1, i = (texel - c.firstTexel) % columns, j = (texel - c.firstTexel) / columns;
     for (int y = std::max(j - 1, 0); y <= std::min(j + 1, (int)c.down); ++y)

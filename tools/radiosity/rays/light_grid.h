@@ -1,5 +1,5 @@
-// The grid that stores light: cells on the charts with texels at their corners
-// (trace/scene/lightmap.h), and the sites that send out rays.
+// The grid that stores light: cells on the charts with texels at their corners (trace/scene/lightmap.h), and
+// the sites that send out rays.
 //
 // A texel has up to four sample points around it, a quarter of a cell's side away, as in radiosity/visible.h.
 // Points off the triangles or inside a closed body do not count. A chart of one cell is one site with all its
@@ -39,14 +39,14 @@ struct LightGrid {
     std::vector<Chart> &charts;
     std::vector<Cell> cells;
     std::vector<Texel> texels;
-    std::vector<uint32_t> siteOf; // each texel's; kNone: it is hidden
+    std::vector<uint32_t> siteOf; // site of each texel; kNone: the texel is hidden
     std::vector<Site> sites;
     std::vector<SamplePoint> points; // sorted by site, then by texel
-    std::vector<int> hidden;         // texels, in the order of filling
+    std::vector<int> hidden;         // hidden texels, in the order of filling
 
     // Divides charts, which the caller keeps, into cells, texels and patches of up to block x block cells.
     LightGrid(Regions &regions, const RayTree &tree, Workers &workers, int block = 1);
-    // Without patches, for the viewer: sets the patch of each cell to the site that casts its rays.
+    // For the viewer of a solution without patches: sets each cell's patch to a site at one of its corners.
     void useSitesAsPatches();
 
     Vec3 at(const Texel &t) const;
@@ -56,7 +56,8 @@ struct LightGrid {
         float x, y;
     };
     Spot spotAt(int chart, const Vec3 &p) const;
-    // The bilinear weights of the corners that have sites, never 0; 0 for the others. Returns their sum.
+    // Finds the corners' bilinear weights: above 0 for corners with sites, 0 for the others. Returns their
+    // sum.
     float weigh(const Spot &spot, float (&weight)[4]) const;
     // Sets each hidden texel's light to the mean of its neighbours that are visible or filled.
     void fill(std::vector<Rgb> &light) const;
@@ -64,7 +65,8 @@ struct LightGrid {
 private:
     std::vector<uint16_t> ring; // a hidden texel's distance from visible texels, 1 ..; 0: visible
     void divide(int block);
-    // Finds the visible sample points. Returns for all four points of each texel the length of their rays.
+    // Finds the visible sample points. Returns the length of the ray down to the surface at each of a texel's
+    // four points; below 0: the point is hidden.
     std::vector<float> findVisible(const Regions &regions, const RayTree &tree, Workers &workers);
     void makeSites(const Regions &regions, const std::vector<float> &drops);
     void orderHidden();

@@ -135,7 +135,7 @@ void RaySystem::findRow(size_t site, const std::vector<Vec3> &spiral) {
     });
     sky[site] = open * (1 / (float)count), skySquare[site] = squares / (float)count;
     reach[site] = near > 0 ? (float)count / near : kInfinity;
-    // Exclude points that lie behind something, and repeat
+    // Exclude points that lie behind something, and find the row again
     if (excluded[site] || !findsExcluded) return;
     bool anyClear = false;
     uint16_t hidden = 0;
@@ -191,7 +191,7 @@ std::vector<Rgb> RaySystem::sourceLight() const {
     return light;
 }
 
-// The light that arrives along a site's row. The last radiosity, for kDark, is 0.
+// The light that arrives along a site's row. `radiosity` ends with a 0 for kDark.
 Rgb RaySystem::gather(size_t site, const std::vector<Lanes> &radiosity) const {
     const uint32_t *row = &rows[firstOf[site]];
     size_t count = rays(site), k = 0;

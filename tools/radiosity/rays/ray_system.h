@@ -2,8 +2,8 @@
 // and the radiosity system is solved with them.
 //
 // A site casts rays by the cosine law. The sites that they hit are its row, with an equal share for each hit,
-// like a hemicube whose pixels count the same; rays that hit nothing see the sky. The system is E = S + F rho
-// (D + E), where E is the light that arrives, D direct light and S the sky's. Directions form a spiral
+// like a hemicube whose pixels have equal weights; rays that hit nothing see the sky. The system is E = S + F
+// rho (D + E), where E is the light that arrives, D direct light and S the sky's. Directions form a spiral
 // (Vogel, 1979: the golden angle on a disc), rotated differently at each site. If a chart has several sites
 // around the point that a ray hits, one of them is chosen at random, near ones more often.
 //
@@ -35,7 +35,7 @@ public:
     RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
               const Surroundings &surroundings);
 
-    // For each site, the mean of texels' values over the sample points that count; and the reflectance.
+    // For each site: the mean of its texels' values over the sample points that count; its reflectance.
     std::vector<Rgb> meansOfPoints(const std::vector<Rgb> &texels) const;
     std::vector<Rgb> reflectance(const Solution &solution) const;
 
@@ -81,15 +81,16 @@ public:
     std::vector<Rgb> arrives; // light at every site
     // The emission of charts, if these rays find it; empty if it counts as direct light
     std::vector<Rgb> emits;
-    std::vector<uint64_t> firstOf; // index of each site's row in `rows`, and the end of the last
+    std::vector<uint64_t> firstOf; // index of each site's row in `rows`, and the end of the list
     std::vector<uint32_t> rows;    // the sites that were hit
     std::vector<uint8_t> found;    // for each site: whether its row is found
     bool findsExcluded = true;     // findRows() also sets `excluded`
-    std::vector<Rgb> sky;          // of every site
-    std::vector<float> skySquare;  // mean of its squared brightness
-    std::vector<float> reach;      // harmonic mean of the distances that its rays travel
-    // A bit is set for each sample point of a site that does not count: its rays hit many backs while other
-    // points of the site have none. It lies behind or under something thin that cuts through the surface.
+    std::vector<Rgb> sky;          // the sky's light at each site
+    std::vector<float> skySquare;  // for each site: mean squared luminance of the sky along its rays
+    std::vector<float> reach;      // for each site: harmonic mean of the distances that its rays travel
+    // For each site: a bit for each sample point, set if the point does not count. Many rays of such a point
+    // hit backs while hardly any ray of another point does: it lies behind or under something thin that cuts
+    // through the surface.
     std::vector<uint16_t> excluded;
 
 private:
@@ -116,8 +117,8 @@ private:
     uint32_t siteAt(int chart, const Vec3 &p, uint32_t random) const;
 };
 
-// Solves a model by rays from every element: fills task.solution and task.report. Throws std::runtime_error.
 struct SolveTask;
+// Solves a model by rays from every element: fills task.solution and task.report. Throws std::runtime_error.
 void solveByRays(SolveTask &task);
 
 } // namespace odraz::radiosity

@@ -9,7 +9,7 @@ namespace odraz::radiosity {
 
 struct RayTree::Ray {
     Vec3x8 o, inverse;
-    int kx, ky, kz; // axes; the direction is longest along kz
+    int kx, ky, kz; // axes; along kz the direction has its largest component
     Float8 sx, sy, sz;
 
     Ray(const Vec3 &origin, const Vec3 &direction) : o(broadcast(origin)) {
@@ -80,9 +80,9 @@ constexpr float kSame = 1.000001f;   // hits whose distances differ by less than
 template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &direction, bool repeated) const {
     Ray ray(origin, direction);
     RayHit hit;
-    float limit = kInfinity, reach = kInfinity; // the hit's distance; the same with a tolerance
+    float limit = kInfinity, reach = kInfinity; // distance of the hit; the same plus a tolerance
     float second = kInfinity;                   // distance of the next front
-    int leaf = 0, lane = 0;                     // the hit's
+    int leaf = 0, lane = 0;                     // position of the hit triangle
     StackEntry stack[kMaxStack];
     int waiting = 0;
     stack[waiting++] = {0, 0};
@@ -97,8 +97,8 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
             for (int lanes = laneBits((distance <= broadcast(reach)) & (distance < kInfinity)); lanes;
                  lanes &= lanes - 1) {
                 int i = __builtin_ctz((unsigned)lanes);
-                // At equal distances take the first triangle, so that the result does not depend on the tree
                 if (l.number[i] < 0) continue;
+                // At equal distances take the first triangle, so that the result does not depend on the tree
                 bool nearer = distance[i] < limit || (distance[i] == limit && l.number[i] < hit.triangle);
                 if (nearer ? !hit.back && hit.triangle >= 0 : !back[i])
                     second = std::min(second, nearer ? limit : distance[i]);
@@ -118,7 +118,8 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
             stack[at] = {n.child[i], e};
         }
     }
-    // At an edge that two fronts share, rounding decides: repeat with a ray more to the inside of this one
+    // If two fronts are hit at one distance, as at a shared edge, rounding decides which is first: repeat
+    // with a ray that hits this triangle farther inside
     if (hit.triangle < 0 || hit.back || second > reach || repeated) return hit;
     const Leaf &l = leaves[(size_t)~leaf];
     Vec3 inward =
@@ -171,7 +172,8 @@ struct RayTree::Builder {
         int number;
     };
     std::vector<Item> items;
-    // By rounding, rays may hit a triangle but miss its box. So boxes grow by this share of the tree's box
+    // Rounding may let a ray hit a triangle but miss its box, so boxes grow by this share of the whole tree's
+    // box
     static constexpr float kWider = 2e-7f;
     float wider;
 

@@ -11,8 +11,8 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr float kFirst = 0.25f; // approximate share of the first rays in the time of all rays
-// Tolerated relative error of a site's light, from its rays and its neighbours'
+constexpr float kFirst = 0.25f; // the first rays take about this share of the time of all rays
+// Tolerated relative error of the light that a site's rays and those of its neighbours find
 constexpr float kError = 0.014f;
 constexpr float kFinalShared = 0.1f; // kShared after the final gather
 constexpr int kMostRaySweeps = 10000;
@@ -123,7 +123,7 @@ private:
     void findDirectLight() {
         task.show(SolveStep::kDirectLight, 0);
         LampRays lamps(task.mesh, task.regions, s.lampSamples);
-        if (lamps.share() > kLargeLamps) { // rays find it better than shadow rays
+        if (lamps.share() > kLargeLamps) { // the rows find their light better than shadow rays
             system.emits = task.solution.emits;
             lamps.clear();
         }

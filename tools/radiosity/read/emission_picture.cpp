@@ -13,7 +13,7 @@ namespace {
 using Shade = std::array<int, 3>; // a colour in steps of kStep
 
 constexpr size_t kMostParts = 8192; // per material
-constexpr float kStep = 1 / 64.f;   // colours of one material differ by less
+constexpr float kStep = 1 / 64.f;   // colours of one material differ by less than this
 
 // Divides triangles by the picture of their material's emission.
 class EmissionDivider {

@@ -48,7 +48,7 @@ size_t sizeOf(const json &object, const char *name) {
 
 bool isData(const std::string &uri) { return uri.starts_with("data:"); }
 
-// Decodes the %20 and the like in a part of a URI.
+// Decodes %20 and other escapes in a part of a URI.
 std::string decoded(std::string_view uri) {
     std::string text;
     for (size_t i = 0; i < uri.size(); ++i) {

@@ -36,7 +36,7 @@ public:
 
     // The components of all items of an accessor of `type` TINYGLTF_TYPE_..; normalised ones are -1 .. 1.
     std::vector<double> numbers(int accessor, int type) const;
-    // A texture's picture. The path is empty if its format is not read, and the URI if that has a scheme.
+    // A texture's picture. Its path is empty if the format is not read. A URI with a scheme becomes the path.
     MeshPicture picture(int texture);
 
 private:

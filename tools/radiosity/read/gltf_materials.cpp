@@ -143,7 +143,7 @@ private:
         if (m.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0)
             note("metallicRoughnessTexture is not used");
         if (m.alphaMode == "MASK" || m.alphaMode == "BLEND" || alpha < 1)
-            note("alpha is not used, and all is opaque");
+            note("alpha is not used, so all surfaces are opaque");
         if (m.extensions.count("KHR_materials_unlit")) note("unlit materials reflect their colour");
     }
 };

@@ -13,7 +13,8 @@ struct GltfMaterial {
     std::array<double, 6> uv = {1, 0, 0, 0, 1, 0};
 };
 
-// Adds what is not used to `kinds` and `notes`. Throws Refused.
+// Reads all materials. Adds unused features to `kinds`, and notes on single materials to `notes`. Throws
+// Refused.
 std::vector<GltfMaterial> readMaterials(GltfFile &file, const std::string &path, NotedKinds &kinds,
                                         std::vector<std::string> &notes);
 

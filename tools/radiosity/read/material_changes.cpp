@@ -34,7 +34,7 @@ void apply(MeshMaterial &m, const MaterialChange &c) {
         auto change = [&](float &x) {
             double value = c.factor ? (double)x * c.value[k] : c.value[k];
             largest = std::max(largest, value);
-            // Accept 1 within rounding: a factor may give exactly that
+            // Accept the maximum within rounding: a factor may give exactly that
             x = (float)(value > most && value < most * (1 + 1e-6) ? most : value);
         };
         if (pictured) change(m.picture.tint[k]);
@@ -80,8 +80,8 @@ void addMaterialChanges(common::CommandLine &line, std::vector<MaterialChange> &
     };
     add("--reflectance", "the reflectance of the material NAME, 0 to 1; without NAME, of all materials");
     add("--power",
-        "the radiance that the material NAME emits; without NAME, of all materials that emit. No even "
-        "sky is added then");
+        "the radiance that the material NAME emits; without NAME, of all materials that emit. With "
+        "this option no even sky is added");
 }
 
 void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<bool> &used,

@@ -23,7 +23,7 @@ struct ModelError : common::Refused {
 // A map_Kd or map_Ke: its value is `tint` times the picture at coordinates * `scale` + `offset`.
 struct MeshPicture {
     std::string path;                                   // empty: no picture
-    std::shared_ptr<const std::string> bytes = nullptr; // the file, if embedded; `path`: its name
+    std::shared_ptr<const std::string> bytes = nullptr; // an embedded file, whose name is `path`; null: none
     std::array<float, 3> tint = {1, 1, 1};
     std::array<float, 2> scale = {1, 1}, offset = {};
     bool clamp = false; // outside 0 .. 1: true repeats the border, false the picture
@@ -33,7 +33,7 @@ struct MeshPicture {
 
 struct MeshMaterial {
     std::string name;
-    std::array<float, 3> reflects, emits; // 0 .. 1 (Kd); 0 .. (Ke, or Ka if that is above 1)
+    std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka if that is above 1
     MeshPicture picture = {}, emissionPicture = {};
     bool twoSided = false; // both sides are lit
     bool hasPicture() const { return !(picture.path.empty() && emissionPicture.path.empty()); }
@@ -45,21 +45,21 @@ struct Triangle {
 };
 
 struct Mesh {
-    Vec3 origin = {};          // the points', in the model's coordinates: 0 unless the model is far from it
+    Vec3 origin = {}; // origin of `points` in the model's coordinates; 0 unless the model is far from 0
     std::vector<Vec3d> points; // all different
     std::vector<Triangle> triangles;
     // Texture coordinates of each triangle's corners, NaN: none; empty if no material has a picture
     std::vector<std::array<float, 6>> coordinates;
     std::vector<MeshMaterial> materials;
     Surroundings lights;          // suns and balls that the model has, in its coordinates
-    int flat = 0, duplicates = 0; // numbers of triangles left out; flat: without area
+    int flat = 0, duplicates = 0; // numbers of triangles left out: without area; repeated
 
     double size() const; // the diagonal of its bounding box
     Vec3d middle() const;
 };
 
 struct ReadSettings {
-    double scale = 1;      // of coordinates
+    double scale = 1;      // multiplies coordinates
     bool twoSided = false; // both sides are lit
     std::vector<MaterialChange> changes;
 };
@@ -72,7 +72,7 @@ inline constexpr char kExportedObj[] = "# radiosity by odraz";
 // Claims an output (whole_file.h). Throws Refused if a model is there that `export` did not write.
 bool claimOutput(const std::string &path);
 
-// Reads a model and divides its polygons into triangles; those without a material reflect 0.7. The content
+// Reads a model and divides its polygons into triangles. Polygons without a material reflect 0.7. The content
 // selects the format: glTF 2.0, otherwise Wavefront OBJ. Adds a line to `notes` for everything that was
 // repaired or ignored. Throws ModelError, or Refused for changes that do not fit the model.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);

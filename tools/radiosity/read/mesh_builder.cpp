@@ -28,7 +28,7 @@ void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &us
     for (MeshMaterial *m : black) {
         notes.push_back(path + ": material " + m->name +
                         (visible ? " stays black: it reflects nothing diffusely, like a mirror or glass"
-                                 : ": nothing reflects light, so it reflects 0.7"));
+                                 : ": no material reflects light, so it is set to 0.7"));
         if (!visible) m->reflects = {0.7f, 0.7f, 0.7f};
     }
 }
@@ -274,11 +274,11 @@ private:
 
     void noteLeftOut() {
         auto note = [&](int count, const char *what, const char *which) {
-            if (count) notes.push_back(path + ": " + common::counted((size_t)count, what) + which);
+            if (count) notes.push_back(path + ": left out " + common::counted((size_t)count, what) + which);
         };
-        note(shortPolygons, "polygon", " with fewer than three points left out");
-        note(mesh.flat, "triangle", " without area left out");
-        note(mesh.duplicates, "triangle", " given twice left out");
+        note(shortPolygons, "polygon", " with fewer than three points");
+        note(mesh.flat, "triangle", " without area");
+        note(mesh.duplicates, "triangle", " given twice");
         std::vector<std::string> lines;
         for (int i : crossing) lines.push_back(lineOf(i));
         noteLines("polygons cross themselves, and may be lit wrongly: ", lines);

@@ -1,4 +1,5 @@
-// Makes a mesh of polygons: merges points, makes triangles, and drops duplicates and those without area.
+// Builds a mesh from polygons: merges points, divides polygons into triangles, and drops triangles that are
+// repeated or have no area.
 #pragma once
 
 #include "tools/radiosity/read/mesh.h"
@@ -28,7 +29,7 @@ struct Polygons {
 inline constexpr char kNoMaterial[] = "(none)"; // the material of polygons without one
 MeshMaterial noMaterial();
 
-// Sets a material's reflectance and emission, which have these `names` in its file. Reflectance above 1
+// Sets a material's reflectance and emission. `names`: what its file calls the two. Reflectance above 1
 // becomes 1, with a note. Throws ModelError if a value is below 0 or above kMostPower.
 void setColours(MeshMaterial &material, const std::array<double, 3> &reflects,
                 const std::array<double, 3> &emits, const std::array<const char *, 2> &names,
@@ -50,7 +51,7 @@ std::vector<int> findMaterials(const std::vector<std::string> &names,
 void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
                std::vector<std::string> &notes);
 
-// Divides triangles whose material has an emissionPicture until it has about one colour in each part. Equal
+// Divides triangles whose material has an emissionPicture until each part has about one colour. Equal
 // colours share a material, with the original's name. Adds a note for a picture that cannot be read; its
 // materials emit Ke.
 void divideByEmission(Mesh &mesh, std::vector<std::string> &notes);

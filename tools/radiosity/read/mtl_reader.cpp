@@ -39,7 +39,7 @@ struct MtlReader {
     void note(const std::string &name, const std::string &what) {
         notes.push_back(model + ": material " + name + ": " + what);
     }
-    void leave(const std::string &what) { unused[what].push_back("material " + m.name); }
+    void note(const std::string &what) { unused[what].push_back("material " + m.name); }
 
     // The current material.
     MeshMaterial m = {};
@@ -82,7 +82,7 @@ struct MtlReader {
 
     void begin(const std::string &name) {
         finish();
-        if (!names.insert(name).second) note(name, "it is given again; the first one is used");
+        if (!names.insert(name).second) note(name, "it is defined twice; the first definition is used");
         m = {name, {}, {}};
         kd = ke = ka = {};
         hasKd = false, noKd = "it has no Kd";
@@ -121,7 +121,7 @@ struct MtlReader {
             auto list = numbers.find(word);
             if (list == numbers.end() && !others.count(word)) break;
             if (&picture != &other && word != "-clamp" && word != "-s" && word != "-o")
-                leave(std::string(line.word) + "'s " + word + " is not used");
+                note(std::string(line.word) + "'s " + word + " is not used");
             if (list == numbers.end()) {
                 std::string_view value = takeWord(rest);
                 if (word == "-clamp") to.clamp = value == "on";
@@ -171,13 +171,13 @@ struct MtlReader {
                 break;
             default:
                 if (isMap(lines.word) && !rest.empty())
-                    leave(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
+                    note(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
                 // In some files a Tr of 1 is transparent, in others opaque
                 const bool isD = lines.word == "d";
                 if (isD && lines.rest.starts_with("-halo")) takeWord(lines.rest);
                 if (double x;
                     (isD || lines.word == "Tr") && takeNumber(lines.rest, x) && x < 1 && (isD || x > 0))
-                    leave("opacity is not used, and all is opaque");
+                    note("opacity is not used, so all surfaces are opaque");
             }
         }
         finish();

@@ -58,7 +58,7 @@ public:
                 if (!lines.rest.empty()) libraries.emplace_back(lines.rest);
                 break;
             default:
-                if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end()) leave(found->second);
+                if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end()) note(found->second);
             }
         }
         if (polygons.points.empty() && !lines.isText) throw ModelError(path + ": is not a text file");
@@ -78,16 +78,16 @@ private:
     TextLines lines;
     std::map<std::string, int, std::less<>> numberOf; // a name's index in `asked`
     int material = -1;
-    int largest = 0; // number of a point, and its line
+    int largest = 0; // largest point number in a polygon, and the polygon's line
     size_t largestLine = 0;
     std::map<std::string_view, std::vector<size_t>> unused; // features that are not used, and their lines
-    void leave(const char *kind) { unused[kind].push_back(lines.number); }
+    void note(const char *kind) { unused[kind].push_back(lines.number); }
 
     [[noreturn]] void refuse(size_t line, const std::string &what) const {
         throw ModelError(path + ":" + std::to_string(line) + ": " + what);
     }
 
-    // The next word, followed by `what`, for an error; empty at the end of the line.
+    // For an error: the next word followed by `what`, or nothing at the end of the line.
     std::string nextIs(const char *what) const {
         std::string_view rest = lines.rest, word = takeWord(rest);
         return word.empty() ? "" : ": " + std::string(word.substr(0, 40)) + what;
@@ -103,14 +103,14 @@ private:
         polygons.points.push_back(p);
         double weight = 0;
         if (!lines.rest.empty() && !(takeNumber(lines.rest, weight) && lines.rest.empty() && weight == 1))
-            leave(lines.rest.empty() ? "weights of points are not used" : "colours of points are not used");
+            note(lines.rest.empty() ? "weights of points are not used" : "colours of points are not used");
     }
 
     void readCoordinate() {
         double u = NAN, v = 0; // v may be missing
         if (!takeNumber(lines.rest, u) || !(lines.rest.empty() || takeNumber(lines.rest, v)) ||
             !std::isfinite(u + v))
-            u = NAN, leave("coordinates of pictures (vt) are not numbers");
+            u = NAN, note("coordinates of pictures (vt) are not numbers");
         polygons.coordinates.push_back({(float)u, (float)v});
     }
 

@@ -210,7 +210,7 @@ private:
                              {at ? (double)at[2 * k] : 0, at ? (double)at[2 * k + 1] : 0}});
         const Vec3d n = normalize(normalOf(mesh, t));
         std::vector<Piece> rest = {whole}, left;
-        for (int front : std::views::reverse(fronts)) { // the last one is likely to leave the fewest
+        for (int front : std::views::reverse(fronts)) { // the last one is likely to leave the fewest pieces
             if (rest.empty()) break;
             left.clear();
             for (const Piece &piece : rest) {

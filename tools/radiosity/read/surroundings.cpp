@@ -13,7 +13,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The picture that rays sample: a pixel is about as wide as a ray's share of the directions
+// Size of the picture that rays sample: a pixel is about as wide as a ray's share of the directions
 constexpr int kSkyWidth = 128, kSkyHeight = 64;
 constexpr double kTooBright = 8; // times the mean
 constexpr size_t kMostSuns = 24;
@@ -25,7 +25,8 @@ struct Glint {      // the part of a pixel's light above the limit
     Rgb light;      // times its solid angle over pi
 };
 
-// Makes at most `parts` suns of glints: halves their light repeatedly, across their largest extent.
+// Makes at most `parts` suns from glints: divides them repeatedly, across their largest extent, into two
+// groups with equal light.
 void cut(std::vector<Glint>::iterator first, std::vector<Glint>::iterator end, size_t parts, bool upIsZ,
          std::vector<Sun> &suns) {
     if (parts > 1 && end - first > 1) {

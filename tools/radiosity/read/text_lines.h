@@ -17,7 +17,7 @@ public:
 
     // Moves to the next line that is not empty; false at the end.
     bool next();
-    size_t number = 0;     // the line's, from 1; of a continued line, the first one's
+    size_t number = 0;     // line number from 1 on; for a continued line, its first line's
     std::string_view word; // the line's first word
     std::string_view rest; // the text after it, without blanks at its ends
     bool isText = true;    // whether the file has no control characters

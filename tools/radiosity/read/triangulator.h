@@ -57,7 +57,7 @@ private:
     std::vector<int> reflex;        // corners that may lie in an ear, by cell of a grid
     std::vector<int> firstInCell;
     int64_t side = 1; // cells along each axis
-    double thin = 0;  // thinner spikes have no area
+    double thin = 0;  // narrower spikes count as having no area
 
     // Projects along the axis of the largest component of the polygon's area vector (Newell's). If its parts
     // face both ways and cancel out, the sums of their absolute components decide.
@@ -131,7 +131,7 @@ private:
     void cutSpikes(int b) {
         while (isSpike(b)) {
             int a = before[(size_t)b], c = after[(size_t)b];
-            triangles.push_back({a, b, c}); // has an area if the polygon is not flat
+            triangles.push_back({a, b, c}); // has an area in space if the polygon is not flat
             cutOff(b);
             b = isSpike(a) ? a : c;
         }
@@ -241,7 +241,7 @@ private:
 
     void cutEars() {
         const int count = (int)points.size();
-        // Cut ears in turns around the outline: neighbours in succession would make thin triangles
+        // Go round the outline: cutting one neighbour after another would make thin triangles
         std::vector<int> queue;
         size_t next = 0;
         bool found = true; // whether a corner was cut since the queue was filled
@@ -266,7 +266,8 @@ private:
         }
     }
 
-    // Flips the longest side of triangles lower than `least` to the other diagonal of the two that share it.
+    // Removes triangles lower than `least`: such a triangle and its neighbour at its longest side form a
+    // quadrilateral, which is divided along its other diagonal instead.
     void flipFlat(const std::vector<Vec3d> &corners, double least) {
         constexpr size_t kMost = 1000; // the time grows with the square
         for (size_t i = 0; i < triangles.size() && triangles.size() < kMost; ++i) {

@@ -5,7 +5,7 @@
 
 namespace odraz::radiosity {
 
-// Rotates a point or a direction of the model about x so that y is up; and back.
+// upright() rotates a point or a direction of the model about x so that y is up; asInModel() rotates it back.
 inline Vec3 upright(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, p.z, -p.y} : p; }
 inline Vec3 asInModel(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, -p.z, p.y} : p; }
 

@@ -33,9 +33,9 @@ std::vector<Obstacles::Triangle> trianglesOf(const Mesh &mesh) {
 }
 
 // The index of the first of these ascending sums that exceeds a value.
-size_t indexAbove(const std::vector<double> &until, double value) {
-    return std::min((size_t)(std::upper_bound(until.begin(), until.end(), value) - until.begin()),
-                    until.size() - 1);
+size_t indexAbove(const std::vector<double> &sums, double value) {
+    return std::min((size_t)(std::upper_bound(sums.begin(), sums.end(), value) - sums.begin()),
+                    sums.size() - 1);
 }
 
 class PathTracer {
@@ -53,12 +53,12 @@ public:
             Vec3d e = emitted(i);
             if (!(maxOf(e) > 0)) continue;
             lamps.push_back(i);
-            until.push_back(sum += brightness(e) * length(normalOf(mesh, mesh.triangles[i])) / 2);
+            powerSums.push_back(sum += brightness(e) * length(normalOf(mesh, mesh.triangles[i])) / 2);
         }
     }
 
     // The light that one path brings to the point p. It starts in cell k of a side x side grid over the
-    // hemisphere. `backs` counts first rays that hit a back. `size`: the surface's around the point.
+    // hemisphere. `backs` counts first rays that hit a back. `size`: size of the surface around the point.
     Vec3d trace(Vec3d p, Vec3d n, double size, int k, int side, Sampler &sampler, int &backs) const {
         Vec3d sum = {}, weight = {1, 1, 1};
         for (int depth = 0;; ++depth) {
@@ -93,7 +93,7 @@ private:
     Obstacles obstacles;
     double most; // largest distance of rays' origins from their surface
     std::vector<size_t> lamps;
-    std::vector<double> until;                          // running sums of the lamps' power
+    std::vector<double> powerSums;                      // running sums of the lamps' power
     std::map<std::string, ReflectancePicture> pictures; // by path
 
     // The reflectance of triangle i at a point.
@@ -113,7 +113,7 @@ private:
         return colour(m.picture.tint) * toDouble(picture->second.mean({{at[0], at[1]}}, m.picture.clamp));
     }
     Vec3d emitted(size_t i) const { return colour(mesh.materials[(size_t)mesh.triangles[i].material].emits); }
-    // The light of a ball, by a ray in a random direction of its cone. Only these rays see balls.
+    // The light of a ball, by a ray in a random direction towards it. No other rays hit balls.
     Vec3d directFromBall(const BallLamp &ball, Vec3d p, Vec3d n, Sampler &sampler) const {
         Vec3d to = toDouble(ball.centre) - p;
         double distance = length(to), sine = (double)ball.radius / distance;
@@ -130,7 +130,8 @@ private:
         // The cone's solid angle is 2 pi (1 - least)
         return toDouble(ball.radiance) * (2 * sine * sine / (1 + least) * facing);
     }
-    // The light of suns, balls, and one triangle that represents all: `pick`, 0 .. 1, selects it by power.
+    // The light of suns, of balls, and of one emitting triangle that stands for all others. `pick`, 0 .. 1,
+    // selects it by power.
     Vec3d direct(Vec3d p, Vec3d n, double pick, Sampler &sampler) const {
         Vec3d sum = {};
         for (const Sun &sun : surroundings.suns) {
@@ -140,14 +141,14 @@ private:
         }
         for (const BallLamp &ball : surroundings.lamps) sum = sum + directFromBall(ball, p, n, sampler);
         if (lamps.empty()) return sum;
-        size_t i = lamps[indexAbove(until, pick * until.back())];
+        size_t i = lamps[indexAbove(powerSums, pick * powerSums.back())];
         Vec3d to = onTriangle(triangles[i], inCell(sampler, 0, 1)) - p;
         double distance = length(to), cosine = dot(to, n) / distance,
                lampCosine = -dot(to, normalize(normalOf(mesh, mesh.triangles[i]))) / distance;
         if (!(cosine > 0 && lampCosine > 0) || obstacles.blocked(p, to / distance, distance * (1 - 1e-9)))
             return sum;
         Vec3d e = emitted(i);
-        return sum + e * (until.back() / brightness(e) * cosine * lampCosine /
+        return sum + e * (powerSums.back() / brightness(e) * cosine * lampCosine /
                           (std::numbers::pi * distance * distance));
     }
 };
@@ -159,8 +160,8 @@ struct ElementTriangle {
     int chart, cell;
 };
 
-// The triangles of all charts that reflect. Sets `until` to running sums of their area.
-std::vector<ElementTriangle> elementTrianglesOf(const Solution &solution, std::vector<double> &until) {
+// The triangles of all charts that reflect. Sets `areaSums` to running sums of their area.
+std::vector<ElementTriangle> elementTrianglesOf(const Solution &solution, std::vector<double> &areaSums) {
     std::vector<ElementTriangle> all;
     double area = 0;
     solution.forPieces([&](int chart, int cell, const std::vector<SolutionPoint> &piece) {
@@ -168,7 +169,7 @@ std::vector<ElementTriangle> elementTrianglesOf(const Solution &solution, std::v
         for (size_t i = 2; i < piece.size(); ++i) {
             Vec3 u = piece[i - 1].p - piece[0].p, v = piece[i].p - piece[0].p;
             ElementTriangle t = {{piece[0], piece[i - 1], piece[i]}, length(cross(u, v)) / 2, chart, cell};
-            all.push_back(t), until.push_back(area += (double)t.area);
+            all.push_back(t), areaSums.push_back(area += (double)t.area);
         }
     });
     return all;
@@ -185,12 +186,12 @@ SolutionPoint randomPoint(const ElementTriangle &t, Sampler &sampler) {
 } // namespace
 
 std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count) {
-    std::vector<double> until;
-    std::vector<ElementTriangle> triangles = elementTrianglesOf(solution, until);
+    std::vector<double> areaSums;
+    std::vector<ElementTriangle> triangles = elementTrianglesOf(solution, areaSums);
     std::vector<MeshProbe> probes;
     Sampler sampler(1);
     for (int i = 0; i < count && !triangles.empty(); ++i) {
-        size_t k = indexAbove(until, (i + sampler.random()) / count * until.back());
+        size_t k = indexAbove(areaSums, (i + sampler.random()) / count * areaSums.back());
         SolutionPoint found = randomPoint(triangles[k], sampler);
         auto chart = (size_t)triangles[k].chart;
         // The light that arrives is radiosity minus emission, divided by reflectance

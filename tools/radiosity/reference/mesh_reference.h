@@ -30,7 +30,8 @@ void tracePaths(const Mesh &mesh, const Surroundings &surroundings, std::vector<
 
 // Errors of luminance, in percent. rms and noise are shares of the root mean square of the reference's light;
 // the paths' noise is subtracted from rms in quadrature. median and worst20 (the 95 % quantile) are relative
-// errors at points with 1/1000 of the mean light or more. NaN: none. Without light, the first three are 0.
+// errors at points with 1/1000 of the mean light or more. NaN: not defined. Without light, the first three
+// are 0.
 struct MeshErrors {
     double median, worst20, rms, bias, noise;
 };

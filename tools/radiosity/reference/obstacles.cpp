@@ -146,7 +146,7 @@ Obstacles::Obstacles(const std::vector<Triangle> &triangles) {
     if (!triangles.empty()) Builder{triangles, *this}.build();
 }
 
-// Visits leaves before `end`, nearest first, until visit(leaf) returns true. It may lower `end`.
+// Visits leaves before `end`, nearest first, until visit(leaf) returns true. visit() may lower `end`.
 template <class Visit> void Obstacles::walk(Vec3d o, Vec3d d, const double &end, Visit visit) const {
     if (nodes.empty()) return;
     double inverse[3];

@@ -1,4 +1,4 @@
-// Random numbers and directions for the oracles, in double precision.
+// Random numbers and directions for the references, in double precision.
 #pragma once
 
 #include "tools/engine/vec3d.h"
@@ -8,7 +8,7 @@
 
 namespace odraz::radiosity {
 
-// Random numbers, each 0 <= x < 1. Every stream has different ones.
+// Random numbers, each 0 <= x < 1. Every stream has different numbers.
 class Sampler {
 public:
     explicit Sampler(uint64_t stream);

@@ -27,7 +27,7 @@ struct SolveJob {
                       false);
         line.option("-o", "OUT", out, "the file of the solution");
         line.option("--resume", "OUT.state", resume,
-                    "continue a stopped run with its options, to the same bytes; takes no other option");
+                    "continue a stopped run with its options, to the same result; takes no other option");
         line.option("--keep-every", "S", keepEvery, {0.01, 1e9}, "by rays: write OUT.state every S seconds");
         options.addTo(line, SolveOptions::For::kSolve);
         line.parse();
@@ -132,7 +132,8 @@ public:
     }
 
     void run() {
-        std::vector<std::string> notes; // printed when nothing can be refused any more: a refusal is one line
+        // Print the notes only when nothing can be refused any more, because a refusal prints one line
+        std::vector<std::string> notes;
         read(notes);
         job.options.addLights(mesh, job.options.settings.surroundings, notes);
         if (job.saved && job.saved->model != state.model)
@@ -205,7 +206,7 @@ private:
     }
     void lightBacks() {
         job.options.read.twoSided = true;
-        std::vector<std::string> printed; // the same notes again
+        std::vector<std::string> printed; // the same notes, which were printed before
         read(printed);
         state.words.push_back("--two-sided"); // for --resume
         job.options.settings.resumed = {};

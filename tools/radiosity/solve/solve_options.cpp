@@ -69,7 +69,7 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
             "area of a patch, which has one hemicube; by default a 6000th of the model's, or larger if it "
             "has more than 2,000 polygons");
         line.option("--direct", {"hemicube", "analytic"}, s.analytic,
-                    "find the light of lamps by shadow rays, or by hemicubes");
+                    "find the light of lamps by hemicubes, or by shadow rays to the lamps");
         line.option(
             "--shots", "N", s.shots, {1, 100000000},
             "find no rows, but shoot light, from the brightest patches first, with at most N hemicubes; stop "

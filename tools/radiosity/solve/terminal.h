@@ -28,7 +28,7 @@ public:
 private:
     bool terminal, lines;
     const char *step = nullptr;
-    double start, began = 0, lineTime = 0; // times when all began, when the step began, and of its last line
+    double start, began = 0, lineTime = 0; // times: of the start, of the step's start, of its last line
     float first = 0;                       // share of the step that was done when it began
     bool ended = false;
 };

@@ -41,12 +41,12 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
         radiosity[(size_t)i] = reference.radiosityAt(p.chart, p.p);
         if (p.share > 0 && maxComponent(reference.reflects[chart]) > 0) visible.push_back(i);
     }
-    // Spread the gathering patches by area, like the places of all other errors; take a large patch once
-    std::vector<double> until;
+    // Spread the gathering patches by area, like the points of all other errors; take a large patch only once
+    std::vector<double> sums;
     double area = 0;
-    for (int i : visible) until.push_back(area += (double)model.patches[i].area);
+    for (int i : visible) sums.push_back(area += (double)model.patches[i].area);
     for (int k = 0, last = -1; k < count && !visible.empty(); ++k) {
-        auto at = std::upper_bound(until.begin(), until.end(), area * (k + 0.5) / count) - until.begin();
+        auto at = std::upper_bound(sums.begin(), sums.end(), area * (k + 0.5) / count) - sums.begin();
         int i = visible[std::min((size_t)at, visible.size() - 1)];
         if (i == last) continue;
         last = i;

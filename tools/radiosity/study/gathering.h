@@ -7,8 +7,8 @@
 
 namespace odraz::radiosity {
 
-// The eye of a hemicube near corner k of a patch, a tenth of a side inside it; in the middle of a patch that
-// is partly hidden.
+// The eye of a hemicube near corner k of a patch, a tenth of a side inside it. If the patch is partly hidden,
+// the eye is in its middle.
 Eye cornerEye(const Model &model, int patch, int k);
 
 class Gathering {

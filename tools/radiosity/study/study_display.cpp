@@ -115,7 +115,7 @@ private:
             MeshErrors e = study.errorsOf(solution);
             std::string name = file + "-" + how + ".png";
             render(solution, camera, study.workers, study.page.path(name));
-            pictures.push_back({name, where + ", " + how + ": " + shown(e.rms) + " % off"});
+            pictures.push_back({name, where + ", " + how + ": error " + shown(e.rms) + " %"});
             table.rows.push_back({where, how, std::to_string(b.report.patches), shown(b.report.allSeconds),
                                   shown(e.rms), shown(e.median)});
         };

@@ -89,7 +89,7 @@ void solveAt(Study &study, Gathering &gathering) {
         std::string file = "raster-" + name + ".png";
         render(solved.solution, camera, study.workers, page.path(file));
         pictures.push_back(
-            {file, name + " pixels: " + shown(m.errors.rms) + " % off, " + shown(m.seconds) + " s"});
+            {file, name + " pixels: error " + shown(m.errors.rms) + " %, " + shown(m.seconds) + " s"});
     }
     page.pictures(hemicubes);
     page.text("Whole solutions, with a hemicube for every patch. The half faces of an odd raster have half a "

@@ -84,7 +84,7 @@ private:
         if (ofThesis) // print each when it is done, because these take long
             study.print(patches + " by " + std::to_string(px) +
                         " pixels: " + std::to_string(cell.report.shots) + " shots, " + shown(m.wall) +
-                        " s (processor " + shown(m.seconds) + " s), " + shown(m.errors.rms) + " % off");
+                        " s (processor " + shown(m.seconds) + " s), error " + shown(m.errors.rms) + " %");
         table.rows.push_back(rowOf(cell, px));
         if (ofThesis) table.rows.back().push_back(shown(kThesisMinutes[row][column], 4));
         if (row != lastRow) plot.series.push_back(patches);

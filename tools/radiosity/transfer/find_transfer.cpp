@@ -55,8 +55,8 @@ void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes) 
                                   more.outside.lamps.end());
         last.outside.suns.insert(last.outside.suns.end(), more.outside.suns.begin(), more.outside.suns.end());
     }
-    notes.push_back("there are " + std::to_string(lamps.size()) + " lamps: from lamp " +
-                    std::to_string(kMaxLamps) + " on they count as one");
+    notes.push_back("there are " + std::to_string(lamps.size()) + " lamps: all from lamp " +
+                    std::to_string(kMaxLamps) + " on are combined into one");
     last.name = "others";
     lamps.resize((size_t)kMaxLamps);
 }
@@ -198,7 +198,7 @@ private:
             report.notes.emplace_back("no light from outside enters: only the lamps light this room");
     }
 
-    // Spreads light from the sites to the texels' planes.
+    // Spreads light from the sites to the texels, in planes.
     void spread(const ColumnSystem &columns, const RaySystem &rays, const LightGrid &grid) {
         show("spreading", 0);
         auto width = (size_t)columns.columns();

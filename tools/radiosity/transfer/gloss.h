@@ -28,7 +28,8 @@ inline constexpr int kMostGlossyCharts = 64, kMostSquares = 4096;
 // Default reflectance of the polish as seen from above; reflectance rises to 1 at grazing angles (Schlick).
 inline constexpr float kPolish = 0.06f;
 
-// Writes the radiance that arrives at `from` from unit direction d to `to`, zero before: RGB of each basis.
+// Writes to `to`, which is zero before, the radiance that arrives at `from` from the unit direction d: RGB of
+// each basis.
 using Arrives = std::function<void(const Vec3 &from, const Vec3 &d, float *to)>;
 
 // Divides a chart into squares about `side` wide.

@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr char kGroup[] = "Light of a room from transfer";
+constexpr char kGroup[] = "Light in a room that transfer wrote";
 
 // Reads --lamps: all, none, or a list of numbers or names of lamps, each with or without =STRENGTH.
 std::vector<float> readLamps(const std::string &text, const TransferRoom &room) {
@@ -36,8 +36,8 @@ std::vector<float> readLamps(const std::string &text, const TransferRoom &room) 
         if (number < 1 || number > count) {
             std::string known;
             for (size_t k = 0; k < count; ++k) known += ", " + std::to_string(k + 1) + " " + room.lamps[k];
-            throw common::Refused("--lamps: there is no lamp '" + name + "'; there " +
-                                  (count ? "are " + known.substr(2) : "is none"));
+            throw common::Refused("--lamps: there is no lamp '" + name + "'; the room has " +
+                                  (count ? known.substr(2) : "none"));
         }
         strengths[number - 1] = strength;
         at = end + 1;

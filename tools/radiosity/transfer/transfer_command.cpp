@@ -38,12 +38,13 @@ void readTransferJob(common::CommandLine &line, TransferJob &job) {
         "these lights.");
     line.argument("MODEL", job.model, "a Wavefront OBJ or glTF", false);
     line.option("-o", "ROOM.prt", job.out, "the file of the room");
-    line.option("--bands", "N", s.bands, {1, kMostBands}, "bands of spherical harmonics of the light");
+    line.option("--bands", "N", s.bands, {1, kMostBands}, "number of bands of spherical harmonics");
     line.option("--clusters", "K", s.clusters, {1, kMostClusters},
                 "clusters of the compressed rows; by default 4 for each function of the bands");
     line.option("--rank", "R", s.rank, {1, kMostRank},
                 "axes of each cluster; by default 8 to 32, depending on the bands");
-    line.option("--glossy", "MATERIAL", s.glossy, "polish its planes, which then mirror the room, blurred");
+    line.option("--glossy", "MATERIAL", s.glossy,
+                "polish the planes of MATERIAL: they mirror the room, blurred");
     line.option(
         "--gloss", "R,E", [&s](const std::string &text) { readGloss(text, s); },
         "the polish: its reflectance seen from above, and the exponent of its lobe, 1 to 1000 "

@@ -216,7 +216,7 @@ TEST(GltfReader, TakesMaterials) {
     EXPECT_NEAR(r.area(), 4, 1e-6); // the first one is lit from both sides
     EXPECT_EQ(r.notes,
               (Lines{"m.gltf: material unnamed 2: its baseColorFactor is above 1, and counts as 1",
-                     "m.gltf: alpha is not used, and all is opaque: material a",
+                     "m.gltf: alpha is not used, so all surfaces are opaque: material a",
                      "m.gltf: materials with a name that was used before get a number: material a (2)",
                      "m.gltf: metal counts as diffuse: material unnamed 2",
                      "m.gltf: normalTexture is not used: material unnamed 2"}));

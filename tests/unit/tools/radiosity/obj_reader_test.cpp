@@ -59,10 +59,10 @@ TEST(ObjReader, TakesAllShapes) {
     } cases[] = {
         {"v 0 0 0\nv 0 0 3\nv 1 0 3\nv 1 0 1\nv 3 0 1\nv 3 0 0\nf 1 2 3 4 5 6\n", 5, ""}, // not convex
         {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 1 2\nf 3\nf\n", 0.5,
-         "m.obj: 3 polygons with fewer than three points left out"},
-        {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 2 3 1\n", 0.5, "m.obj: 1 triangle given twice left out"},
+         "m.obj: left out 3 polygons with fewer than three points"},
+        {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 2 3 1\n", 0.5, "m.obj: left out 1 triangle given twice"},
         {"v 0 0 0\nv 0 0 1\nv 1 0 1\nf 1 2 3\nf 1 1 2\nf 1 2 2\n", 0.5,
-         "m.obj: 2 triangles without area left out"},
+         "m.obj: left out 2 triangles without area"},
     };
     for (const auto &[text, area, note] : cases) {
         ReadObj r(text);
@@ -134,9 +134,9 @@ TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
                    "a\nKd 0 0 0\n");
     EXPECT_EQ(r.notes,
               (Lines{"m.obj: MTLLIB is read as mtllib",
-                     "m.obj: material a: it is given again; the first one is used", "m.mtl: KD is read as Kd",
-                     "m.obj: MAP_BUMP is not used: material b", "m.obj: bump is not used: material a",
-                     "m.obj: map_d is not used: material a"}));
+                     "m.obj: material a: it is defined twice; the first definition is used",
+                     "m.mtl: KD is read as Kd", "m.obj: MAP_BUMP is not used: material b",
+                     "m.obj: bump is not used: material a", "m.obj: map_d is not used: material a"}));
     EXPECT_EQ(r.mesh.materials[0].reflects, (std::array<float, 3>{1, 0, 0}));
     EXPECT_EQ(ReadObj("mtllib m.mtl\n" + kObjSquare + "f 1 2 3 4\n", std::string("\x89PNG\0\0", 6)).notes,
               Lines{"m.mtl: is not a text file, and has no materials"});
@@ -160,7 +160,7 @@ TEST(ObjReader, NotesWhatIsNotUsed) {
                "m.obj: surfaces are left out: line 14", "m.obj: weights of points are not used: line 5",
                "m.obj: bump is not used: material a", "m.obj: map_Kd's -boost is not used: material a",
                "m.obj: map_Kd's -mm is not used: material a", "m.obj: map_Ke's -mm is not used: material b",
-               "m.obj: opacity is not used, and all is opaque: material a and 1 more",
+               "m.obj: opacity is not used, so all surfaces are opaque: material a and 1 more",
                "m.obj: coordinates of pictures are missing, and their means are used: a"}));
 }
 
@@ -177,7 +177,7 @@ TEST(ObjReader, TakesColours) {
         {"Kd 0.5", {.5f, .5f, .5f}, ""},
         {"  Kd 1 0 0  \nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0\nTr 0.5\nNs 9\nNi 1.5\nPr 0.5",
          {1, 0, 0},
-         "m.obj: opacity is not used, and all is opaque: material a"},
+         "m.obj: opacity is not used, so all surfaces are opaque: material a"},
         {"Ks 1 1 1", {.7f, .7f, .7f}, "m.obj: material a: it has no Kd: it reflects 0.7"},
         {"Kd spectral a.rfl 1",
          {.7f, .7f, .7f},

@@ -1,4 +1,4 @@
-// Rays against many triangles: the solver's tree, in floats, and the oracles', in double precision, are
+// Rays against many triangles: the solver's tree, in floats, and the references', in double precision, are
 // compared with a test of every triangle.
 #include "tests/support/dice.h"
 #include "tests/support/sanitized.h"
