@@ -24,7 +24,8 @@ struct IntroSettings {
     bool pairs = false;
 };
 
-// Returns whether a scene in [from, to) seconds plays in the hall, which must then be solved.
+// Returns whether a scene between `from` and `to`, in seconds, plays in the hall. If so, load() must solve
+// the hall.
 bool needsHall(double from, double to);
 
 // Returns the bytes of arena that load() needs with this many workers.
@@ -72,14 +73,15 @@ inline constexpr int kMostEnlarged = 2560; // widest picture that may be traced 
 Picture picture(Intro &intro, int slot, double seconds, const Quality &quality,
                 const CameraKey *camera = nullptr, TracedSize traced = {});
 
-// Makes the picture that is `share` of the way in time, 0 .. 1, between the pictures of two slots: from both
-// or, if they show different shots, from the one that shows its own shot. It depends only on these two, which
-// do not change, and has the size of the later one.
+// Makes the picture that is `share` of the way in time, 0 .. 1, between the pictures of two slots. It is made
+// from both or, if they show different shots, from the one that shows the same shot as the new picture. It
+// depends only on these two, which do not change, and is traced in as many pixels as the later one.
 Picture between(Intro &intro, int earlier, int later, double share = 0.5, int buffer = 0);
 
 // Returns the number of samples of the last picture.
 int64_t samplesTaken(const Intro &intro);
-// Returns null, or the constant of scene.h that is too small for the last picture's scene; it is wrong then.
+// Returns null if the last picture is right. If its scene did not fit, returns the name of the constant in
+// scene.h that is too small.
 const char *exceededLimit(const Intro &intro);
 
 // --- Sound: independent of the picture, so that it may run on another thread ---

@@ -57,10 +57,10 @@ struct Maker {
     std::set<int> chords; // keys that were pressed with Ctrl; Ctrl may be released first
 };
 
-Maker theMaker; // GLFW's callbacks reach it
+Maker theMaker; // global, because GLFW's callbacks use it
 Music theMusic;
 
-// Pauses, and lets the maker fly; the first flight starts at the scripted camera.
+// Pauses, and lets the maker fly. A flight starts at the scripted camera.
 void takeOver(Maker &m) {
     if (!m.flying) m.camera = cameraAt(m.time);
     m.flying = m.paused = true;
@@ -156,7 +156,8 @@ void fly(GLFWwindow *window, Maker &m, float seconds, bool mayLook) {
     m.camera.target = m.camera.eye + forward * distance;
 }
 
-int fail(const char *line) {
+// Prints a line to standard error. Returns 1.
+int report(const char *line) {
     std::fprintf(stderr, FILM_NAME "-debug: %s\n", line);
     return 1;
 }
@@ -220,7 +221,7 @@ std::string writeTracks(Edits &edits) try {
 // Carries out the requests of the keys and of the editor.
 void edit(Maker &m, Edits &edits, std::string &message) {
     Edits::Requests asked = edits.update(glfwGetTime(), m.time * kRowsPerSecond);
-    if (!asked.message.empty()) fail(asked.message.c_str());
+    if (!asked.message.empty()) report(asked.message.c_str());
     if (asked.pause) m.paused = *asked.pause;
     if (asked.row) {
         m.time = *asked.row / kRowsPerSecond;
@@ -238,11 +239,11 @@ void edit(Maker &m, Edits &edits, std::string &message) {
     if (m.redoes) message = edits.redo();
     if (m.saves) {
         message = edits.save();
-        fail(message.c_str());
+        report(message.c_str());
     }
     if (m.writes || asked.save) {
         message = writeTracks(edits);
-        fail(message.c_str());
+        report(message.c_str());
     }
     if (!edits.unsaved()) m.warned = false;
     if (m.leaves && edits.unsaved() && !m.warned) {
@@ -264,8 +265,8 @@ void help() {
         "       " FILM_NAME "-debug --tracks FILE\n"
         "keys: space, arrows, W A S D Q E, mouse, R, C, K, X, Ctrl Z, Ctrl S, 1 2 3, ESC\n"
         "TAB shows the panel, H all keys.\n"
-        "A source in intro/ that is saved is compiled, and the new film is shown. The compiler's first\n"
-        "error is drawn over the picture.\n"
+        "When a source in intro/ is saved, it is compiled, and the new film is shown. The compiler's\n"
+        "first error is drawn over the picture.\n"
         "--rocket offers the film's tracks to an editor of GNU Rocket, on localhost if none is named.\n"
         "--tracks writes them as a document that such an editor opens, and ends.\n"
         "--shown plays the film as " FILM_NAME " does, and writes which pictures were shown, and when, for\n"
@@ -276,11 +277,11 @@ void help() {
 int run(const Options &o, Stage &stage, Follower &follower, Edits &edits, std::string &message) {
     static const int never = 0;
     Screen screen = {};
-    if (const char *missing = open(screen, o.width, o.height)) return fail(missing);
+    if (const char *missing = open(screen, o.width, o.height)) return report(missing);
     glfwSetKeyCallback(screen.window, onKey);
     stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute);
     Maker &m = theMaker;
-    if (const char *problem = loadFilm(stage, screen, follower.solverHash(), m)) return fail(problem);
+    if (const char *problem = loadFilm(stage, screen, follower.solverHash(), m)) return report(problem);
     if (m.closes) return glfwTerminate(), 0;
     Panel panel(o.width, o.height, (double)o.fps.numerator / (double)o.fps.denominator, nanoseconds);
     listen(panel, screen.window);
@@ -325,21 +326,21 @@ int main(int argc, char **argv) {
     DebugOptions own;
     Message wrong;
     Stage stage(build + "/live/live.so");
-    if (!stage.problem().empty()) return fail((stage.problem() + ": build it again").c_str());
-    if (std::string line = takeOptions(argc, argv, own); !line.empty()) return fail(line.c_str()), 2;
-    if (!parseOptions(argc, argv, duration(), o, wrong)) return fail(wrong.data), 2;
+    if (!stage.problem().empty()) return report((stage.problem() + ": build it again").c_str());
+    if (std::string line = takeOptions(argc, argv, own); !line.empty()) return report(line.c_str()), 2;
+    if (!parseOptions(argc, argv, duration(), o, wrong)) return report(wrong.data), 2;
     if (o.help) return help(), 0;
     if (own.shown) return recordShown(o, own.shown);
     Follower follower(build, stage, [&](const std::string &word, const std::string &line) {
         message = word;
-        if (!line.empty()) fail(line.c_str());
+        if (!line.empty()) report(line.c_str());
     });
     Edits edits(stage, follower.showFolder(), own.host, own.port);
     if (own.tracks) try {
             std::puts(edits.writeDocument(own.tracks).c_str());
             return 0;
         } catch (const std::runtime_error &e) {
-            return fail(e.what());
+            return report(e.what());
         }
     return run(o, stage, follower, edits, message);
 }

@@ -120,7 +120,7 @@ EXPORT(plan) const double *plan(double now) {
     planned[2] = size.width, planned[3] = size.height;
     return planned;
 }
-// Accepts such a picture, which was traced in `trace` seconds.
+// Accepts a picture that plan() returned and a worker traced in `trace` seconds.
 EXPORT(traced) void traced(double time, float trace, float samples, int width) {
     thePlayer.traced({{}, time, trace, 0, samples, {width, 0}, 0});
 }
@@ -131,7 +131,8 @@ EXPORT(due) double due(double now) {
     while ((action = theQueue.action(now + thePlayer.kNearest)) == Queue::kSkip) theQueue.remove();
     return action == Queue::kShow ? theQueue.first().time : -1;
 }
-// Reports that it was shown, `at` seconds of the film after the beginning, in `present` milliseconds.
+// Reports that this picture was shown, `at` seconds of the film after the beginning, in `present`
+// milliseconds.
 EXPORT(shown) void shown(double at, double present) {
     theStatistics.add(theQueue.first(), at, nanosecondsOf(present));
     theQueue.remove();

@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 // For functions of one or two instructions. Under -Os the compiler would not inline them. A call passes its
-// arguments in memory, which is larger and many times slower.
+// arguments in memory, which takes more bytes and is many times slower.
 #define ODRAZ_INLINE [[gnu::always_inline]] inline
 
 namespace odraz {

@@ -7,9 +7,9 @@
 //   log2       2^-126 <= x < infinity       absolute 1.2e-7 + 1.2e-7 |log2 x|; x below is taken as 2^-126
 //   pow        x >= 0, |y log2 x| <= 126    relative 2.5e-7 (1 + |y log2 x|); pow(0, y) = 2^(-126 min(y,1))
 //
-// tests/unit/base/maths_exhaustive_test.cpp proves every line against libm in double precision; for pow it
-// tests the film's exponents. NaN gives a finite number or NaN, never a trap. sin and cos reduce their
-// argument by the method of Cody and Waite, with pi/2 in three floats.
+// tests/unit/base/maths_exhaustive_test.cpp checks every row of this table against libm in double precision;
+// for pow it tests the film's exponents. NaN gives a finite number or NaN, never a trap. sin and cos reduce
+// their argument by the method of Cody and Waite, with pi/2 in three floats.
 #pragma once
 
 #include "base/float8.h"

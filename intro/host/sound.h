@@ -19,7 +19,7 @@ struct SoundOutput {
     int64_t (*delay)();
 };
 
-// The system's usual output. Prints nothing to standard error.
+// The system's default output. It prints nothing to standard error.
 extern const SoundOutput kSystemSound;
 extern const char kNoSound[]; // the doctor's line if it does not open
 

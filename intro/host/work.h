@@ -12,7 +12,7 @@ struct Work {
     const int *abort;
     int count, size; // number of items, and of items in a piece
     int next;        // first item that no worker has taken yet
-    int busy;        // turns that have not ended, without the caller's
+    int busy;        // turns that have not ended, not counting the caller's
     int lastWorker;  // number of the last worker
 
     void begin(const Workers &workers, int all, int piece, void (*f)(const void *, int, int, int),

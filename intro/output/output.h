@@ -11,8 +11,8 @@ namespace odraz {
 // Reports that `what` cannot be written, and why. Returns 1.
 int cannotWrite(const char *what, const char *why);
 
-// Checks whether an output can be written. Standard output passes if it was not closed at the start and is no
-// terminal. A path always passes.
+// Checks whether an output can be written. Standard output passes if it was not closed at the start and is
+// not a terminal. A path always passes.
 int checkOutput(const char *to, bool stdoutClosed);
 
 // Writes a whole file, or all of `data` to standard output.

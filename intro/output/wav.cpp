@@ -29,7 +29,7 @@ constexpr size_t kSlack = 4 * kSoundBlock; // bytes of a block: room before and 
 
 int writeWav(const Options &o, bool stdoutClosed) {
     if (int status = checkOutput(o.wav, stdoutClosed)) return status;
-    // As for frames, a time means the first sample at or after it
+    // Begin and end at the first sample at or after --from and --to, as for frames
     int from = (int)firstFrame(o.from, {kSoundRate, 1}), to = (int)firstFrame(o.to, {kSoundRate, 1});
     size_t size = (size_t)(to - from) * 4, bytes = soundMemory() + kSlack + size + kSlack;
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};

@@ -19,8 +19,8 @@ public:
     // Corrects the clock: `time` is the film's time that is heard now, as the device reports it. An error of
     // more than kMostError seconds is ignored.
     void correct(double time, int64_t now);
-    // Must be called once a picture, with the processor time that the process has used. If the process was
-    // stopped since the last call (much time has passed, but little of it on the processor), the film
+    // Must be called once for each picture, with the processor time that the process has used. If the process
+    // was stopped since the last call (much time has passed, but little of it on the processor), the film
     // continues from where it stopped.
     void watch(int64_t now, int64_t processor);
     // The number of calls of watch(). After a gap in its own calls the sound waits for the next one.

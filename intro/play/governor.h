@@ -72,7 +72,7 @@ template <bool kBetweens> struct GovernorOf {
     // A step of coarseness gives up this share of the width. Tracing then takes about half the time.
     static constexpr float kShrink = 0.35f;
     static constexpr int kWidthStep = 16; // pixels; reduced widths are multiples of it
-    // Less than this part of a step is not given up, because scaling up blurs the whole picture.
+    // A reduction by less than this part of a step is not made, because scaling up blurs the whole picture.
     static constexpr float kLeastShrink = 0.06f;
     // Every quality better than `draft` takes samples within pixels, which multiplies the time by this. All
     // pixels are traced again only if there is time for these samples.
@@ -181,8 +181,8 @@ template <bool kBetweens> struct GovernorOf {
         margin = 1;
     }
 
-    // Learns that the last picture took `trace` seconds, and each of the `count` in-betweens before it
-    // `make`.
+    // Takes into account that the last picture took `trace` seconds, and each of the `count` in-betweens
+    // before it `make`.
     void spent(float trace, float make, int count) {
         auto follow = [&](float &average, float time) {
             average += (min(time, kMostTimes * average) - average) * weight;

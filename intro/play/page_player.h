@@ -44,7 +44,7 @@ template <class Film> struct PagePlayer {
     bool planned = false;            // whether the next picture's time is decided
     unsigned started = 0, ended = 0; // number of pictures whose tracing has started, and has ended
 
-    // Plays from there on. All pictures are forgotten, but not what the governor has learned.
+    // Plays from `from` on. All pictures are forgotten, but not what the governor has learned.
     void begin(double from, int width, int height) {
         governor.width = width, governor.height = height;
         queue->made = queue->shown = started = ended = 0;
@@ -72,7 +72,7 @@ template <class Film> struct PagePlayer {
         if (ended++ >= (unsigned)workers) governor.spent(m.trace / (float)workers, 0, 0);
         queue->insert(m);
     }
-    // The share of the pictures that must be finished before the film begins, 0 .. 1.
+    // The share that is finished, 0 .. 1, of the pictures that the film needs to begin.
     float ready() const { return min((float)waiting() / (float)min((int)most, (int)Queue::kAhead), 1.f); }
 };
 

@@ -7,9 +7,9 @@ static_assert(kSoundRate == kDeviceRate && kSoundBlock == kDeviceBlock);
 namespace {
 
 constexpr int64_t kSecond = 1000000000, kNap = 2000000; // nanoseconds
-// In frames. If the sound is off by more than kLate, it skips frames or waits; if it is off by more than
-// kSeek, it seeks. A device that accepts everything and does not report its delay is kept kLead ahead of the
-// film.
+// These limits are in frames. If the sound is off by more than kLate, it skips frames or waits; if it is off
+// by more than kSeek, it seeks. A device that accepts everything and does not report its delay is kept kLead
+// ahead of the film.
 constexpr int64_t kLate = kSoundRate / 50, kSeek = kSoundRate, kLead = kSoundRate / 5;
 constexpr float kFade = 0.5f; // change of the level in a block
 

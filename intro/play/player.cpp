@@ -13,7 +13,7 @@ namespace {
 
 constexpr int64_t kNap = 500000; // nanoseconds
 
-// Plays the film. It makes the pictures on a separate thread. Zero at the start.
+// Plays the film. It makes the pictures on a separate thread. All members are zero at the start.
 struct Player {
     Intro *intro;
     const Options *options;

@@ -17,7 +17,7 @@ struct FinishedPicture {
 };
 
 // Finished pictures in the order of their times. One thread adds to the queue, another one removes from it.
-// Zero at the start.
+// All members are zero at the start.
 struct Queue {
     unsigned made, shown; // number of pictures added and removed since the start
     static constexpr unsigned kRing = 16;
@@ -36,8 +36,8 @@ struct Queue {
         __atomic_store_n(&made, made + 1, __ATOMIC_RELEASE);
         return made;
     }
-    // Inserts a picture by its time, on the thread that removes, for several workers. It is dropped if a
-    // later picture has been shown.
+    // Inserts a picture by its time; several workers may finish theirs in any order. Call it on the thread
+    // that removes. The picture is dropped if a later picture has been shown.
     void insert(const FinishedPicture &m) {
         if (shown && ring[(shown - 1) % kRing].time > m.time) return;
         unsigned i = made++;

@@ -29,7 +29,7 @@ struct SceneStatistics {
     Histogram trace, make, present;
 };
 
-// Zero at the start.
+// All members are zero at the start.
 struct Statistics {
     SceneStatistics scenes[kMaxScenes];
     int64_t sixtieth; // 1 + the sixtieth of a second in which the last picture was shown

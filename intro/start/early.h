@@ -16,7 +16,7 @@ extern Early theEarly; // starts as zero, and is not decoded
 
 inline bool viewerLeft() { return __atomic_load_n(&theEarly.viewerLeft, __ATOMIC_RELAXED) != 0; }
 
-constexpr float kEarlyShare = 0.4f; // share of the decoding in all loading
+constexpr float kEarlyShare = 0.4f; // the decoding's share of all loading
 
 } // namespace odraz
 

@@ -1,4 +1,4 @@
-// Checks the processor. It runs first, on any x86-64, because code of the film needs the check.
+// Checks the processor. It runs first and on any x86-64, because the film's own code needs AVX2.
 #include "host/cpu.h"
 #include "host/process.h"
 #include "start/early.h"

@@ -21,7 +21,7 @@ struct Quality {
     float threshold = 0;     // a square splits
     float markThreshold = 0; // a 2x2 square splits if its corners' marks differ; see also meanSuffices()
     float edge = 0;          // a pixel takes three samples inside; above twice this, all twelve
-    float textureEdge = 0;   // (relative, between pixels) textures and lines take four samples in each
+    float textureEdge = 0;   // textures and lines take four samples a pixel (relative, between pixels)
     float markWeight = 0;    // least share of the intensity at which a ray's hit may split squares
     int depth = 0;           // most bounces of a path, <= kMaxDepth
     float cutoff = 0;        // least share of the intensity at which a ray is followed

@@ -27,7 +27,7 @@ int showError(const char *line) {
     GC pen = x.XCreateGC(display, window, 0, nullptr);
     x.XSetForeground(display, pen, WhitePixel(display, screen));
     x.XMapRaised(display, window);
-    // Wait for at most half a minute: a script that runs us on a display must not hang
+    // Wait for at most half a minute: a script that runs the film on a display must not hang
     for (;;) {
         x.XFlush(display);
         if (!x.XPending(display) && !sys::waitFor(ConnectionNumber(display), sys::kInput, 30000)) break;

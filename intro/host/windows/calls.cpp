@@ -25,7 +25,7 @@ __asm__(".section .text.odrazCalls, \"ax\"\n"
         "    pop %rax\n"
         "    push %rbp\n"
         "    mov %rsp, %rbp\n"
-        // Arguments 12 to 7, then 6 and 5; below them room for the first four
+        // Push arguments 12 to 7, then 6 and 5. Below them, leave room for the first four
         "    push 56(%rbp)\n"
         "    push 48(%rbp)\n"
         "    push 40(%rbp)\n"

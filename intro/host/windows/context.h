@@ -9,8 +9,9 @@ namespace odraz::windows {
 // Loads user32, gdi32 and opengl32. Returns null, or what is missing.
 const char *openGlLibraries();
 
-// A window and its device context. A window belongs to the thread that makes it; others send it messages and
-// wait. So a thread that only listens makes it. Its OpenGL context belongs to the thread that draws.
+// A window and its device context. A window belongs to the thread that makes it: calls on other threads wait
+// for that thread. So it is made on a thread that only listens. Its OpenGL context belongs to the thread that
+// draws.
 struct Surface {
     const char *kind; // its window class
     uint32_t style;

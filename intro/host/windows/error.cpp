@@ -12,7 +12,8 @@ using namespace windows;
 
 namespace {
 
-// Ends the process after half a minute: a script that runs us must not wait for a box that nobody closes.
+// Ends the process after half a minute: a script that runs the film must not wait for a box that nobody
+// closes.
 [[gnu::force_align_arg_pointer]] void *endLater(void *) {
     sleepFor(30000000000);
     endProcess(1);
@@ -36,13 +37,13 @@ int report(const char *line, bool box) {
         WriteFile(to, text, size, &size, nullptr);
     else if (box && !loadFunctions("user32.dll", ODRAZ_USER32(ODRAZ_NAME), odrazFunctions.user32) &&
              !startThread(endLater, nullptr))
-        MessageBoxW(nullptr, wide, nullptr, 0x10 /* an error's sign */);
+        MessageBoxW(nullptr, wide, nullptr, 0x10 /* an error icon */);
     return 1;
 }
 
 } // namespace
 
-// A script has at least standard output. If that is closed too, a viewer has started us and gets a box.
+// A script has at least standard output. If that is closed too, a viewer has started the film and gets a box.
 int printError(const char *line) { return report(line, !GetFileType(standard(1))); }
 
 int showError(const char *line) { return report(line, true); }

@@ -13,7 +13,8 @@ constexpr int kLongest = 4096; // units of UTF-16 in a path, at most
 constexpr uint32_t kWrite = 0x40000000, kShare = 7, kNew = 1, kExisting = 3, kDisk = 1 /* GetFileType */,
                    kDirectory = 16;
 
-// `size` is the size of the path in units of UTF-16, with its zero; 0: it did not fit; 1: it does not matter.
+// Returns the reason of the last error. `size`: the path's size in units of UTF-16, with its zero; 0 if it
+// did not fit, 1 if it does not matter.
 const char *reason(int size = 1) {
     const char *tooLong = "the name is too long";
     switch (GetLastError()) {
@@ -86,7 +87,7 @@ const char *writeFile(const char *path, const void *data, size_t size) {
     Text<kLongest> part;
     if (!direct) {
         CloseHandle(file);
-        // Open an unused name
+        // Open an unused name: another process may be writing the same file
         uint32_t id = GetCurrentProcessId(), last = id + 100;
         do {
             part.size = 0;

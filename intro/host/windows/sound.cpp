@@ -10,7 +10,7 @@ using namespace windows;
 
 namespace {
 
-constexpr int kBuffers = 36; // 180 ms in all; Wine holds 100 ms itself
+constexpr int kBuffers = 36; // 180 ms in all; Wine alone holds 100 ms
 constexpr uint32_t kDone = 1;
 
 struct Buffer {
@@ -22,7 +22,7 @@ HANDLE theDevice; // belongs to the host: one process has one sound output
 Buffer theBuffers[kBuffers];
 int theNext;      // index of the buffer to fill
 int64_t theTaken; // frames accepted since the device was opened
-bool theLost;     // whether the device has gone
+bool theLost;     // whether the device is gone
 
 void close() {
     waveOutReset(theDevice);
@@ -33,7 +33,7 @@ void close() {
 bool open() {
     if (loadFunctions("winmm.dll", ODRAZ_WINMM(ODRAZ_NAME), odrazFunctions.winmm)) return false;
     WaveFormat format = {1 /* PCM */, 2, kDeviceRate, 4 * kDeviceRate, 4, 16, 0};
-    if (waveOutOpen(&theDevice, ~0u /* the usual device */, &format, nullptr, nullptr, 0)) return false;
+    if (waveOutOpen(&theDevice, ~0u /* the default device */, &format, nullptr, nullptr, 0)) return false;
     theNext = 0;
     theTaken = 0;
     theLost = false;

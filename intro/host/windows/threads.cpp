@@ -12,8 +12,8 @@ namespace {
 
 constexpr uint32_t kForever = ~0u;
 
-// As well as the caller's turn, each piece of work has one turn for every other worker. A quick worker may
-// take a second turn, in which it finds nothing left to do.
+// In each call of run() the caller has a turn, and there is one more for every other worker. A quick worker
+// may take two of these; in the second it finds nothing left to do.
 struct ThreadPool : Work {
     HANDLE turns, allDone;
 };

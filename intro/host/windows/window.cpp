@@ -52,7 +52,7 @@ void leave() {
     return DefWindowProcA(window, message, a, b);
 }
 
-// Asks the desktop not to scale the window: on every display since Windows 10, only on the first one before.
+// Asks the desktop not to scale the window. Before Windows 10 this works on the first display only.
 void beAware() {
     auto aware = (__attribute__((ms_abi)) int (*)(int64_t))GetProcAddress(LoadLibraryA("user32.dll"),
                                                                           "SetProcessDpiAwarenessContext");

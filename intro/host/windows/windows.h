@@ -99,7 +99,7 @@ struct FileAttributes {
 
 } // namespace odraz::windows
 
-// By the names of Windows
+// Types and functions, under the names that Windows gives them
 extern "C" {
 typedef odraz::windows::Handle HANDLE;
 typedef odraz::windows::Wide WCHAR;

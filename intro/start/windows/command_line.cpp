@@ -19,8 +19,8 @@ Arguments &arguments() {
     do {
         a.values[a.count++] = to;
         for (bool quoted = false; *from && (quoted || (*from != ' ' && *from != '\t'));) {
-            // Before a quotation mark, two backslashes mean one. An odd one makes the mark an ordinary
-            // character
+            // Before a quotation mark, two backslashes mean one. A single one left over makes the mark an
+            // ordinary character
             int slashes = 0;
             while (*from == '\\') ++from, ++slashes;
             bool quote = *from == '"';

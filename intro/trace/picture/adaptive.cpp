@@ -8,8 +8,9 @@ namespace odraz {
 namespace {
 
 // Width of a sample, in pixels, by which textures are filtered. Pixels are means of their corners, which
-// blurs them, so half a pixel is best in mirrors: with a whole one, PSNR is 0.9 dB worse; with less, textures
-// shimmer. But lines between patches are narrow: with half a pixel they would be dashed where surfaces meet.
+// blurs them, so half a pixel is best in mirrors. With a whole pixel, PSNR is 0.9 dB worse; with less than
+// half, textures shimmer. But lines between patches are narrow: with half a pixel they would be dashed where
+// surfaces meet.
 float filterOf(const Scene &scene) { return scene.lines != 0 ? 1 : 0.5f; }
 
 ODRAZ_INLINE void request(TileScratch &s, uint32_t point) {
@@ -44,9 +45,9 @@ void makeMiddle(Tile &t, uint32_t a, uint32_t b, uint32_t point, int half, bool 
         request(s, point);
 }
 
-// Makes the corners of a square's quarters, `half` wide, that are not corners of the square. A mean may hide
-// something between its ends. As this mostly shows elsewhere in the square, means are allowed only where the
-// square's contrast is low. So lines and outlines have no gaps.
+// Makes the corners of a square's quarters, `half` wide, that are not corners of the square. A mean may miss
+// something between its ends. Such a thing mostly raises the contrast elsewhere in the square, so means are
+// allowed only where the square's contrast is low. This leaves no gaps in lines and outlines.
 void makeMiddles(Tile &t, Square q, int half, Split why) {
     TileScratch &s = t.s;
     uint32_t c[4], across = (uint32_t)half, down = across << kPointShift,
@@ -60,8 +61,8 @@ void makeMiddles(Tile &t, Square q, int half, Split why) {
     makeMiddle(t, c[2], c[3], middle + down, half, calm);
 }
 
-// Makes a square's quarters that are in the tile, and their corners. Returns their number; may write one
-// more.
+// Makes a square's quarters that are in the tile, and their corners. Returns their number; `to` needs room
+// for one more.
 [[gnu::noinline]] int quarter(Tile &t, Square a, int half, Split why, Square *to) {
     bool right = a.x + half < t.width, below = a.y + half < t.height;
     uint8_t x = (uint8_t)(a.x + half), y = (uint8_t)(a.y + half);
@@ -98,8 +99,8 @@ void traceRequested(Tile &t) {
     s.requestedCount = 0;
 }
 
-// Splits squares[0], `count` squares of width `size`, level by level down to single pixels, and fills those
-// that do not split. Returns the number of pixels in squares[2], which need samples inside.
+// Splits the `count` squares of width `size` in squares[0], level by level down to single pixels, and fills
+// those that do not split. Returns the number of pixels in squares[2], which need samples inside.
 int splitSquares(Tile &t, int count, int size) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
@@ -149,7 +150,8 @@ int splitSquares(Tile &t, int count, int size) {
     return rough;
 }
 
-// The number of samples that a pixel takes first; the weight of its corners with these, and with all samples.
+// The number of samples that a pixel takes first. The weight of each of its corners when it has these
+// samples, and when it has all.
 constexpr int kFirst = 3;
 constexpr float kCornerWeight = 0.078f, kCornerWeightAll = 0.038f;
 

@@ -1,9 +1,10 @@
 // Adaptive anti-aliasing: one quadtree of squares that share corners, from 8 pixels down to one.
 //
 // Every corner is traced once, or is the mean of two; criterion.h decides which, and which squares split.
-// Other squares are filled by bilinear interpolation (fill.h). Only light is interpolated; the diffuse colour
-// is evaluated at every pixel. Source: the intro thesis. The thesis also splits pixels, into quarters. Here a
-// pixel gets samples inside it, at positions chosen for edges of any slope.
+// Squares that do not split are filled by bilinear interpolation (fill.h). Only light is interpolated; the
+// diffuse colour is evaluated at every pixel. The method follows a thesis on a 64 kB intro with a Whitted ray
+// tracer, "the intro thesis". The thesis also splits pixels, into quarters. Here a pixel gets samples inside
+// it, at positions chosen for edges of any slope.
 #pragma once
 
 #include "trace/picture/tile.h"

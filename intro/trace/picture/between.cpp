@@ -18,12 +18,13 @@ namespace {
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // a tile with a border of one pixel; rows are padded
 constexpr int kRowStep = 8;                         // rows at this distance are always traced; a power of two
 constexpr int kBlock = 8; // side of the blocks of pixels that are carried by their corners
-// Tolerated difference at a gap of 2/60 s. It grows in proportion to the gap. Its limit in flat mirrors.
+// Tolerated difference at a gap of 2/60 s; it grows in proportion to the gap. The second value limits it in
+// flat mirrors.
 constexpr float kTolerance = 0.06f, kMirrorTolerance = 0.09f;
-// Distances, in radians from the eye, by which reflections move across a ball between the pictures. Beyond
-// kTorn, parts of the ball that only one picture shows do not count. Beyond kGhosts the tolerance shrinks:
-// equal colours may be background that is seen on both sides of a moving object. What glass shows moves up to
-// twenty times as fast: kTornInGlass is kTorn for glass of any shape.
+// Distances by which reflections move across a ball between the pictures, in radians as seen from the eye.
+// Beyond kTorn, parts of the ball that only one picture shows do not count. Beyond kGhosts the tolerance
+// shrinks: equal colours may be background that is seen on both sides of a moving object. What glass shows
+// moves up to twenty times as fast: kTornInGlass is kTorn for glass of any shape.
 constexpr float kTorn = 0.0028f, kTornInGlass = 0.00014f, kGhosts = 0.0055f;
 // Reflections of lamps slide over a flat mirror: both pictures may show one where the in-between has none. So
 // nothing above kBright is reused if the eye moves by more than kSlides times its distance from the mirror.
@@ -39,7 +40,8 @@ constexpr int kMaxRetraced = kTile * kTile / 8; // pixels; a tile with more is t
 
 struct BetweenScratch {
     int64_t retracedCount;
-    // From one pixel up and left of the tile on: the shape seen, and its distance in lengths of direction()
+    // The shape that each pixel shows, and its distance in lengths of direction(). The first entry is the
+    // pixel above and left of the tile
     int32_t shape[kRows * kRow];
     float along[kRows * kRow];
     uint16_t retraced[kMaxRetraced + kBlock * kBlock]; // numbers of pixels
@@ -121,8 +123,8 @@ void tracePixels(Tile &t, const uint16_t *pixels, int count) {
             }
             float *const *plane = t.frame.plane;
             __m128 fetched = {plane[0][at], plane[1][at], plane[2][at], 0};
-            // Add fetched radiance, which reduces the noise of these few samples. Limit it by their
-            // brightest, so that nothing remains of a bright object that they miss
+            // Mix in the fetched radiance, which reduces the noise of these few samples. Limit it to three
+            // times the brightest sample, so that nothing remains of a bright object that the samples miss
             sum = _mm_max_ps(sum * (1 / (float)perPixel), least) * (1 - kFetchedShare) +
                   _mm_max_ps(_mm_min_ps(fetched, most * 3), least) * kFetchedShare;
             for (int c = 0; c < 3; ++c) plane[c][at] = sum[c];
@@ -132,7 +134,7 @@ void tracePixels(Tile &t, const uint16_t *pixels, int count) {
 
 // Finds the shapes that the pixels in and around a tile show. A row between two rows of the same shapes is
 // not traced but interpolated: on planes 1 / along is linear. If this misses something small, the traced
-// pictures show it, and so the pixel is traced again.
+// pictures show it there, so they do not match and the pixel is traced.
 ODRAZ_INLINE void findShapes(const Tile &t, BetweenScratch &b) {
     const int sky = t.scene.shapeCount;
     const View &v = t.view;
@@ -163,7 +165,7 @@ ODRAZ_INLINE void findShapes(const Tile &t, BetweenScratch &b) {
 
 Float8 brightest(const Rgb8 &v) { return max(v.x, max(v.y, v.z)); }
 
-// The mean of both pictures' colours, and where they differ by no more than the tolerance.
+// The mix of both pictures' colours, and where they differ by no more than the tolerance.
 struct Blend {
     Rgb8 radiance;
     Int8 agrees;
@@ -259,7 +261,7 @@ struct BlockCorners {
         return fmadd(toFloat(kLanes), (right - left) * (1.f / (kBlock - 1)), broadcast(left));
     }
 };
-// Computes them; false if one is outside.
+// Computes the corners. Returns false if one is outside its picture.
 ODRAZ_INLINE bool carryCorners(const Sources &from, int id, float px, float py, const float *along,
                                BlockCorners &corners) {
     constexpr int kEnd = kBlock - 1;

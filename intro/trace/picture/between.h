@@ -34,8 +34,8 @@ struct Between {
     int workers;
 };
 
-extern const size_t kBetweenBytes; // the most that makeBetween() takes from the arena
-// False if the arena is full.
+extern const size_t kBetweenBytes; // most bytes that makeBetween() takes from the arena
+// Returns false if the arena is full.
 bool makeBetween(Between &between, Arena &arena, int workers);
 
 // The traced pictures on either side of a moment; they may be the same.

@@ -57,7 +57,8 @@ ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
     return (same & kSameId) && c.id ? (int)c.shape() : -1;
 }
 
-// Whether rays count how much of a pixel each shape covers (fill.cpp): in `draft`, and in blends close to it.
+// Whether rays are traced to measure how much of a pixel each shape covers (fill.cpp). This is done only in
+// `draft`, and in blends close to it.
 [[gnu::cold]] inline bool countsCoverage(const Tile &t, const uint32_t *c) {
     const Sample *s = t.s.corners;
     int one = shapeOrSky(s[c[0]]);
@@ -85,7 +86,8 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
     if (size == 2 && !(same & kSameId) && t.scene.lines == 0 && countsCoverage(t, c) &&
         !exceeds(difference, t.quality.edge))
         return Split::No;
-    // Surfaces that meet may differ only in their textures. Patches have lines along all edges
+    // Where shapes meet, also compare the textures, which may be all that differs. In scenes with lines
+    // between patches, split there: all edges have lines
     if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)) ||
         (!(same & kSameId) && (t.scene.lines != 0 || radianceExceeds(t, c, t.quality.markThreshold))))
         return Split::Differs;
@@ -102,8 +104,8 @@ ODRAZ_INLINE bool meanSuffices(const Tile &t, uint32_t a, uint32_t b, int half) 
                     3 * t.quality.markThreshold);
 }
 
-// Whether a neighbour's sample splits a square whose corners, all alike, did not split it: a sample in the
-// middle of one of its sides that differs from them, traced because a neighbour split.
+// Whether a sample in the middle of a side splits a square that its own corners, all alike, did not split.
+// The sample was traced because a neighbour split, and it differs from the corners.
 ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float markThreshold) {
     const uint32_t half = (uint32_t)size / 2, point = pointAt(a.x, a.y), corner = cornerAt(a.x, a.y);
     auto differs = [&](uint32_t x, uint32_t y) { // x, y in halves of the square
@@ -115,7 +117,7 @@ ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float 
     return differs(1, 0) || differs(0, 1) || differs(2, 1) || differs(1, 2);
 }
 
-// Edges of shadows with a greater difference have stairs in `draft`.
+// In `draft`, shadow edges with a greater difference of intensity split: they would show stairs.
 inline constexpr float kHardShadow = 0.35f;
 
 // Whether a pixel splits: by intensities and hidden shapes alone. A texture has a filter of its own.

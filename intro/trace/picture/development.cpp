@@ -26,8 +26,8 @@ void makeToneCurve(ToneCurve &curve) {
 
 namespace {
 
-// Keeps x in a register or on the stack. Otherwise each round of a loop makes a constant again, in up to
-// three instructions.
+// Keeps x in a register or on the stack. Otherwise each iteration of a loop would make the constant again, in
+// up to three instructions.
 template <class T> ODRAZ_INLINE T kept(T x) {
 #ifndef __wasm__ // WebAssembly has no registers
     asm("" : "+x"(x));
@@ -124,12 +124,12 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
             // At edges, use the opposite neighbour twice; in pictures of 1 row or 8 columns, the pixel itself
             ptrdiff_t below = y + 1 < f.height ? f.stride : -(ptrdiff_t)(y > 0) * f.stride,
                       above = y > 0 ? -f.stride : below, left = f.width > 8, row = (ptrdiff_t)y * f.stride;
-            GlareRow of(spread ? glare->level[1] : Glare::Level{}, y);
+            GlareRow glareRow(spread ? glare->level[1] : Glare::Level{}, y);
             Uint8 pixel = (Uint8)(kLanes + y * kMaxWidth);
             Float8 across = toFloat(kLanes) + (0.5f - midX);
             for (ptrdiff_t x = 0; x < f.width; x += 8) {
                 Uint8 noise = pcg(pixel ^ salts);
-                // Grain: the sum of two random 16-bit numbers, each as often negative as not
+                // Grain: the sum of two random numbers of 16 bits with sign
                 Int8 grain = (Int8)_mm256_madd_epi16((__m256i)((Int8)pcg(noise) ^ signs), (__m256i)amplitude);
                 grain += half;
                 Float8 gain = fmadd(across * across, fall, rest);
@@ -138,14 +138,14 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
                 for (int c = 0; c < 3; ++c) {
                     const float *at = f.plane[c] + (row + x);
                     Float8 v = withoutSparks(at, left, right, above, below);
-                    if (spread) v = fmadd(of.at(c, x) - v, spreadShare, v);
+                    if (spread) v = fmadd(glareRow.at(c, x) - v, spreadShare, v);
                     // Clamp to the table's range; NaN becomes 0
                     v = min(max(fmadd(v, gain, foot), foot), head);
                     // Interpolate: the entry's value times 2^14, plus the difference to the next one times
                     // the 14 bits that follow the index
                     Int8 share = (bits(v) >> (ToneCurve::kShift - 14) & low14) | one;
                     Int8 value = (Int8)_mm256_madd_epi16((__m256i)lookUp(entries, bits(v)), (__m256i)share);
-                    // Add noise: 10 bits for each colour that no other colour uses
+                    // Add noise: each colour has 10 random bits that no other colour uses
                     shown[c] = (value + (Int8)(noise >> 11) + grain) >> 21;
                     noise <<= 10;
                 }

@@ -29,7 +29,8 @@ struct Taps {
             (one & 255) | ((two - one) & 255) << 8 | ((three - two) & 255) << 16 | (64 - three) << 24};
 }
 
-// Mixes eight pixels, each from four that are `step` bytes apart. The first is from[which[k]], 0 .. 7.
+// Mixes eight pixels, each from four that are `step` bytes apart. The first one for pixel k is
+// from[which[k]], 0 .. 7.
 [[gnu::noinline]] void mix(const uint8_t *from, ptrdiff_t step, Int8 which, Int8 weights, uint8_t *out) {
     const __m256i forBytes =
         _mm256_broadcastsi128_si256(_mm_set_epi64x(0x0504050405040504, 0x0100010001000100));

@@ -16,7 +16,8 @@ static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i shapes) {
 
 // The albedo of a shape at eight pixels; `active` are those that show it. Where it changes from one pixel to
 // the next, one sample is inexact: noise fades a little too early or too late, and lines have stairs. There
-// the mean of two by two samples of half the width is taken. One sample is nearest to it if 0.7 wide.
+// the mean of two by two samples of half the width is taken. A single sample is closest to that mean if it is
+// 0.7 pixels wide.
 static Rgb8 albedoOf(const Tile &t, uint16_t id, int x, int y, Int8 active) {
     const Shape &shape = t.scene.shapes[id];
     const Material &m = t.scene.materials[shape.material];
@@ -155,7 +156,7 @@ void finishTile(Tile &t) {
             if (s.shape[p] == kDone) continue;
             __m128i shapes = _mm_loadu_si128((const __m128i *)(s.shape + p));
             Int8 shape = (Int8)_mm256_cvtepu16_epi32(shapes);
-            const Int8 inside = kLanes < t.width - x; // outside, shapes are those of an earlier tile
+            const Int8 inside = kLanes < t.width - x; // outside, s.shape is left from an earlier tile
             int left = laneBits((shape < kDone) & inside);
             if (left) {
                 Rgb8 light = {load(s.light[0] + p), load(s.light[1] + p), load(s.light[2] + p)};

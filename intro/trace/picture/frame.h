@@ -25,7 +25,7 @@ inline constexpr uint16_t kManyShapes = 0xffff, kSkyShown = 0xfffe;
 // Bytes before rgba, for a file's header, and after it, which enlarge() may read.
 inline constexpr int kPictureMargin = 64;
 
-// Takes the memory for frames of up to this size; false if the arena is full.
+// Takes the memory for frames of up to this size. Returns false if the arena is full.
 bool makeFrame(Frame &frame, Arena &arena, int width, int height);
 
 // Gives the frame another size, in the same memory.

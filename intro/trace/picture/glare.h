@@ -28,7 +28,7 @@ struct Glare {
 
 // Bytes of arena that makeGlare() takes for pictures of up to this size.
 size_t glareBytes(int width, int height);
-// False if the arena is full.
+// Returns false if the arena is full.
 bool makeGlare(Glare &glare, Arena &arena, int width, int height);
 
 // Fills level 1, a quarter as wide and high as the frame, with the spread light: each value is a mean of the

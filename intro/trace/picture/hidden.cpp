@@ -34,8 +34,8 @@ static void addDisc(Tile &t, int index) {
 }
 
 // Returns a point in whose direction the eye sees p: p itself or, in a mirror, its image. In a flat shape
-// this is the reflected p; on a ball, the point where the normal bisects the directions to eye and p. (At
-// first the normal points to the eye.)
+// this is the reflected p; on a ball, the point where the normal bisects the directions to eye and p. (The
+// search for it begins with a normal that points to the eye.)
 [[gnu::noinline]] static Vec3 imageOf(const Shape *mirror, const Vec3 &eye, const Vec3 &p) {
     if (!mirror) return p;
     if (!mirror->isBall()) return p - mirror->frame.v * (dot(p - mirror->centre, mirror->frame.v) * 2);
@@ -84,12 +84,13 @@ static void addThinShape(Tile &t, int index, const Shape *mirror = nullptr) {
                                     : shape.frame.w) *
                     half[longest];
         if (shape.isRectangle()) {
-            // Narrow it by the angle at which the eye sees it, which is the same along all of its axis
+            // Project its width: the eye sees it at an angle that is the same along the whole axis
             Vec3 across = cross(axis, middle - v.eye);
             thick *= abs(dot(longest ? shape.frame.u : shape.frame.w, across)) / max(length(across), 1e-6f);
         }
         float a = project(middle - axis, x0, y0), c = project(middle + axis, x, y), nearest = min(a, c);
-        if (nearest <= r * 0.1f || thick / max(a, c) * pixel > maxRadius) return; // at its thinner end
+        // Skip it if it comes too near the eye, or is too wide even at its far end
+        if (nearest <= r * 0.1f || thick / max(a, c) * pixel > maxRadius) return;
         radius = min(thick / nearest * pixel * 1.1f, maxRadius * 0.99f);
     } else if (radius > maxRadius)
         return;

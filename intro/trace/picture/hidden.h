@@ -5,8 +5,8 @@
 
 namespace odraz {
 
-// Finds the balls and the thin shapes that the tile may show, up to kDiscs and kThinShapes (tile.h). More
-// than that are so close together that corners hit them.
+// Finds the balls and the thin shapes that the tile may show, up to kDiscs and kThinShapes (tile.h). If there
+// are more, they are so close together that corners hit them.
 void findBallsAndThinShapes(Tile &t);
 
 // Whether a square may show a shape that none of its corners shows. All of them show `shape` (-1: the sky, or

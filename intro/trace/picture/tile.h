@@ -13,7 +13,8 @@ inline constexpr int kTile = 64;                       // pixels along a side
 inline constexpr int kCorners = kTile + 1;             // corners of pixels along a side
 inline constexpr int kPointShift = 7;                  // a row of points is 2^7 long, see pointAt()
 inline constexpr int kDiscs = 1024, kThinShapes = 192; // most balls and thin shapes that a tile keeps
-// Values of TileScratch::shape for pixels without an albedo: several shapes, or super-sampled; sky; written.
+// Values of TileScratch::shape for pixels without an albedo. kMixed: several shapes, or samples inside; kSky:
+// the sky; kDone: already written to the frame.
 inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
 static_assert(kMaxShapes <= kDone);
 
@@ -71,10 +72,11 @@ struct Tile {
     const View &view;
     const Quality &quality;
     Frame &frame;
-    int x0, y0, width, height; // the part of the frame that it covers, in pixels
+    int x0, y0, width, height; // the part of the frame that the tile covers, in pixels
 };
 
-// A point of the tile as one number, from which x and y are easily read, and the index of the corner there.
+// pointAt() packs a point of the tile into one number, from which x and y are easily read. cornerAt() is the
+// index of the corner there.
 ODRAZ_INLINE uint32_t pointAt(int x, int y) { return (uint32_t)(y << kPointShift | x); }
 ODRAZ_INLINE uint32_t cornerAt(int x, int y) { return (uint32_t)(y * kCorners + x); }
 
@@ -87,9 +89,9 @@ ODRAZ_INLINE void cornersOf(Square q, int size, uint32_t *c) {
 }
 
 // Samples are clamped to this radiance before they are averaged, unless the whole pixel is brighter.
-// Otherwise one sample of a lamp makes a pixel white, and edges of lamps alias. (The tone curve shows
-// brighter samples as hardly brighter.) Among the limits 0.7, 1, 1.5 and 2.5, in exposed light, 1 is nearest
-// to pictures with four times the pixels a side, whose pixels were averaged as the screen shows them.
+// Otherwise one sample of a lamp makes a pixel white, and edges of lamps alias. (Above it the tone curve
+// rises little.) Of the limits 0.7, 1, 1.5 and 2.5, times exposure, 1 comes closest to pictures with four
+// times as many pixels a side that were scaled down after the tone curve.
 inline float whiteOf(const Scene &scene) { return 1 / scene.exposure; }
 
 // The shape that a corner shows; -1: the sky.

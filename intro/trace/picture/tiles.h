@@ -7,7 +7,8 @@
 
 namespace odraz {
 
-// Finds the shapes that primary rays may hit through a square of `size` pixels from (x, y) of the tile on.
+// Finds the shapes that primary rays through a square of the tile may hit. Its upper left pixel is (x, y),
+// its sides are `size` pixels long.
 void findCandidates(const Tile &tile, int x, int y, int size, Candidates &found);
 
 // A function that makes a tile, and its first argument.

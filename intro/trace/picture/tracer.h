@@ -18,7 +18,7 @@ struct Tracer {
 };
 
 extern const size_t kTileScratchBytes; // arena bytes for each worker
-// False if the arena is full, or there are more workers than kMaxWorkers.
+// Returns false if the arena is full, or if there are more workers than kMaxWorkers.
 bool makeTracer(Tracer &tracer, Arena &arena, int workers);
 
 // Traces the whole frame. The picture does not depend on the number of workers.

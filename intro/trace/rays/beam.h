@@ -21,7 +21,7 @@ struct Beam {
 Beam beamThrough(const Vec3 &origin, const Vec3 (&corner)[4]);
 
 // Builds the beam from an origin to points that are added eight at a time, as vectors from the origin.
-// narrow(): whether all of them are within some 80 degrees of `towards`; only then is beam() valid.
+// narrow(): whether all of them are within about 80 degrees of `towards`; only then is beam() valid.
 class BeamBuilder {
 public:
     BeamBuilder(const Vec3 &origin, const Vec3 &towards);

@@ -28,7 +28,7 @@ struct Slabs {
         shift = ray.o * inverse;
         return {inverse, shift, max(abs(shift.x), max(abs(shift.y), abs(shift.z))) * 2.4e-7f};
     }
-    // Returns which rays meet boxes before the limit; `enter` gets where they enter them.
+    // Returns which rays meet boxes before the limit. `enter` gets the distances at which they enter.
     Int8 meet(Vec3x8 lo, Vec3x8 hi, Float8 limit, Float8 &enter) const {
         auto meet = [](Float8 plane, Float8 inverse, Float8 shift) {
             return (Float8)_mm256_fmsub_ps(plane, inverse, shift);

@@ -9,7 +9,7 @@ namespace odraz {
 inline constexpr int kChunk = 256;             // rays shaded together
 inline constexpr int kStream = 2 * kChunk + 8; // each ray may cause two; stores write whole registers
 
-inline constexpr int kTwoBounces = 4; // paths from it on have two bounces or a reflection by glass
+inline constexpr int kTwoBounces = 4; // paths >= this have two bounces or a reflection by glass
 
 struct RayStream {
     int count;
@@ -17,13 +17,15 @@ struct RayStream {
     float weight[3][kStream];              // share of the ray's light that the sample gets, per channel
     float width[kStream], spread[kStream]; // the sample's width at the origin; its growth per unit
     int32_t sample[kStream];               // index of the Sample to which the ray adds
-    // A 1, then for every bounce 0 (reflected), 1 (refracted) or 10 (reflected by glass); the last 32 bits
+    // In binary: a 1, then for every bounce 0 (reflected), 1 (refracted) or 10 (reflected by glass). Only the
+    // last 32 bits are kept
     int32_t path[kStream];
     float t[kStream];       // distance of the hit
     int32_t shape[kStream]; // index of the shape hit; -1: none
 };
 
-// Reads eight rays of a stream by their indices. Consecutive ones, as most are, are loaded.
+// Reads eight rays of a stream by their indices. Consecutive rays, the usual case, are loaded instead of
+// gathered.
 struct EightRays {
     Int8 index;
     int first;

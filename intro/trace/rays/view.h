@@ -12,7 +12,8 @@ struct View {
     float width, height; // size of the picture in pixels
     float spread;        // growth of a pixel's width per unit of distance
 
-    // The direction, not unit, through the point (x, y) of the picture, in pixels from its top left.
+    // Returns the direction through the point (x, y) of the picture, in pixels from its top left. It is not
+    // normalized.
     template <class T> Vec3T<T> direction(T x, T y) const {
         T u = x * (1.f / width) - 0.5f, v = y * (1.f / height) - 0.5f;
         return {fmadd(u, right.x, fmadd(v, down.x, forward.x)),
@@ -20,8 +21,8 @@ struct View {
                 fmadd(u, right.z, fmadd(v, down.z, forward.z))};
     }
 
-    // The distance of a point ahead of the eye, along `forward` in world units, and its position in the
-    // picture, in pixels. project() is valid only for points ahead of the eye.
+    // ahead() returns how far a point is ahead of the eye, along `forward`, in world units. project()
+    // computes its position in the picture, in pixels; it is valid only for points ahead of the eye.
     float ahead(const Vec3 &p) const { return dot(p - eye, forward); }
     void project(const Vec3 &p, float &x, float &y) const {
         Vec3 to = p - eye;

@@ -4,7 +4,7 @@ namespace odraz {
 
 static Float8 along(Vec3 axis, Vec3x8 p, float perUnit) { return dot(p, axis) * perUnit; }
 
-// Bilinear between four values.
+// Interpolates bilinearly between four values.
 template <class Corner>
 static Rgb8 bilinear(const float *const plane[3], Float8 x, Float8 y, Corner &&corner) {
     Int8 at[4] = {corner(0), corner(1), corner(2), corner(3)};

@@ -14,7 +14,7 @@ struct Chart {
     Vec3 u, v, n;                       // unit and orthogonal; n points to the side that is lit and seen
     float width, height;                // world units along u and v
     int16_t across, down;               // cells along u and v, 1 ..
-    int16_t patchesAcross, patchesDown; // patches along u and v, of whole cells each
+    int16_t patchesAcross, patchesDown; // patches along u and v, each of whole cells
     uint16_t material;
     bool open;                   // a window: hemicubes see it, rays pass through it
     int firstCell;               // index of its first cell; cells are in rows of `across`
@@ -26,7 +26,7 @@ struct Chart {
     int texels() const { return (across + 1) * (down + 1); }
     int patchAcross() const { return across / patchesAcross; } // cells of a patch along u and v
     int patchDown() const { return down / patchesDown; }
-    // Distance from the plane, in world units, at which a point lies surely on one side of it
+    // Distance from the plane, in world units, at which a point is certain to lie on one side of it
     float off() const { return (sumAbs(corner) + width + height) * 2e-6f; }
     Vec3 at(float s, float t) const { return fmadd(u, s, fmadd(v, t, corner)); } // s, t in world units
 };

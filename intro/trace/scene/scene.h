@@ -20,8 +20,8 @@ inline constexpr int kMaxShapes = 65500, kMaxMaterials = 32, kMaxLights = 8, kMa
 static_assert(kMaxShapes <= 0x10000 && kMaxMaterials <= 0x100, "their indices have 16 and 8 bits");
 
 // A point light or, with a radius, a ball of light. Irradiance / pi at distance r is intensity / r^2.
-// Highlights show a ball of light at its size. Shadows are hard, as from its middle, unless
-// Scene::ballsOcclude makes those of balls soft; then other shapes inside the ball of light cast none.
+// Highlights show a ball of light at its size. Shadows are hard, as from its middle. With
+// Scene::ballsOcclude, balls have soft shadows instead, and other shapes inside the ball of light have none.
 struct Light {
     Vec3 position;
     Rgb intensity;
@@ -42,7 +42,7 @@ struct Scene {
     Rgb ambientLow, ambientHigh; // irradiance / pi on surfaces that face down and up
     // Null, or the name of the constant to raise, because something did not fit: the picture is then wrong
     const char *overflow;
-    int nodeCount, unboundedCount, occluderCount, glowingBallCount; // sizes of the arrays from finish()
+    int nodeCount, unboundedCount, occluderCount, glowingBallCount; // sizes of arrays that finish() fills
     Sky sky;
     Sunshafts shafts;
     Light lights[kMaxLights];

@@ -74,14 +74,14 @@ struct Shape {
             .centre = centre,
             .half = {radius, radius, radius}};
 }
-// Through `point`, facing up.
+// A plane through `point`, facing up.
 [[gnu::noinline]] constexpr Shape plane(const Vec3 &point, int material) {
     return {.kind = ShapeKind::Plane, .material = (uint8_t)material, .centre = point};
 }
 [[gnu::noinline]] constexpr Shape box(const Vec3 &centre, const Vec3 &half, int material) {
     return {.kind = ShapeKind::Box, .material = (uint8_t)material, .centre = centre, .half = half};
 }
-// Upright, about its middle.
+// An upright cylinder.
 [[gnu::noinline]] constexpr Shape cylinder(const Vec3 &middle, float radius, float halfHeight, int material) {
     return {.kind = ShapeKind::Cylinder,
             .material = (uint8_t)material,

@@ -1,7 +1,7 @@
 // Shafts of sunlight: the sun shines into a room, and dust there scatters its light to the eye.
 //
 // The openings are side by side in one wall; the room is on the side of larger x. Through each opening the
-// sun lights a sheared prism, in which upright columns cast shadows. World units; radiance per unit.
+// sun lights a sheared prism, in which upright columns cast shadows. Lengths are in world units.
 #pragma once
 
 #include "trace/scene/bounds.h"

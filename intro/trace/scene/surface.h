@@ -49,12 +49,12 @@ Surface8 surfaceAt(const Shape &shape, const Ray8 &ray, Float8 t);
 // The box around a bounded shape.
 Bounds boundsOf(const Shape &shape);
 
-// Distance by which a point must be moved off the surface to lie surely on one side of it: a few rounding
-// errors of the magnitudes that it was computed from.
+// Distance by which a point must be moved off the surface to be certain to lie on one side of it: a few
+// rounding errors of the numbers that the point was computed from.
 ODRAZ_INLINE Float8 errorBound(Vec3x8 p, Float8 ofShape) { return (sumAbs(p) + ofShape) * 1e-6f + 1e-9f; }
 ODRAZ_INLINE float magnitude(const Shape &s) { return sumAbs(s.centre) + maxComponent(s.half); }
 
-// Returns an origin that lies surely on one side of the surface: +1 along n, -1 against it.
+// Returns an origin for rays that is certain to lie on one side of the surface: +1 along n, -1 against it.
 inline Vec3x8 offsetOrigin(const Shape &s, const Surface8 &at, Float8 side) {
     return fmadd(at.n, errorBound(at.p, broadcast(magnitude(s))) * side, at.p);
 }

@@ -36,8 +36,8 @@ int build(Scene &s, const ShapeRange &all, int depth) {
     ShapeRange parts[8] = {all};
     int count = 1;
     while (count < 8) {
-        // Find the part with the largest surface. A part of at most eight shapes is not split here: it
-        // becomes a node. Only that node splits it, into single shapes
+        // Find the part with the largest surface. A part of at most eight shapes is not split here, but
+        // becomes a node, which splits it into single shapes
         int largest = -1;
         float area = -1;
         for (int i = 0; i < count; ++i) {

@@ -11,7 +11,7 @@ struct Surfaces {
     Float8 size, curve = {};
 };
 
-// The points on balls, one ball in each lane.
+// Computes the points on balls, one ball in each lane.
 ODRAZ_INLINE static void hitBalls(const Scene &scene, Int8 index, const Ray8 &ray, Float8 t, Surfaces &at) {
     int32_t ball[8];
     store(ball, index);
@@ -29,7 +29,7 @@ ODRAZ_INLINE static void hitBalls(const Scene &scene, Int8 index, const Ray8 &ra
     at.id = packHit(index, 0);
 }
 
-// The points on one shape.
+// Computes the points on one shape.
 ODRAZ_INLINE static void hitShape(const Scene &scene, int index, const Ray8 &ray, Float8 t, Surfaces &at) {
     const Shape &shape = scene.shapes[index];
     Surface8 surface = surfaceAt(shape, ray, t);

@@ -90,7 +90,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
     // Skip balls that only glow: addGlowingBalls() adds them. Fade other lamps in second reflections, and in
     // glass that mirrors them, where they are narrower than the distance between samples: they would flicker.
-    // What remains is about as bright as their surroundings
+    // Faded, they are about as bright as their surroundings
     if (c.bounces > 0 && shape.isBall() && m.onlyGlows())
         rest = Rgb8{};
     else if (c.bounces > 0 && shape.traits().bounded && maxComponent(m.emit) > 0)

@@ -21,7 +21,7 @@ void addGlowingBalls(const Shading &c, const RayStream &in) {
             float r = s.half.x;
             Vec3x8 to = s.centre - ray.o;
             Float8 along = dot(to, ray.d), across2 = dot(to, to) - along * along;
-            // Widen the image by half of the sample's width there
+            // Widen the image by a filter that is 1.5 times as wide as the sample there
             Float8 wide = fmadd(load(in.spread + i), along, load(in.width + i)) * 1.5f, square = wide * wide;
             Float8 reach = fmadd(square, 4.f, r * r);
             Float8 root = sqrt(reach), margin = fmadd(wide, c.quality.coarse * 0.36f, root);

@@ -17,7 +17,7 @@ struct Occluders {
     int count = 0;
     uint8_t ball[kMaxOccluders]; // indices of Scene::occluder
 
-    // Finds them for points in a box.
+    // Finds the balls that block light at points in a box.
     Occluders(const Scene &scene, const Bounds &box) {
         for (int i = 0; i < scene.occluderCount; i += 8) {
             Vec3x8 c = load(scene.occluder, i);
@@ -42,7 +42,8 @@ struct Occluders {
             Int8 counts = (facing > -r) & (distance2 < square * (1 / kLeast));
             if (shape.isBall()) counts &= distance2 > square * 1.0001f; // not itself
             if (!any(counts)) continue;
-            // The horizon cuts few balls. Most of them touch a floor, where rounding must not decide
+            // Use the exact formula only for balls that the horizon cuts. A ball on a floor just touches the
+            // horizon: 0.9999 keeps rounding errors from deciding
             Float8 cosine = facing / sqrt(distance2), sine2 = square / distance2, blocked = cosine * sine2;
             if (any(counts & (facing * abs(facing) < square * 0.9999f)))
                 blocked = ballFormFactor(cosine, sine2);
@@ -104,8 +105,8 @@ ODRAZ_INLINE void addAmbient(const Scene &scene, const Shape &shape, const Occlu
 struct Lobe {
     Vec3x8 d = {}; // directions of the rays
     Float8 dn = {}, wider = {};
-    // Cosines. At `end` the lobe ends. Above `reach`, shadows are traced even for faint light, and squares
-    // split, because the highlight may lie between the corners of the coarsest
+    // Cosines: the lobe ends at `end`. Above `reach`, shadows are traced even for faint light and squares
+    // split, because the highlight may lie between the corners of the coarsest squares
     Float8 end = {}, reach = broadcast(2.f);
 
     ODRAZ_INLINE Lobe(const Run &run, int i, const Material &m, float lobeEnd, int coarse, const Vec3x8 &n) {
@@ -118,8 +119,8 @@ struct Lobe {
         reach = fmadd(variance, (float)(coarse * coarse) * -0.0625f, 1.f);
         wider = 1.f / fmadd(variance, m.exponent, 1.f);
     }
-    // The cosine between the mirrored rays and the direction l to a light, or to a ball of light's point that
-    // is nearest to them. `cosine` is between normal and l, `inverse` is 1 / distance.
+    // The cosine between the mirrored rays and the direction l to a light. In a ball of light, the point
+    // nearest to a mirrored ray counts. `cosine` is between normal and l, `inverse` is 1 / distance.
     ODRAZ_INLINE Float8 cosineTo(const Light &light, const Vec3x8 &l, Float8 cosine, Float8 inverse) const {
         Float8 aligned = fmadd(dn, cosine, dot(d, l));
         if (light.radius > 0) {
@@ -172,7 +173,7 @@ struct EightHits {
 // Adds the light of one Light, less what is blocked.
 ODRAZ_INLINE void addLight(const RunLighting &all, const EightHits &at, const Lobe &phong, int k,
                            ShadowCasters &casters, LightSum &sum) {
-    // Skip lanes that face away
+    // Skip hits that face away from the light
     const Light &light = all.scene.lights[k];
     Vec3x8 to = light.position - at.p;
     Float8 square = max(dot(to, to), 1e-8f), distance = sqrt(square), inverse = 1.f / distance;
@@ -184,7 +185,7 @@ ODRAZ_INLINE void addLight(const RunLighting &all, const EightHits &at, const Lo
         aligned = phong.cosineTo(light, l, cosine, inverse);
         lobe = phong.at(aligned, all.m, facing);
     }
-    // Add light without a shadow if it is less than a fifth of the cutoff; up to twice that, shadows fade in
+    // Below a fifth of the cutoff, add light without a shadow. From there to two fifths, shadows fade in
     Float8 unblocked =
         fmadd(cosine, all.reflectance, lobe) * (strength * at.share) * maxComponent(light.intensity);
     Int8 close = aligned > phong.reach;

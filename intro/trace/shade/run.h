@@ -16,7 +16,7 @@ struct Run {
     bool balls;         // whether the hits are on several balls
     // Surface points (arrive.h)
     float p[3][kRun], n[3][kRun];   // position; unit normal on the ray's side
-    float d[3][kRun], spread[kRun]; // the ray's, as in the stream
+    float d[3][kRun], spread[kRun]; // direction and spread of the ray, as in the stream
     float side[kRun];               // +1: the ray comes from outside, -1: from inside
     float error[kRun];              // see errorBound()
     // The cosine between ray and normal; the sample's width, world units; the share that fog leaves

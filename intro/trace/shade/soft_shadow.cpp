@@ -44,8 +44,8 @@ Rgb8 softShadow(const Scene &scene, const Blockers &blockers, const Light &light
         const Material &m = scene.materials[scene.shapes[shape].material];
         Rgb8 left = broadcast(Rgb{1, 1, 1}) * (1.f - hidden);
         if (m.ior > 0) {
-            // Add the caustic. `before` is the distance to the focus of the rays near the axis, in units of
-            // its distance from the ball's centre. The nearer the lamp, the farther that focus
+            // Add the caustic. `before`: how far the point is before the focus of the rays near the axis, as
+            // a share of the focus's distance from the ball. The nearer the lamp, the farther that focus
             Float8 before = fmadd(along * (1.f - along / distance), (m.ior - 1) * -2.f / (m.ior * r), 1.f),
                    narrow = max(before, 0.f), fold = narrow * narrow * narrow * kHorn,
                    beyond = max(fmadd(before, -0.9f, 0.09f), 0.f), blur = lamp * (0.7f / r);

@@ -5,11 +5,12 @@
 //
 // A glass ball focuses the light that it blocks. Rays near the axis meet n / (2 (n - 1)) radii beyond its
 // centre, other rays sooner. So before that focus the rays overlap inside a horn, whose radius shrinks to a
-// cusp, with the power 3/2 of the distance to the focus. Its rim has the 1 / sqrt singularity of a fold
+// cusp, as the distance to the focus to the power of 3/2. Its rim has the 1 / sqrt singularity of a fold
 // caustic. For u = (distance from the axis)^2 and h = (the horn's radius)^2, the density of light is the real
 // part of 1 / sqrt(h - u + bi): a fold blurred by b, or a core with soft edges where h = 0. It is divided by
 // its integral, so that it holds the light that passes the ball, weakened by the tint. At all distances
-// behind the ball, the light within a radius is within 0.1 of the result for rays that are refracted twice.
+// behind the ball, the share of the light that arrives within a given radius differs by less than 0.1 from
+// that of rays that are refracted twice.
 #pragma once
 
 #include "trace/scene/scene.h"

@@ -1,15 +1,15 @@
 // Perlin's improved gradient noise, eight points at a time.
 //
-// Quintic fade of Perlin, "Improving Noise" (SIGGRAPH 2002); in place of his permutation table the lattice is
-// hashed with integers, without a table and its period of 256; in place of his twelve gradients there are
-// eight, evenly spread. Coordinates: |x| < 2^22 for full detail; finite ones give finite values.
+// The fade is quintic, as in Perlin, "Improving Noise" (SIGGRAPH 2002). His permutation table with its
+// period of 256 is replaced by an integer hash of the lattice, his twelve gradients by eight, evenly spread.
+// Coordinates below 2^22 have full detail; all finite ones give finite values.
 #pragma once
 
 #include "base/vec3.h"
 
 namespace odraz {
 
-// In [-1, 1], 0 at every lattice point, mean 0.
+// Returns values in [-1, 1]: 0 at every lattice point, 0 in the mean.
 Float8 noise(const Vec3x8 &p);
 
 // Sum of weaker^i noise(finer^i p) over octaves i < octaves. `width` is the side of the box that a sample

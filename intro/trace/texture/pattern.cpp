@@ -35,7 +35,7 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
     Float8 waver = noise({radius * 1.5f, board * 7.25f, p.z * 0.375f});
     constexpr float kRings = 16;
     Float8 ring = fmadd(waver, 5.f, radius * kRings), year = floor(ring), f = ring - year;
-    // Early wood darkens slowly, late wood ends abruptly; some years more than others
+    // Early wood darkens slowly, late wood ends abruptly; rings differ in strength
     Float8 perRing = width * kRings;
     Float8 shade = min(f * f * fmadd(fract(year * 0.625f), 0.625f, 0.5f), (1.f - f) / max(perRing, 0.0625f));
     shade = fmadd(shade - 0.25f, bandLimit(perRing, 2.f), 0.25f);
@@ -46,7 +46,7 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
 }
 
 // Granite: crystals are the cells of scattered points (Worley, "A Cellular Texture Basis Function", 1996);
-// pale ones are larger. The points are close to a skewed lattice, so that the nearest belongs to one among
+// pale ones are larger. The points are close to a skewed lattice, so that the nearest one belongs to one of
 // the four corners of a simplex (Perlin, "Noise Hardware", 2001). The hash's factors are multiples of 1/1024,
 // so that its sum is exact with and without fused products. Samples as wide as a crystal have the mean.
 static Float8 stone(const Vec3x8 &at, Float8 width) {
@@ -84,7 +84,7 @@ static Float8 stone(const Vec3x8 &at, Float8 width) {
     return saturate(fmadd(uneven, 0.4f, tone));
 }
 
-// Stained in patches and near the floor, and streaked by the trowel.
+// Plaster, stained in patches and near the floor, and streaked by the trowel.
 static Float8 plaster(const Vec3x8 &p, Float8 width) {
     Float8 patches = noise(p), bent = patches * 2.f;
     Float8 streaks = fractalNoise(p * Vec3{3, 5, 3} + Vec3x8{bent, bent, bent}, 3, width * 5.f, 3, 0.6f);
