@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-// The film, loaded. All of it is in the arena that it was loaded from.
+// The loaded film. All its memory is in the arena that load() got.
 struct Intro;
 
 struct IntroSettings {
@@ -41,7 +41,7 @@ double duration(); // seconds
 
 // The scene at a time, and its name.
 inline constexpr int kMaxScenes = 16;
-int sceneAt(double seconds);      // below kMaxScenes
+int sceneAt(double seconds);      // returns a number below kMaxScenes
 double shotStart(double seconds); // time at which the shot of this time begins
 const char *sceneName(int scene);
 

@@ -13,7 +13,7 @@ namespace odraz {
 // that is missing.
 const char *loadFunctions(const char *soname, const char *names, void **table);
 
-// Returns the next name of such a list.
+// Returns the name that follows `name` in such a list.
 inline const char *nextName(const char *name) {
     while (*name++) {
     }
@@ -23,7 +23,8 @@ inline const char *nextName(const char *name) {
 // Fills table[] by `find`, which returns a function by its name. Returns null, or the name that is missing.
 const char *fillFunctions(void *(*find)(const char *), const char *names, void **table);
 
-// Fills the table of OpenGL with what `find` returns in the current context; returns as fillFunctions() does.
+// Fills the table of OpenGL's functions by `find`, for the current context. Returns null, or the name that is
+// missing.
 const char *fillGl(void *(*find)(const char *), Gl &gl);
 
 // For tables written as lists: #define LIST(F) F(first) F(second)

@@ -36,7 +36,7 @@ int showError(const char *line);
 // console of the parent process, if it has one, replaces closed ones.
 int prepareDescriptors();
 
-// Ends all threads at once.
+// Ends the process and all its threads at once.
 [[noreturn]] void endProcess(int status);
 
 } // namespace odraz

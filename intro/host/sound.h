@@ -21,6 +21,6 @@ struct SoundOutput {
 
 // The system's default output. It prints nothing to standard error.
 extern const SoundOutput kSystemSound;
-extern const char kNoSound[]; // the doctor's line if it does not open
+extern const char kNoSound[]; // the doctor's line if kSystemSound does not open
 
 } // namespace odraz

@@ -1,6 +1,5 @@
-// The clock of the film as it is played. It runs with the system's clock, and is corrected by the position
-// that the sound device reports: by at most 1 % of the elapsed time, which no viewer sees. It never goes
-// back.
+// The film's clock while it is played. It runs with the system's clock, and is corrected by the position that
+// the sound device reports: by at most 1 % of the elapsed time, which no viewer sees. It never goes back.
 #pragma once
 
 #include <stdint.h>

@@ -31,8 +31,8 @@ enum class Traceable { Now, Later, Never };
 template <class Film> struct PagePlayer {
     static constexpr unsigned kMostReady = 8; // finished pictures that wait to be shown
     static_assert(kMostReady + kMostPageWorkers <= Queue::kRing);
-    // A refresh of the screen may show a picture this many seconds early: no other refresh is nearer to its
-    // time
+    // A refresh of the screen may show a picture this many seconds early, about half the time between two
+    // refreshes: no other refresh is nearer to the picture's time
     static constexpr double kNearest = 0.008;
 
     Film *film;

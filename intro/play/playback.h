@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-// Where the sound comes from.
+// The source of the sound.
 struct SoundSource {
     void (*seek)(void *context, int64_t frame); // makes the next block begin with this frame of the film
     void (*render)(void *context, int16_t samples[2 * kSoundBlock]); // writes the next block, and advances

@@ -78,8 +78,8 @@ double nextTime(const Film &film, const G &governor, double last, double now, in
     return time;
 }
 
-// Makes the film's pictures from `time` on, in seconds, ahead of the film's clock. That is possible because
-// the film is scripted. The player provides:
+// Makes the film's pictures from `time` on, in seconds, ahead of the film's clock. The film is scripted, so
+// its pictures are known in advance. The player provides:
 //
 //   bool goesOn(time)               whether the picture of this time is to be made
 //   int64_t now()                   the moment, in nanoseconds

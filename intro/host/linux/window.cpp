@@ -181,7 +181,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
         visual = w.glx.glXGetVisualFromFBConfig(w.drawing, configs[chosen]);
         if (visual && visual->depth == depth) break;
     }
-    // Make the context and the window, and let the drawing thread use both
+    // Make the context and the window, both for the drawing thread
     auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)w.glx.glXGetProcAddress(
         (const GLubyte *)"glXCreateContextAttribsARB");
     if (chosen >= count || !createContext) return kNoGl;

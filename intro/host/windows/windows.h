@@ -1,5 +1,5 @@
-// The functions of Windows that we use, by library, declared in our calling convention: each is a stub in
-// calls.cpp that converts the convention to Windows's and calls the library.
+// The functions of Windows that we use, by library, declared in our calling convention. Each is a stub in
+// calls.cpp that converts the call to Windows's convention.
 //
 // Their types are spelled out here, because a compiler for Linux cannot read Windows's own header. A function
 // whose name ends with W takes texts in UTF-16. A function that returns an int returns 0 if it fails, unless

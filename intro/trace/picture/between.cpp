@@ -29,11 +29,11 @@ constexpr float kTorn = 0.0028f, kTornInGlass = 0.00014f, kGhosts = 0.0055f;
 // Reflections of lamps slide over a flat mirror: both pictures may show one where the in-between has none. So
 // nothing above kBright is reused if the eye moves by more than kSlides times its distance from the mirror.
 constexpr float kBright = 0.25f, kSlides = 0.2f;
-constexpr float kBlinding = 2.5f;               // in multiples of white; see join()
-constexpr int kSamples = 3;                     // number of samples in a pixel that is traced again
-constexpr float kSampleStep = 0.33f;            // distance between these, across and down, in pixels
-constexpr float kFetchedShare = 0.2f;           // share of the fetched radiance in such a pixel
-constexpr int kInside = kTile * kTile;          // added to the number of a pixel that one shape fills
+constexpr float kBlinding = 2.5f;      // in multiples of white; see join()
+constexpr int kSamples = 3;            // number of samples in a pixel that is traced again
+constexpr float kSampleStep = 0.33f;   // distance between these, across and down, in pixels
+constexpr float kFetchedShare = 0.2f;  // share of the fetched radiance in a pixel that is traced again
+constexpr int kInside = kTile * kTile; // added to the number of a pixel that one shape fills
 constexpr int kMaxRetraced = kTile * kTile / 8; // pixels; a tile with more is traced as a whole
 
 } // namespace
@@ -62,7 +62,8 @@ struct Sources {
 [[gnu::cold]] void findTrust(const Traced &before, const Traced &after, const Traced &now, float gap,
                              Carry *const (&carry)[2], Trust *trust) {
     const Scene &scene = *now.scene;
-    // Next to a cut the same picture is before and after; its distance from now counts
+    // Next to a cut, `before` and `after` are the same picture: measure how far reflections move from it to
+    // now
     const bool one = before.scene == after.scene;
     for (int i = 0; i <= scene.shapeCount; ++i) {
         const Shape &a = scene.shapes[i];
@@ -82,7 +83,8 @@ struct Sources {
              v = one ? a.centre - now.view.eye
                      : after.scene->shapes[carry[1][i].shape].centre - after.view.eye;
         float perLength = 1 / length(u);
-        // Limit glass and mirror balls. The reflecting normal turns by half the angle between the eyes
+        // Limit glass and mirror balls. The reflecting normal turns by half the angle between the directions
+        // to the two eyes
         float moves = length(u * perLength - v * (1 / length(v))) * 0.5f * a.half.x * perLength;
         if (!glass) trust[i].tolerance *= min(kGhosts / max(moves, 1e-6f), 1.f);
         if (moves <= (glass ? kTornInGlass : kTorn)) continue;

@@ -26,7 +26,7 @@ struct BetweenScratch;
 struct Carry;
 struct Trust;
 
-// What in-betweens need besides a Tracer; allocated once.
+// What in-betweens need in addition to a Tracer. It is allocated once.
 struct Between {
     BetweenScratch *scratch; // one for every worker
     Carry *carry[2];         // [before or after][shapeCount + 1]; the last entry is the sky

@@ -62,7 +62,7 @@ void enlarge(const uint8_t *from, int width, int height, uint8_t *to, int toWidt
              Workers &workers) {
     float across = (float)width / (float)toWidth, down = (float)height / (float)toHeight;
     parallelRanges(workers, toHeight, kBand, [=](int begin, int end, int) {
-        // First enlarge the rows that these are made from to their full width
+        // First enlarge the rows of `from` that this band needs to the full width
         uint8_t wide[kBand + 4][(kMostAcross + 8) * 4];
         int top = tapsOf(broadcast(begin), down, height).first[0],
             bottom = tapsOf(broadcast(end - 1), down, height).first[0] + 3;

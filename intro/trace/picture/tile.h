@@ -101,7 +101,7 @@ ODRAZ_INLINE int shapeOrSky(const Sample &s) { return (int)(s.id + 7) / 8 - 1; }
 // corners (adaptive.cpp), as the best estimate of how much of a pixel lies beyond an edge that crosses it.
 // Edges along the axes counted most, as their stairs are longest. The rms error of the first three is 0.074.
 // A grid of three by three (corners, middles of sides, and the centre) takes one more sample; its error is
-// 0.096. The error of all twelve is 0.033; that of five by five is 0.038.
+// 0.096. The error of all twelve is 0.033; the error of a grid of five by five is 0.038.
 inline constexpr int kMostInside = 12;
 inline constexpr float kInsideX[kMostInside] = {-0.043f, 0.242f, -0.215f, 0.365f, 0.37f,   -0.124f,
                                                 -0.383f, 0.099f, -0.143f, 0.023f, -0.316f, 0.149f},

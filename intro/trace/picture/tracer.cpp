@@ -5,8 +5,8 @@
 
 namespace odraz {
 
-// Whether to ignore a rectangle: the eye is behind it, or sees it so nearly from the side that it is thinner
-// than the distance between samples. A few samples would hit it and show a dashed line.
+// Whether to ignore a rectangle because the eye is behind it, or sees it so nearly edge-on that it is thinner
+// than the distance between samples. The few samples that hit it would show a dashed line.
 static bool edgeOn(const Tile &t, const Shape &s) {
     if (!s.isRectangle()) return false;
     Vec3 e = s.frame * (t.view.eye - s.centre);

@@ -11,7 +11,7 @@ namespace odraz {
 
 struct TileScratch;
 
-// What tracing needs besides the scene: scratch for every worker, allocated once.
+// What tracing needs in addition to the scene: scratch for every worker, allocated once.
 struct Tracer {
     TileScratch *scratch[kMaxWorkers];
     int workers;

@@ -112,7 +112,7 @@ private:
         // Offsets in a node: centres of balls; the planes at which rays enter and leave boxes
         int centre, near, far;
         Int8 sign; // the side to which the rays point
-        // Origin and slope that give the earliest possible entry, and those that give the latest exit
+        // The origin and slope with the earliest possible entry, and those with the latest possible exit
         Float8 nearOrigin, nearSlope, farOrigin, farSlope;
     } axes[3];
     int count = 0;

@@ -35,8 +35,8 @@ struct Scene {
     float fog;      // a surface keeps the share 2^(-fog * distance) of its light; the rest is the sky's
     float exposure; // factor before tone mapping
     float lines;    // darkness of the lines between patches, up to 1; below 0: their brightness
-    // Balls block light in closed form: the ambient light near them, and the light of Lights with a radius.
-    // The latter gives soft shadows, with caustics behind balls of glass
+    // Whether balls block light in closed form: the ambient light near them, and the light of Lights with a
+    // radius, which gives soft shadows, with caustics behind balls of glass
     bool ballsOcclude;
     const Lightmap *lightmap;    // for shapes with a chart; null if there are none
     Rgb ambientLow, ambientHigh; // irradiance / pi on surfaces that face down and up

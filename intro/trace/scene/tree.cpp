@@ -29,8 +29,8 @@ int split(Scene &s, const ShapeRange &g, bool halve) {
         });
 }
 
-// Builds the node of a range of shapes, and those below it; returns its index. Splits the range, and then
-// always its largest part, until there are eight parts.
+// Builds the node of a range of shapes and the nodes below it. Returns the node's index. Splits the range,
+// and then always its largest part, until there are eight parts.
 int build(Scene &s, const ShapeRange &all, int depth) {
     int index = s.nodeCount++;
     ShapeRange parts[8] = {all};

@@ -129,7 +129,7 @@ struct Lobe {
         }
         return aligned;
     }
-    // The lobe's value at such a cosine, in active lanes.
+    // The lobe's value at a cosine from cosineTo(), in active lanes.
     ODRAZ_INLINE Float8 at(Float8 aligned, const Material &m, Int8 active) const {
         Int8 near = active & (aligned > end);
         if (!any(near)) return Float8{};

@@ -29,7 +29,7 @@ struct Run {
     int32_t states[kRun]; // as Sample::lights
 };
 
-// What shading needs besides the run: the scene, the quality, and the samples to write.
+// What shading needs in addition to the run: the scene, the quality, and the samples to write.
 struct Shading {
     const Scene &scene;
     const Quality &quality;
