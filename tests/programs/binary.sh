@@ -40,7 +40,7 @@ early() { # early MAP: prints the objects in these pages, except for the table o
 }
 neutral='answers.cpp.o early.cpp.o libengine.a(text.cpp.o) liboptions.a(options.cpp.o) liboutput.a(output.cpp.o)'
 host='clock cpu error files library process threads window'
-early_is() { # early_is PROGRAM OBJECT...
+early_is() { # early_is PROGRAM OBJECT...: succeeds if early() prints just these objects
     printf '%s\n' "${@:2}" | sort >"$WORK/expected"
     early "$WORK/$1.map" | diff "$WORK/expected" - >&2
 }

@@ -29,7 +29,7 @@ WINDOW="^$FILM\$" # its title
 seen() { window=$(xdotool search --onlyvisible --name "$WINDOW" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
 focused() { [ "$(xdotool getwindowfocus -f)" = "$window" ]; }
-measures() { # measures WIDTH HEIGHT
+measures() { # measures WIDTH HEIGHT: succeeds if the window has this size
     local info
     info=$(xwininfo -id "$window") && grep -q "Width: $1\$" <<<"$info" && grep -q "Height: $2\$" <<<"$info"
 }
@@ -81,7 +81,7 @@ check_full_screen() {
     check "... and the picture is not black" await is_bright
 }
 # grows [PID]: waits until the loading bar, the red in the middle row, has grown three times, or until the film begins,
-# which is black at first. PID is stopped for each screenshot: so a busy machine does not miss steps
+# which is black at first. PID is stopped for each screenshot, so that no step is missed on a busy machine
 grows() {
     local before=0 now=0 steps=0 end=$((SECONDS + PATIENCE))
     while [ $SECONDS -lt $end ]; do

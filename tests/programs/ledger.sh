@@ -18,7 +18,7 @@ check "... the film's, and the change since the ledger" prints "^the film +6600 
 check "nothing on stderr while all rooms keep to their shares" test ! -s "$WORK/err"
 # Every folder of the engine has its row; maker belongs to odraz-debug
 (cd "$SOURCE/intro" && find . -mindepth 2 -name '*.cpp' -not -path './maker/*') | cut -d/ -f2 | sort -u >"$WORK/folders"
-check "no room is forgotten" test "$(awk 'NR == FNR { row[$1] = 1; next } !($1 in row)' "$WORK/printed" "$WORK/folders")" = ""
+check "every room has a row" test "$(awk 'NR == FNR { row[$1] = 1; next } !($1 in row)' "$WORK/printed" "$WORK/folders")" = ""
 report 40000
 check "a room over its share" prints '^trace +40000 .*more than its share$' rooms
 check "... is reported on stderr" grep -q 'trace is over its share' "$WORK/err"
@@ -48,6 +48,6 @@ check "... in its row" grep -qE '^intro/trace +10 +0 +9 +60 +19 +10 +-9 +\+9  ov
 check "... and in a line on stderr" grep -q '^ledger: intro/trace has 19 lines, its budget is 10: ' "$WORK/err"
 echo "intro 25" >tools/build/lines
 check "... lines outside of all rooms exceed the total budget" fails 1
-check "... which is a row, too" grep -qE '^all .* over$' "$WORK/rows"
+check "... which have a row, too" grep -qE '^all .* over$' "$WORK/rows"
 check "... an unknown commit" refuses 1 "there is no commit 'colour'" tools/ledger lines colour
 finish

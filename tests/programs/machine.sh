@@ -23,7 +23,7 @@ if has_mdwe; then
         refuses 1 "SELinux forbids what software OpenGL does: allow it" "${MDWE[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
 fi
 
-# dumped FILE COMMAND...: a picture of 64x36
+# dumped FILE COMMAND...: succeeds if the command writes a picture of 64x36, which goes into the file
 dumped() {
     local to=$1
     shift

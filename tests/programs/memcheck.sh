@@ -6,7 +6,7 @@ skip_unless valgrind
 odraz=$BUILD/odraz.elf # as it ships, but with symbols
 # One thread in the film and one in the driver. The driver's vectors have 128 bits, which valgrind runs faster
 export LP_NUM_THREADS=0 LP_NATIVE_VECTOR_WIDTH=128
-# pictures COUNT OPTION...
+# pictures COUNT OPTION...: dumps pictures under memcheck; succeeds if it reports no error and they are COUNT
 pictures() {
     local count=$1
     shift

@@ -62,14 +62,14 @@ for compiler in clang musl-gcc "musl-gcc -static"; do
     command -v ${compiler% *} >/dev/null && $compiler -O1 c.c -o other 2>/dev/null || { echo "not checked: $compiler"; continue; }
     check "a program by $compiler: the same when packed" same other "${small[@]}"
 done
-# Unpacked again
+# The packed program is checked and unpacked
 check "--test reports that it is whole" prints 'whole' "$pack" --test c.packed
 check "-d unpacks it" "$pack" -d c.packed -o plain
 transcript ./plain x >got
 transcript ./c x >wanted
 check "... the same" cmp wanted got
 
-# Errors begin with the program's name, and none of its code runs
+# Errors begin with the program's name, and the program itself does not run
 cp c.packed damaged
 flip damaged 3800
 check "a damaged program reports it" refuses 1 "./damaged: damaged: get it afresh" ./damaged

@@ -61,7 +61,7 @@ pointer 120 350
 xdotool click 1
 check "a click seeks there, paused" await at "$(printf %05.2f "$(seconds_at 120)")"
 press Next # (the unit tests of the panel test all steps)
-check "page down: the next bar" await at 32
+check "page down seeks to the next bar" await at 32
 pointer 639 350
 xdotool click 1
 press space

@@ -49,7 +49,7 @@ check "a server starts" serve
 check "plays to a server what --wav writes, to the last bit" into_server 3 1 1
 check "... and prints nothing" prints_nothing
 
-# The film plays until it is heard; at the end ESC ends it
+# The film goes on while the server is stopped, is killed and is replaced; then ESC ends it
 begins() { begin "$odraz" --window --size 160x90 && await focused; }
 heard() { record "$WORK/heard" && comes 'is_loud "$WORK/heard"' && kill $recorder; }
 check "plays on" begins

@@ -3,7 +3,7 @@
 . "$(dirname "$0")/radiosity_program.sh"
 skip_unless convert compare
 
-far_room() { # far_room FILE X Y Z: a room with a lamp, moved by X Y Z
+far_room() { # far_room FILE X Y Z: solves a room with a lamp that is moved by X Y Z
     awk -v x="$2" -v y="$3" -v z="$4" 'BEGIN { print "mtllib room.mtl"
         for (k = 0; k < 8; ++k) printf "v %.3f %.3f %.3f\n", x - 1 + 2 * int(k / 4), y + 2 * (int(k / 2) % 2), z - 1 + 2 * (k % 2)
         for (k = 0; k < 4; ++k) printf "v %.3f %.3f %.3f\n", x + (k == 0 || k == 3 ? -.3 : .3), y + 1.998, z + (k < 2 ? -.3 : .3)
@@ -45,7 +45,7 @@ alike() { # alike A B: succeeds if the floors' light differs by at most 1 % and 
         [ "$(compare -metric AE -fuzz 4% "$1.png" "$2.png" null: 2>&1)" -lt 200 ]
 }
 check "a room with a decal a millimetre in front of a wall" decal_room front after -.999
-check "... with it far behind" decal_room behind after -9
+check "... with the decal far behind" decal_room behind after -9
 check "... behind the wall that comes first" decal_room last after -1
 check "... with a note" grep -q 'polygons overlap in one plane, and the first is in front: line [0-9]* (decal) behind line [0-9]* (wall)$' last.err
 check "... has the light and the picture of the decal far behind" alike last behind
@@ -53,7 +53,7 @@ check "... in front of the wall that comes later" decal_room first before -1
 check "... has the light and the picture of the decal in front" alike first front
 
 # --- Odd shapes and sizes: they are solved, lit, and visible, with at most one note ---
-odd() { # odd TEXT [NOTE [ELEMENT]]
+odd() { # odd TEXT [NOTE [ELEMENT]]: solves this OBJ, and checks that
     printf "$1" >model.obj
     solved m model.obj --element "${3-0.01}" --rays 16 && table m.csv 'light += $8 * ($9 + $10 + $11); a += $8' 'a > 0 && light > 0' &&
         "$radiosity" render m.rad -o m.png --size 80x60 >/dev/null && [ "$(convert m.png -format '%[fx:maxima>0.15]' info:)" = 1 ] || return
@@ -69,7 +69,7 @@ check "a box that is turned inside out" odd 'v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\
 check "one part far away" odd "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5 6 7\n"
 
 # --- Rooms, turned by an angle. Each line of input has two corners and the materials of ceiling and walls ---
-rooms() { # rooms FILE ANGLE
+rooms() { # rooms FILE ANGLE: writes FILE.obj
     awk -v t="$2" 'BEGIN { print "mtllib rooms.mtl"; c = cos(t); s = sin(t) }
         { for (k = 0; k < 8; ++k) {
             x = k > 3 ? $4 : $1; y = int(k / 2) % 2 ? $5 : $2; z = k % 2 ? $6 : $3; u = s * x + c * y

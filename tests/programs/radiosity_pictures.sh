@@ -11,7 +11,7 @@ awk 'BEGIN {
     for (k = 0; k < 8; ++k) print "v", k % 2, int(k / 2) % 2, int(k / 4)
     n = split("1 5 6 2|3 4 8 7|1 3 7 5|2 6 8 4|1 2 4 3|5 7 8 6", f, "|")
     for (i = 1; i <= n; ++i) { split(f[i], p, " "); print "f " p[1] "/1 " p[2] "/2 " p[3] "/3 " p[4] "/4" } }' >room.obj
-check "a furnace of checks" solved room room.obj --hemicube 32 --patch 0.01 --element 0.01
+check "a furnace with a checkerboard" solved room room.obj --hemicube 32 --patch 0.01 --element 0.01
 check "... reflects their mean times Kd, and prints nothing" eval '[ ! -s room.err ] && table room.csv "a += \$8; r += \$8 * \$9; g += \$8 * \$10; b += \$8 * \$11" "r / a > 1.135 && r / a < 1.153 && g / a > 1.325 && g / a < 1.347 && b / a > 1.059 && b / a < 1.076"'
 
 # A floor under an even sky of 1 has its reflectance as radiance: red on the left, blue on the right, black above

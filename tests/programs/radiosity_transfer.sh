@@ -39,7 +39,7 @@ check "a sky that is turned" lit turned.png --sky ahead.hdr --turn 90 --lamps no
 check "... is like the sky whose spot lies there" like turned.png east.png 50
 check "... and unlike the sky before the turn" eval 'lit ahead.png --sky ahead.hdr --lamps none && ! like turned.png ahead.png 40'
 light() { "$radiosity" export room.prt --csv light.csv "$@" >out && awk -F, 'FNR > 1 { s += $9 * $8 } END { print s }' light.csv; }
-check "a lamp at twice its strength is twice its light" eval 'awk "BEGIN { d = $(light --lamps lamp=2) / $(light --lamps lamp); exit !(d > 1.9999 && d < 2.0001) }"'
+check "a lamp at twice its strength gives twice its light" eval 'awk "BEGIN { d = $(light --lamps lamp=2) / $(light --lamps lamp); exit !(d > 1.9999 && d < 2.0001) }"'
 check "an atlas" eval '"$radiosity" export room.prt --atlas atlas --sky 1,1,1 >out && test -s atlas/light-0.hdr'
 awk '/^v/ { print $1, $2, -$4, $3; next } 1' room.obj >tall.obj
 cp whole.mtl room.mtl

@@ -6,7 +6,7 @@ view() { "$radiosity" view "$@" >printed 2>err; }
 pixels() { identify -format '%#' "$1"; } # equal for equal pictures
 shows() { shot && [ "$(pixels shot.png)" = "$(pixels "$1")" ]; } 2>/dev/null
 alters() { shot && [ "$(pixels shot.png)" != "$(pixels "$1")" ]; } 2>/dev/null
-# part FILE WIDTHxHEIGHT+X+Y r|g|b: prints the mean of a channel in a part of a picture; most: 0.7 times that
+# part FILE WIDTHxHEIGHT+X+Y r|g|b: prints the mean of a channel in a part of a picture. most: prints 0.7 times as much
 part() { convert "$1" -crop "$2" +repage -format "%[fx:255*mean.$3]" info:; }
 most() { convert "$1" -crop "$2" +repage -format "%[fx:255*mean.$3*0.7]" info:; }
 
@@ -22,7 +22,7 @@ check "solve bumps" prints '^800 triangles' "$radiosity" solve bumps.obj -o bump
 
 # --- Pictures are the tracer's, except on edges, where the samples differ, and within elements, where triangles
 # interpolate a little differently. Measured: 48 to 56 dB; 30 in the log tone, whose darkest pixels are edges ---
-compared() { # compared DB SOLUTION OPTION...
+compared() { # compared DB SOLUTION OPTION...: succeeds if view and render draw alike
     local least=$1
     shift
     view "$@" --screenshot view.png && "$radiosity" render "$1" -o render.png "${@:2}" >out && like view.png render.png "$least"
@@ -152,7 +152,7 @@ check "ESC ends it" escapes
 # ESC does not wait for form factors. (light_so_far_test tests the light that is shown meanwhile)
 "$radiosity" generate columns -o columns.obj >out
 check "a model that takes long" begin "$radiosity" view columns.obj --hemicube 1024 --element 1 "${size[@]}"
-check "... gets form factors" await titled 'form factors'
+check "... computes form factors" await titled 'form factors'
 check "... ends on ESC without delay, silently" escapes
 
 # --- What is missing ---

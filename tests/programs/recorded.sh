@@ -32,13 +32,13 @@ can_serve() {
     command -v pulseaudio >/dev/null && command -v parec >/dev/null &&
         ls /usr/lib/*/alsa-lib/libasound_module_pcm_pulse.so >/dev/null 2>&1
 }
-serve() { # starts the server, sets server
+serve() { # starts the server; sets server
     pulseaudio -n --daemonize=no --exit-idle-time=-1 --disallow-exit -L module-native-protocol-unix -L module-null-sink >/dev/null 2>&1 &
     server=$!
     PIDS+=($server)
     await pactl info >/dev/null 2>&1
 }
-record() { # record FILE: sets recorder
+record() { # record FILE: starts to record the server's sound; sets recorder
     rm -f "$1"
     parec --device=null.monitor --format=s16le --rate=48000 --channels=2 --latency-msec=20 >"$1" 2>/dev/null &
     recorder=$!

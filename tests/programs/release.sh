@@ -24,7 +24,7 @@ name=$(basename "$tgz" .tar.gz)
 check "the name has the version" test "$name" = "odraz-$("$BUILD/odraz-safe" --version | cut -d' ' -f2)-unclean"
 
 modes() { (cd "$WORK/$1/$name" && find . -type f -printf '%m %f\n' | LC_ALL=C sort | tr '\n' ,); }
-unpacked() { # unpacked HOW PROGRAMS-FOR-WINDOWS COMMAND...: unpacks as a viewer may do
+unpacked() { # unpacked HOW PROGRAMS-FOR-WINDOWS COMMAND...: unpacks by the command, and checks the files
     local how=$1 exe=${2#0} files=$((7 + $2))
     shift 2
     mkdir "$WORK/$how"
@@ -57,7 +57,7 @@ if [ "$pages" = 1 ]; then
     check "the index has links to all files" test "$(links)" = "$(ls "$WORK/one" | grep -vx index.html | LC_ALL=C sort)"
     check "... and no placeholder is left" lacks '@[A-Z_]*@' "$WORK/one/index.html"
 fi
-check "the tools alone" prints "odraz-tools-.*gz\$" "$release" --built --unclean --only tools --to "$WORK/tools"
+check "the tools' archive alone" prints "odraz-tools-.*gz\$" "$release" --built --unclean --only tools --to "$WORK/tools"
 check "... have the same files, in one archive" diff <(tar -tzf "$WORK"/tools/*) <(tar -tzf "$WORK"/one/odraz-tools-*)
 check "... nothing else can be made alone" refuses 2 "--only needs tools, not 'film'" "$release" --only film
 

@@ -59,7 +59,7 @@ parts=$to/r.mp4.parts
 kept() { # restores the folder of finished shards
     rm -rf "$parts" && cp -r "$to/kept.mp4.parts" "$parts"
 }
-resumes() { # resumes LEFT
+resumes() { # resumes LEFT: succeeds if --resume makes LEFT shards, and the same video
     rendered "${parted[@]}" --resume --keep "$to/r.mp4" && reported "$((3 - $1)) of 3 shards are done, $1 are left" && same_video "$to/r.mp4"
 }
 kept
@@ -105,7 +105,7 @@ check "... is reported" grep -q '^tools/render: frames 395 to 406 failed: ' "$WO
 check "... and with room it goes on" rendered "${span[@]}" --size 320x180 --quality draft --resume "$to/full.mp4"
 
 # Ctrl-C, which a terminal sends to all processes of the group
-interrupted() { # interrupted OUT OPTION...
+interrupted() { # interrupted OUT OPTION...: sends Ctrl-C when a shard is done
     local began
     set -m
     "$render" --film "$film" --from 14 --to 34 --size 160x90 --quality draft --shard 10 "${@:2}" "$1" >"$WORK/out" 2>"$WORK/err" &
@@ -168,7 +168,7 @@ fi
 check "an option that the film refuses" refuses 2 "--quality needs draft" "$render" --film "$film" --quality best "$to/x.mp4"
 check "an odd size" refuses 2 "even width and height" "$render" --film "$film" "${small[@]}" --size 65x36 "$to/x.mp4"
 check "a folder that is not empty" refuses 2 "not an empty folder" "$render" --film "$film" "$to/one"
-# It would install a missing ffmpeg: here it cannot
+# tools/render would install a missing ffmpeg, but here it cannot
 mkdir "$WORK/bin"
 for program in bash dirname cat sed grep id basename; do ln -s "$(command -v $program)" "$WORK/bin"; done
 printf '#!/bin/sh\nexit 1\n' | tee "$WORK/bin/dpkg-query" "$WORK/bin/sudo" >"$WORK/bin/env"

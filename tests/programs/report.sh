@@ -18,7 +18,7 @@ gcc -O1 -c folder/main.c -o folder/main.o && gcc -O1 -c twice.c && ar rc libtwic
     gcc folder/main.o libtwice.a -Wl,-Map=program.map -o program || exit 1
 packs=("${pack[@]}" program -o packed --map program.map)
 sums() { perl "$page" "$@" sums; }
-json_sums() { # json_sums REPORT: its figures add up, in whole bits
+json_sums() { # json_sums REPORT: succeeds if its figures add up, in whole bits
     perl -MJSON::PP -e 'local $/; my $r = decode_json(<>); my $n = 0;
         for my $part (grep { ref $r->{$_} && %{$r->{$_}} } keys %$r) {
             my $all = 8 * $r->{overhead} + $r->{rest}; $all += $_->{bits} for values %{$r->{$part}};

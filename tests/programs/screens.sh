@@ -8,13 +8,14 @@ shows() {
     start_display "$1x$2"
     await plays "lit $3 $4 $5 $6 $1 $2" "${@:7}"
 }
-# plays CONDITION [OPTION...]: plays the film until it holds; fails if the film ends first, as on a busy machine
+# plays CONDITION [OPTION...]: plays the film until the condition holds; fails if the film ends first, as may happen on
+# a busy machine
 plays() {
     in_background "$odraz" --mute --threads 1 --from 24 --to 60 "${@:2}"
     comes "$1" && kill $pid && await gone $pid
 }
 brightness() { convert "$WORK/screen.png" -crop "$1" +repage -colorspace gray -format '%[fx:round(255*mean)]' info:; }
-lit() { # lit X Y W H WIDTH HEIGHT
+lit() { # lit X Y W H WIDTH HEIGHT: succeeds if just this rectangle of the screen is lit
     import -window root -quality 0 "$WORK/screen.png" 2>/dev/null || return 1
     [ "$(brightness "2x2+$(($1 + 2))+$(($2 + 2))")" -gt 20 ] && [ "$(brightness "2x2+$(($1 + $3 - 4))+$(($2 + 2))")" -gt 20 ] || return 1
     [ "$1" -lt 2 ] || [ "$(brightness "$(($1 - 1))x$6+0+0")" = 0 ] || return 1

@@ -62,7 +62,7 @@ check "... and leaves unfinished files of other dumps alone" test "$(cat dump/fr
 part=(--from 20 --to 24 --size 16x9 --quality draft)
 rm -rf reference
 check "many small frames" "$odraz" --dump reference "${part[@]}"
-together() { # together DUMPS
+together() { # together N: runs N dumps at once; succeeds if they write the reference and print nothing
     local n pids=() good=0
     rm -rf dump
     for ((n = 0; n < $1; ++n)); do

@@ -65,7 +65,7 @@ for blocks in 0 1 4; do # 1024 bytes each; a frame has 6,925
     }
     check "with a limit of $blocks KB for a file" no_room
 done
-# After two seconds of processor time the kernel ends it, with whole frames. All frames would take some 15 s
+# The kernel kills the film after two seconds of processor time; its frames are whole. All frames would take some 15 s
 timed_out() {
     local frame
     limited -t 2 "$BUILD/odraz-safe" --dump timed --from 20 --to 60 --size 480x270 --quality draft --threads 2 2>err
@@ -78,8 +78,8 @@ check "killed at a limit of processor time: frames that were written are whole" 
 check "an empty environment" same plain env -i
 check "... for the hall" same hall env -i
 long=$(head -c 120000 /dev/zero | tr '\0' x)
-check "a huge one" same plain env A="$long" B="$long" C="$long" D="$long"
-check "an odd one" same plain env HOME=/nowhere LC_ALL=tr_TR.UTF-8 LANG=$'\xff' TERM= TZ=:/dev/zero LANGUAGE=xx XDG_RUNTIME_DIR=/ TMPDIR=/nowhere
+check "a huge environment" same plain env A="$long" B="$long" C="$long" D="$long"
+check "an odd environment" same plain env HOME=/nowhere LC_ALL=tr_TR.UTF-8 LANG=$'\xff' TERM= TZ=:/dev/zero LANGUAGE=xx XDG_RUNTIME_DIR=/ TMPDIR=/nowhere
 check "no HOME" same hall env -u HOME -u XDG_RUNTIME_DIR -u XDG_CACHE_HOME
 check "an empty program name" same plain bash -c 'exec -a "" "$@"' odd
 check "a working folder that was removed" same plain bash -c 'mkdir gone && cd gone && rmdir ../gone && exec "$@"' odd

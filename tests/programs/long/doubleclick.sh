@@ -57,7 +57,7 @@ answered() { # succeeds when the film's window is there; answers a question, and
     running || opened || [ $SECONDS -le $((last + QUIET)) ] || clicks
     return 1
 }
-clicked() { # sets outcome
+clicked() { # double-clicks the icon; sets outcome
     await opened || { outcome="no window: $(tail -n 1 "$WORK/log")"; return; }
     await found || { outcome="no icon"; return; }
     xdotool key Escape
@@ -82,7 +82,7 @@ double_click() {
     set +m
     clicked
     ! running || kill "$film"
-    # The process group has the manager, its bus, and all that they started
+    # The process group contains the manager, its bus, and all that they started
     kill -TERM -- "-$group"
     PATIENCE=5 await eval "! kill -0 -- -$group" 2>/dev/null || kill -KILL -- "-$group" 2>/dev/null
 }
@@ -101,5 +101,5 @@ others=()
 for manager in nemo caja; do ! command -v $manager >/dev/null || others+=($manager); done
 for manager in "${others[@]}"; do check "$manager starts it" does "starts it" $manager; done
 chmod a-x "$file"
-for manager in thunar pcmanfm "${others[@]}"; do check "without the x bit $manager does not" does "*does not start it" $manager; done
+for manager in thunar pcmanfm "${others[@]}"; do check "without the x bit $manager does not start it" does "*does not start it" $manager; done
 finish

@@ -18,7 +18,7 @@ END
 
 # --- The program and its reports ---
 WINDOW="^$FILM-debug "
-starts() { # starts SECONDS OPTION...
+starts() { # starts SECONDS OPTION...: starts odraz-debug at this time of the film
     begin "$house/build/$FILM-debug" --size 320x180 --from "$@"
     [ -n "$window" ] && xdotool windowfocus --sync "$window"
 }
@@ -26,7 +26,7 @@ leaves() { press Escape 2>/dev/null; ended "$pid"; } # (its window may be gone b
 leaves_unsaved() { press Escape && comes 'titled "not saved"' && leaves; }
 reported() { grep -q "$1" <(tail -n +$((marked + 1)) "$WORK/err"); }
 mark() { marked=$(wc -l <"$WORK/err"); }
-edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED: edits a source by sed
+edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED: edits a source with sed
 restore() { cp "$WORK/kept/$1" "$house/intro/$1"; }
 # shows COMMAND...: runs the command, and waits until the picture of the new sources is shown
 shows() { mark && "$@" && comes 'reported "shown"' && drawn; }
@@ -93,7 +93,7 @@ check "it pauses" pauses
 on_row() { # setting a key moves the film to a row
     press k && comes 'titled "key set on row"' && press ctrl+z && comes 'titled undone' && unreported && kept before
 }
-check "... on a row" on_row
+check "... at a row" on_row
 check "a key is set by hand" flies
 row=$(xdotool getwindowname "$window" | sed -n 's/.* row \([0-9]*\)\.0 .*/\1/p')
 # S without Ctrl flies backwards, and Ctrl may be released first

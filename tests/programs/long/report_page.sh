@@ -33,7 +33,7 @@ check "... silently" silent
 # A damaged page shows an error
 perl -pe 's{(id="tables">.{5000}).}{$1!}' "$page" >"$WORK/damaged.html"
 check "a damaged page" eval 'browse --dump-dom "file://$WORK/damaged.html" >"$WORK/dom"'
-check "... shows that" grep -q 'This page cannot be shown' "$WORK/dom"
+check "... shows an error" grep -q 'This page cannot be shown' "$WORK/dom"
 
 # The comment on a change, comparing the film with itself
 check "a comment on the film" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+0 .* left of 65,536$' env BUILD="$BUILD" "$SOURCE/tools/ledger" pack --text - --than "$BUILD/odraz.json"

@@ -23,7 +23,7 @@ declare -A PARTS=(
 draws() {
     "${@:3}" ${PARTS[$2]} >"$WORK/$1.$2" </dev/null
 }
-same() { # same A B PART
+same() { # same A B PART: succeeds if both drew the same, or almost the same hall
     cmp "$WORK/$1.$3" "$WORK/$2.$3" && return
     [ "$3" = hall ] && "$BUILD/compare" "$WORK/$1.$3" "$WORK/$2.$3" --psnr $LEAST
 }

@@ -32,12 +32,12 @@
         'symbols: the costliest first',
         packed.length > 100 && packed.every((value, i) => !i || value <= packed[i - 1]));
     $('table').querySelector('th button').click();
-    check('sorted by name', cells(1).every((name, i, all) => !i || all[i - 1].toLowerCase() <= name.toLowerCase()));
+    check('a click sorts by name', cells(1).every((name, i, all) => !i || all[i - 1].toLowerCase() <= name.toLowerCase()));
     $('table').querySelector('th button').click();
     check('... and the other way', cells(1)[0].toLowerCase() > cells(1)[1].toLowerCase());
     $('filter').value = 'adaptive';
     $('filter').oninput();
-    check('filtered', cells(1).length > 0 && cells(1).every(name => /adaptive/i.test(name)));
+    check('the filter works', cells(1).length > 0 && cells(1).every(name => /adaptive/i.test(name)));
     $('filter').value = '';
     $('filter').oninput();
 
@@ -47,7 +47,7 @@
     const room = [...$('map').children].find(box => box.node.name === 'trace');
     press(room, 'Enter');
     check('Enter zooms in', shownNode.name === 'trace' && $('chosen').textContent.startsWith('trace:'));
-    check('... to what fills the map', [...$('map').children].some(box => box.node.name === 'adaptive.cpp.o'));
+    check('... and its files fill the map', [...$('map').children].some(box => box.node.name === 'adaptive.cpp.o'));
     press($('map').firstChild, 'Escape');
     check('Escape zooms out', shownNode === root && $('map').children.length === boxes);
     const leaf = [...$('map').children].find(box => !box.node.children.length && box.node.stretches.length);

@@ -120,7 +120,7 @@ try {
   check('prints its statistics', /point +\d+/.test(await b.evaluate('film.statistics()')), 'point')
   check('has printed no error', !b.errors.length, b.errors)
 } catch (e) {
-  check('answers', false, String(e.stack))
+  check('the browser answers', false, String(e.stack))
 }
 await b.close()
 

@@ -8,8 +8,8 @@ const kWorkers = 2, kSeconds = 8
 // `cost`: milliseconds that a worker takes for a picture of 1280x720 in `draft`. Returns the milliseconds from the
 // click to the first picture; the number of pictures left out after 1.5 s; the fewest that were shown in a second; how
 // far the sound was off, in seconds; and whether keys mute it. `pauses`: the system stops the sound from 3 to 7 s after
-// the click. `silent`: the browser has no sound. `stops`: the viewer pauses with a click, and continues with space. `seeks`:
-// the viewer pauses, and seeks 5 s back.
+// the click. `silent`: the browser has no sound. `stops`: the viewer pauses with a click, and continues with space.
+// `seeks`: the viewer pauses, and seeks 5 s back.
 const play = async (cost, from, { pauses, silent, stops, seeks, query = from } = {}) => {
   let clock = 0, skippedAtStart = 0, off = 0, context, muted
   const events = [], shown = [], elements = {}

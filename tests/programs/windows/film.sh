@@ -41,7 +41,7 @@ check "a name with blanks" "$wine" "$windows" --wav "$WORK/a  b .wav" --to 0.1
 check "... has them" cmp "$WORK/a  b .wav" "$WORK/short.wav"
 
 # Errors give the same status and line as on Linux
-alike_refused() { # alike_refused STATUS TEXT OPTION...
+alike_refused() { # alike_refused STATUS TEXT OPTION...: succeeds if both films refuse alike
     local status=$1 text=$2
     shift 2
     refuses "$status" "$text" "$linux" "$@" && cp "$WORK/err" "$WORK/err.linux" &&

@@ -10,7 +10,7 @@ loaded() {
     [ -s "$WORK/asked" ]
 }
 small=(--size 64x36 --quality draft)
-asks() { # asks WHAT WANTED OPTION...
+asks() { # asks WHAT WANTED OPTION...: checks that the film asks for the libraries WANTED
     local what=$1 wanted=$2
     shift 2
     check "$what" loaded "$BUILD/odraz-safe.exe" "$@"
