@@ -43,7 +43,7 @@ ModelParameters findParameters(const PackOptions &o, const Program &program) {
     return parameters;
 }
 
-// Refuses programs whose packed copy would run, but with other rights.
+// Refuses packed programs, and programs whose packed copy would lose special rights.
 void checkCopy(const std::string &path, const Bytes &file) {
     struct stat s;
     need(stat(path.c_str(), &s) == 0 && !(s.st_mode & (S_ISUID | S_ISGID)),
@@ -66,7 +66,7 @@ void warn(const PackOptions &o, const Program &program, uint64_t appended, doubl
                     o.out.c_str(), seconds, o.fast || o.model ? "" : "; less with --fast");
 }
 
-// The other inputs of the reports. They are read and checked before the packing, which may take minutes.
+// The other inputs of the reports. They are read and checked before packing, which may take minutes.
 struct ReportInputs {
     std::string map, symbols;
     std::optional<Rooms> rooms;
@@ -97,8 +97,8 @@ void writeReports(const PackOptions &o, const Report &report, const Program &pro
         common::writeWhole(o.html, printHtml({name, o.in, budget, old, nameOf(o.than)}, report, program));
 }
 
-// Packs o.in to o.out: searches, packs, proves, reports. SIGINT during a search ends only the search. Throws
-// std::runtime_error if the packed file is over budget.
+// Packs o.in to o.out: searches, packs, verifies, reports. SIGINT during a search ends only the search.
+// Throws std::runtime_error if the packed file is over budget.
 void packProgram(const PackOptions &o) {
     Bytes file = readBytes(o.in);
     unsigned mode = modeOf(o.in);

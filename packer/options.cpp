@@ -33,8 +33,8 @@ double secondsOf(const std::string &effort) {
     }
 }
 
-// No output may replace an input or another output, with two exceptions: the saved model may replace the
-// given one, and a report the earlier one.
+// Refuses an output that would replace an input or another output. There are two exceptions: the saved model
+// may replace the given model, and the report may replace the earlier report.
 void claimFiles(const PackOptions &o) {
     for (const std::string &input : {o.in, o.unpack, o.map, o.symbols, o.rooms})
         if (!input.empty()) common::noteInput(input);

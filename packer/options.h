@@ -19,8 +19,8 @@ struct PackOptions {
     std::string safeName, modelFile, saveModel, map, symbols, rooms, report, html, text, than;
 };
 
-// Also reads the model. Throws common::Refused for options that contradict each other, and for outputs that
-// would replace an input or another output.
+// Parses the options and reads the model file. Throws common::Refused for options that contradict each other,
+// and for outputs that would replace an input or another output.
 PackOptions parseOptions(common::CommandLine &line);
 
 } // namespace pack

@@ -1,5 +1,5 @@
-// pack_film: packs the film in its build. It uses the same code as pack but needs no library, so the film can
-// be built where pack's libraries are not installed.
+// pack_film: packs the film while it is built. It uses the code of pack but needs no library, so the film can
+// be built where the libraries of pack are not installed.
 #include "packer/model/model_parameters.h"
 #include "packer/read/programs.h"
 #include "packer/report/report.h"

@@ -1,4 +1,4 @@
-// The decoder, which defines the format. The encoder runs the same code with another coder.
+// The decoder, which defines the format. The encoder runs the same codeImage() with another coder.
 #pragma once
 
 #include "packer/model/model.h"
@@ -10,7 +10,7 @@ struct Layout {
     uint32_t size, codeBegin, codeSize;
 };
 
-// Bytes of the slots and the coded bytes, which follow the Model in memory.
+// Returns the size in bytes of the slots and the coded bytes, which follow the Model in memory.
 template <class Tracker = X86Tracker>
 uint64_t memoryAfterModel(const ModelParameters &parameters, uint32_t size) {
     return (sizeof(Slot) << parameters.slotBits) +

@@ -6,7 +6,7 @@ namespace pack {
 
 void *Workspace::zeroed(uint64_t size) {
     constexpr uint64_t kPageSize = 4096;
-    // New pages are zero already. Clearing old ones would be slower: a short run touches few
+    // New pages are zero already. Clearing old pages would be slower: a short run uses only few pages
     memory.reset();
     memory.reset(std::calloc(size + kPageSize, 1));
     if (!memory) throw std::bad_alloc();

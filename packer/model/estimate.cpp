@@ -13,8 +13,9 @@ typedef float Float8 __attribute__((vector_size(32)));
 typedef int32_t Int8 __attribute__((vector_size(32)));
 typedef int16_t Short8 __attribute__((vector_size(16)));
 
-constexpr uint32_t kLanes = 4;                              // inputs of a context
-constexpr uint32_t kMost8 = kMostContexts * kLanes / 8 + 1; // the last vector: odds, constant, count of uses
+constexpr uint32_t kLanes = 4; // inputs of each context
+// Vectors of eight inputs. The last one has the odds, the constant and the count of uses
+constexpr uint32_t kMost8 = kMostContexts * kLanes / 8 + 1;
 constexpr uint32_t kCompareStep = 2048; // bytes between two comparisons with another estimate
 constexpr float kRate = kLearning * kInputUnit, kEarlyRate = kEarlyLearning * kInputUnit,
                 kFinalRate = kFinalLearning * kInputUnit, kMostResult = kMostSum / kInputUnit;
@@ -34,8 +35,8 @@ struct Sources {
     const ByteRecord *records;
 };
 
-// The rows that a bit selects. All bits are known, so the next bit's rows are prefetched. Otherwise most of
-// the time would be spent waiting for memory.
+// The rows that a bit selects. All bits are known, so the rows of the next bit are prefetched: without
+// that, most time would be spent waiting for memory.
 struct SelectedRows {
     Float8 *weights[kSets];
     Counter *corrections;
@@ -106,13 +107,13 @@ struct SelectedRows {
 [[gnu::always_inline]] inline void trainSets(const SelectedRows &rows, const Float8 *x, const Float8 &results,
                                              float y, uint32_t count) {
     Int8 odds = __builtin_convertvector(results * kInputUnit, Int8) + std::bit_cast<int32_t>(1.0f);
-    Float8 squashed = (Float8)odds / ((Float8)odds + 1), used, by;
+    Float8 squashed = (Float8)odds / ((Float8)odds + 1), used, steps;
     for (uint32_t s = 0; s < kSets; ++s) used[s] = rows.weights[s][count - 1][kLanes - 1]++;
-    by = (y - squashed) * (kEarlyRate / (used + kEarlyUses) + kRate);
+    steps = (y - squashed) * (kEarlyRate / (used + kEarlyUses) + kRate);
 #pragma GCC unroll 8
     for (uint32_t s = 0; s < kSets; ++s)
 #pragma GCC unroll 9
-        for (uint32_t i = 0; i < count; ++i) rows.weights[s][i] += x[i] * by[s];
+        for (uint32_t i = 0; i < count; ++i) rows.weights[s][i] += x[i] * steps[s];
 }
 
 // Predicts and learns the bytes from `at` to `end`. `count`: vectors of inputs.
@@ -218,37 +219,38 @@ template std::vector<ByteRecord> byteRecords<X86Tracker>(const std::vector<uint8
 Estimator::Estimator(std::vector<ByteRecord> records) : impl(new Impl{std::move(records)}) {}
 Estimator::~Estimator() = default;
 
-Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate *like, double slack) {
+Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate *base, double slack) {
     Impl &w = *impl;
     uint32_t size = (uint32_t)w.records.size();
     Estimate e;
     e.parameters = parameters;
     auto same = [&](uint32_t i) {
-        return like && parameters.contexts == like->parameters.contexts &&
-               parameters.masks[0][i] == like->parameters.masks[0][i] &&
-               parameters.masks[1][i] == like->parameters.masks[1][i];
+        return base && parameters.contexts == base->parameters.contexts &&
+               parameters.masks[0][i] == base->parameters.masks[0][i] &&
+               parameters.masks[1][i] == base->parameters.masks[1][i];
     };
 
-    // Compute the inputs and hashes that `like` does not have. Each context has its share of the slots
+    // Compute the inputs and hashes that `base` lacks. Each context has a part of the slots for itself
     uint32_t slotBits = parameters.slotBits - (uint32_t)std::bit_width(parameters.contexts - 1);
     Sources from = {{}, {}, parameters.contexts, w.records.data()};
-    std::vector<int16_t> *late = nullptr; // the last inputs are computed step by step, as far as needed
-    uint32_t lateContext = 0;
+    // The inputs of the last context to compute. They are computed while mixing, only as far as needed
+    std::vector<int16_t> *deferred = nullptr;
+    uint32_t deferredContext = 0;
     for (uint32_t i = 0; i < parameters.contexts; ++i) {
         if (same(i))
-            e.inputs.push_back(like->inputs[i]);
+            e.inputs.push_back(base->inputs[i]);
         else {
-            if (late) w.computeInputs(parameters, lateContext, slotBits, 0, size, late->data());
+            if (deferred) w.computeInputs(parameters, deferredContext, slotBits, 0, size, deferred->data());
             auto inputs = std::make_shared<std::vector<int16_t>>((size_t)size * (8 * kLanes));
-            late = inputs.get();
-            lateContext = i;
+            deferred = inputs.get();
+            deferredContext = i;
             e.inputs.push_back(inputs);
         }
         from.inputs[i] = e.inputs[i]->data();
     }
     for (uint32_t i = 0; i < kSets - 1; ++i) {
         uint32_t selector = parameters.contexts + i;
-        e.selectors.push_back(same(selector) ? like->selectors[i] : w.hashesOf(parameters, selector));
+        e.selectors.push_back(same(selector) ? base->selectors[i] : w.hashesOf(parameters, selector));
         from.selectors[i] = e.selectors[i]->data();
     }
 
@@ -260,10 +262,10 @@ Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate
     m.bits = 0;
     for (uint32_t at = 0; at < size; at += kCompareStep) {
         uint32_t end = std::min(size, at + kCompareStep);
-        if (late) w.computeInputs(parameters, lateContext, slotBits, at, end, late->data());
+        if (deferred) w.computeInputs(parameters, deferredContext, slotBits, at, end, deferred->data());
         mix8(m, from, at, end);
         e.curve.push_back((float)(m.bits / 8));
-        if (like && slack < kTooMany && e.curve.back() > like->curve[e.curve.size() - 1] + slack) {
+        if (base && slack < kTooMany && e.curve.back() > base->curve[e.curve.size() - 1] + slack) {
             e.bytes = kTooMany;
             return e;
         }

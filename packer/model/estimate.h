@@ -1,4 +1,4 @@
-// Estimates a payload's size with other contexts, for the search, which needs thousands of estimates.
+// Estimates the size of a payload with other contexts. The search needs thousands of such estimates.
 //
 // A context's inputs depend on its own masks and on the coded bits; other contexts change them only where
 // slots collide. So an estimate keeps its inputs, 16 bits each. If the next parameters differ in one context,
@@ -20,8 +20,8 @@ namespace pack {
 using Inputs = std::shared_ptr<const std::vector<int16_t>>;
 using Hashes = std::shared_ptr<const std::vector<uint32_t>>;
 
-constexpr double kTooMany = 1e30;
-// One unit of the 16-bit inputs, in units of kLogUnit. Logarithms end at 24 << 23, which fits
+constexpr double kTooMany = 1e30; // bytes
+// One unit of the 16-bit inputs, in units of kLogUnit. The largest logarithm, 24 << 23, still fits in 16 bits
 constexpr float kInputUnit = 1 << 13;
 
 // The part of the model's input that does not depend on the parameters, for one byte.
@@ -71,9 +71,9 @@ public:
     explicit Estimator(std::vector<ByteRecord> records);
     ~Estimator();
 
-    // Reuses the inputs and hashes of `like` whose masks are equal. Abandons the estimate as soon as it is
-    // more than `slack` bytes larger than `like` is at the same byte.
-    Estimate operator()(const ModelParameters &parameters, const Estimate *like = nullptr,
+    // Reuses those inputs and hashes of `base` whose masks are the same. Abandons the estimate as soon as its
+    // payload is more than `slack` bytes larger than the payload of `base` up to the same byte.
+    Estimate operator()(const ModelParameters &parameters, const Estimate *base = nullptr,
                         double slack = kTooMany);
 
 private:

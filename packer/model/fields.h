@@ -29,7 +29,7 @@ static inline uint32_t mixIn(uint32_t hash, uint32_t value) {
     return hash ^ hash >> kHashShift;
 }
 
-// The odds of a one against a zero. Equal if nothing is known.
+// The odds of a one against a zero. Both are equal if nothing is known.
 struct Odds {
     uint32_t ones, zeros;
 };

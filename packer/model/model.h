@@ -3,14 +3,15 @@
 // Context mixing, as in Mahoney's PAQ. A context is a choice of fields (x86.h), whose values are hashed.
 // Together with the bits of the byte so far, the hash selects a slot. A slot gives three adaptive
 // probabilities: its own, one selected by the last bits seen in the slot, and one selected by the last byte
-// seen there. All slots of a context share the tables of the last two, one table for each phase of the
-// parser.
+// seen there. The last two are in tables that all slots of a context share. There is one such table for each
+// phase of the parser.
 //
 // The inputs are ln(p / (1 - p)) of each probability p, and p - 1/2 of the slot's own. One more input comes
 // from the marks at the possible targets of an operand (x86_tracker.h), and one is constant. Eight sets of
-// weights mix all inputs. Each set has many rows, and its own fields and bits select one. A ninth set, whose
-// row the phase selects, mixes the eight results. A last table, also selected by fields and bits, corrects
-// the mixed probability. The error trains the weights; the more often a row was used, the more slowly.
+// weights mix all inputs. Each set has many rows, and one is selected by the set's own fields and by bits of
+// the byte. A ninth set, whose row the phase selects, mixes the eight results. A last table, also selected by
+// fields and bits, corrects the mixed probability. The error trains the weights of each row, more slowly the
+// more often the row was used.
 //
 // This is the definition. stub.S does the same in fewer bytes, and the packer runs both before it writes
 // anything. They must agree to the last bit: single-precision floats, one operation at a time in the order
@@ -58,14 +59,14 @@ struct ModelParameters {
 typedef uint32_t Counter;
 constexpr int32_t kSeenBits = 8, kProbabilityBits = 24;
 constexpr int32_t kHalf = 1 << (kProbabilityBits - 1), kCertain = kHalf - 1;
-// A counter moves by 1 / (seen + settled) of its error. The third of a context's three counters, which the
-// last byte selects, moves least
+// A counter moves by 1 / (seen + settled) of its error. The third counter of a context, which the last byte
+// selects, moves least
 constexpr float kSettled[kContextCounters] = {1.05f, 1.3f, 1.4f};
 constexpr int32_t kShareBits = 20; // bits of the probability that predict() returns
 
 struct Slot {
     Counter counter;
-    uint8_t history;  // a leading one, then up to seven bits seen last; the lowest bit is stored flipped
+    uint8_t history;  // a leading one, then the last bits seen, up to seven; the lowest bit is inverted
     uint8_t lastByte; // the last byte seen here; only in the slot of a byte's first bit
     uint16_t check;   // the low bits of the hash that the slot belongs to
 };
@@ -94,9 +95,10 @@ constexpr uint32_t kFirstTrust = 14; // a new correction starts as if it had see
 // The nibble's bits so far select the step; a context's slot may be any of the four. (In the stub, all
 // slots of one way are adjacent.)
 struct Nibble {
-    // Each has a leading one, then the byte's bits before the nibble, or the nibble's bits so far: 1 .. 15
+    // start: a leading one, then the byte's bits before the nibble. step: a leading one, then the nibble's
+    // bits so far, 1 .. 15
     uint32_t start, step;
-    uint32_t number() const { return start ^ 16; } // the second nibble: 0 .. 15, the first: 17
+    uint32_t number() const { return start ^ 16; } // 17 for the first nibble, 0 .. 15 for the second
 };
 inline Nibble nibbleOf(uint32_t bits) {
     uint32_t coded = (uint32_t)(31 - __builtin_clz(bits)) & 3, start = bits >> coded;
@@ -107,8 +109,8 @@ constexpr uint32_t kNibbles = 18, kNibbleSlots = 16, kWays = 4;
 // The counters that all slots of a context share. Each phase of the parser has a table: first the counters
 // that the history selects, then the counters that nibble, last byte and step select. To save memory, each
 // table begins before the previous one ends, and both use the counters in common. The histories are used
-// often, so they overlap a part that is rarely used: last bytes of 0x70 to 0x7f where the byte begins with
-// a 9.
+// often, so they overlap a part that is rarely used: last bytes of 0x70 to 0x7f, in bytes whose high
+// nibble is 9.
 constexpr uint32_t kHistories = 256, kAfterByte = 256 * kNibbleSlots;
 constexpr uint32_t kPhaseCounters = kHistories + 9 * kAfterByte + 0x70 * kNibbleSlots;
 constexpr uint32_t kSharedCounters = (kPhases - 1) * kPhaseCounters + kHistories + kNibbles * kAfterByte;
@@ -120,8 +122,8 @@ struct Context {
 };
 
 struct alignas(64) Model {
-    // Inputs: the odds, the constant and two zeros; then four of each context: three of its counters, and the
-    // slot's p - 1/2. In a row of weights, [0][3] is not a weight but counts how often the row was used
+    // Inputs: the odds, the constant and two zeros; then four of each context: one of each counter, and the
+    // slot's p - 1/2. In a row of weights, [0][3] is not a weight: it counts how often the row was used
     Float4 inputs[1 + kMostContexts], results[kSets / 4];
     Float4 *rows[kSets];
     Counter *correction;
@@ -139,7 +141,8 @@ union FloatBits {
     int32_t bits;
 };
 
-// ln(x), piecewise linear: the bits of a float are nearly its logarithm.
+// Returns ln(x) in units of kLogUnit plus a constant, piecewise linear: the bits of a float are nearly its
+// logarithm.
 inline Int4 logBits(Int4 x) { return (Int4) __builtin_convertvector(x, Float4); }
 
 // Returns a context's inputs: ln(p / (1 - p)) of its counters, and p - 1/2 of the first one.
@@ -181,8 +184,8 @@ inline void adapt(Counter &c, uint32_t bit, float settled) {
     c = (uint32_t)p << kSeenBits | (seen + (seen < kMostSeen));
 }
 
-// Returns the hash of the fields that context i uses, in code (type 0) or data (1). An i after the last
-// context stands for a selector, of the second set and so on.
+// Returns the hash of the fields that context i uses, in code (type 0) or data (1). After the contexts, i
+// counts the selectors of the sets, from the second set on.
 inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_t i, const uint32_t *fields) {
     uint32_t hash = mixIn(parameters.hashes() - i + type, fields[kParserState]),
              mask = parameters.masks[type][i];
@@ -224,8 +227,8 @@ inline void learn(Context &c, uint32_t bit) {
     history = (uint8_t)((h * 2 + bit) ^ 1);
 }
 
-// Returns the row of a set's weights. The hash of its selector and some of the byte's bits so far select it;
-// in the first set, the phase and all bits so far.
+// Returns the number of the row of weights that a set uses. It comes from the hash of the set's selector and
+// some bits of the byte so far; in the first set, from the phase and all bits so far.
 inline uint32_t rowOf(uint32_t set, uint32_t hash, uint32_t phase, uint32_t bits) {
     return set ? hash >> (32 - kRowBits) ^ bits >> ((kSets + 1 - set) | 4) : phase << 8 | bits;
 }
@@ -242,7 +245,7 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
     Nibble nibble = nibbleOf(bits);
     if (nibble.step == 1)
         for (uint32_t i = 0; i < parameters.contexts; ++i) {
-            m.hashes[i] = mixIn(m.hashes[i], nibble.start); // from here on the hash of the nibble
+            m.hashes[i] = mixIn(m.hashes[i], nibble.start); // from now on the hash of the nibble
             // Most of the time is spent waiting for memory, so load all slots of a nibble at once.
             // WebAssembly has no prefetch: an unused load has the same effect
             const Slot *s = nibbleSlots(slots, parameters.slotBits, m.hashes[i]);
@@ -268,7 +271,7 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
                    (int32_t)(sum * kSteepness + kMiddle);
     int32_t p = (int32_t)(m.mixed * (1 << kProbabilityBits));
     if (!*m.correction) *m.correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
-    // The mean of three parts mixed and one part corrected probability
+    // The mean of three parts of the mixed probability and one part of the corrected one
     int32_t four = ((int32_t)*m.correction >> kSeenBits) + kHalf + 3 * p;
     return (uint32_t)four >> (kProbabilityBits + 2 - kShareBits) | 1;
 }

@@ -23,7 +23,8 @@ constexpr std::pair<uint32_t, const char *> kNames[] = {
     {kOpcode, "opcode"},     {kMode, "mode"},         {kSoFar, "so-far"},
 };
 static_assert(std::size(kNames) == kChoices);
-constexpr const char *kKinds[] = {"code", "code-weights", "data", "data-weights"}; // two for each type
+// The words for contexts and selectors, in code and in data.
+constexpr const char *kKinds[] = {"code", "code-weights", "data", "data-weights"};
 
 std::string printMask(uint32_t mask) {
     std::string text;
@@ -47,7 +48,7 @@ bool parseMask(const std::string &text, uint32_t &mask) {
 
 } // namespace
 
-// Found by a search for the film. bench_pack measures that they suit other programs as well.
+// Found by a search for the film. bench_pack measures how well they suit other programs.
 const ModelParameters &defaultParameters() {
     static const ModelParameters parameters = {
         16,

@@ -4,7 +4,7 @@
 //     code byte1+byte2          a context of code uses these fields
 //     data column               a context of data
 //     code-weights opcode       the fields that select a row of a set of weights
-//     data-weights -            no field but the parser's state, which is always used
+//     data-weights -            only the parser's state, which is always used
 //
 // Code may use all fields except column and byte5; data may use the fields up to target (kMayUse in x86.h).
 #pragma once
@@ -22,10 +22,10 @@ const ModelParameters &fastParameters();
 
 std::string printParameters(const ModelParameters &parameters);
 
-// Throws common::Refused, which names the wrong line by its number.
+// Throws common::Refused, whose text has the number of the wrong line.
 ModelParameters parseParameters(const std::string &text);
 
-// The same for a file. The error begins with the file's name.
+// Parses a file. The error begins with the file's name.
 ModelParameters readParameters(const std::string &path);
 
 } // namespace pack

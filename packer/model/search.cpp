@@ -42,8 +42,8 @@ struct MaskChange {
     }
 };
 
-// Proposes a change at random: mostly adds, removes or replaces a field, sometimes chooses a new mask or
-// swaps two selectors.
+// Proposes a random change. Most changes add, remove or replace a field; some choose a new mask or swap two
+// selectors.
 MaskChange propose(const ModelParameters &parameters, const SearchInput &program, std::mt19937 &random) {
     const MayUse &may = program.mayUse;
     uint32_t data = program.layout.size - program.layout.codeSize;
@@ -54,7 +54,7 @@ MaskChange propose(const ModelParameters &parameters, const SearchInput &program
     auto field = [&] {
         return change.type ? 1u << random() % may.dataBits : 1u << (random() % may.codeBits + may.codeShift);
     };
-    // One of the fields in a mask, if it has any
+    // Returns a random field of the mask `all`, or any field if the mask is empty
     auto fieldOf = [&](uint32_t all) {
         uint32_t one = field();
         while (all && !(one & all)) one = field();
@@ -95,7 +95,7 @@ constexpr double kSlack = 24;       // an estimate that is this many bytes large
 constexpr double kMeasureEvery = 8; // time between two measurements, in durations of a measurement
 constexpr int kForget = 10;         // a change may be tried again after this many kept changes
 
-// A search. Its threads share everything but `workspace`, under `mutex`.
+// A search. `mutex` protects all members but `workspace`, which only the thread that measures uses.
 struct Search {
     const SearchInput &program;
     double seconds;
@@ -103,9 +103,9 @@ struct Search {
     ModelParameters measured; // the best by measurement
     ModelParameters lastMeasured = measured;
     std::shared_ptr<const Estimate> best = {}; // the best by estimate
-    double least = 0, measuring = 0,
-           nextMeasure = 0;  // bytes of `measured`; duration and next time to measure, s
-    int tried = 0, kept = 0; // numbers of changes
+    double least = 0;                          // bytes of `measured`
+    double measuring = 0, nextMeasure = 0; // duration of a measurement and time of the next one, in seconds
+    int tried = 0, kept = 0;               // numbers of changes
     std::map<std::vector<uint32_t>, int> triedAt = {}; // changes tried, with `kept` at that time
     bool stopped = false;
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
@@ -135,7 +135,7 @@ struct Search {
 
     void progress() { stopped |= !onProgress({least, passed(), tried}); }
 
-    // A thread of the search.
+    // Runs in each thread of the search.
     void tryChanges(uint32_t seed) {
         std::mt19937 random(seed);
         Estimator estimator(program.records);
@@ -153,8 +153,8 @@ struct Search {
         }
     }
 
-    // Estimates a change of the best, without the lock. If another thread has replaced the best meanwhile,
-    // the change must also improve the new one.
+    // Estimates a change of the best parameters, without the lock. If another thread has replaced them
+    // meanwhile, the change must improve the new ones too.
     void tryChange(const MaskChange &change, Estimator &estimator, std::unique_lock<std::mutex> &lock) {
         for (bool better = true; better;) {
             auto base = best;
@@ -171,11 +171,11 @@ struct Search {
         }
     }
 
-    // Measures the best without the lock, so that other threads can continue.
+    // Measures the best parameters, without the lock, so that other threads can continue.
     void measureBest(std::unique_lock<std::mutex> &lock) {
         if (lastMeasured == best->parameters) return;
         ModelParameters parameters = lastMeasured = best->parameters;
-        // There is one workspace: no other thread may measure now, even when the time is over
+        // There is only one workspace, so no other thread may measure now, even if the search is over
         nextMeasure = 1e30;
         lock.unlock();
         double bytes = program.measure(parameters, workspace, least);

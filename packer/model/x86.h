@@ -1,9 +1,9 @@
-// An incremental parser of x86-64 code. After each byte it knows which part of an instruction comes next,
-// which the model uses as context. It also finds the operands that are relative to their instruction.
+// An incremental parser of x86-64 code. After each byte it computes which part of an instruction comes next;
+// the model uses this as context. It also finds the operands that are relative to their instruction.
 //
 // It parses the instructions that compilers write for user programs, up to AVX2. After an unknown instruction
-// or data it may take some bytes for the wrong parts, and recovers soon. That costs compression but not
-// correctness, because packer and stub make the same mistake.
+// or data it may misread some bytes, and soon recovers. That costs bytes but not correctness, because packer
+// and stub make the same mistake.
 #pragma once
 
 #include "packer/model/fields.h"
@@ -20,7 +20,7 @@ enum X86Field {
     kByte1,        // the last byte
     kToMark,       // distance to the next byte that is marked as a target, at most kFarMark
     kTarget,       // target of the last relative operand: an offset in the program
-    kFunction,     // number of returns before
+    kFunction,     // number of return instructions so far
     kWritten1,     // the register that the last instruction may have written
     kWritten2,     // the register that the second-last instruction may have written
     kInstruction1, // hash of the last instruction
@@ -34,8 +34,8 @@ enum X86Field {
     kFields
 };
 
-// The fields that a context may use are the bits of a mask, from kColumn on: 16 fields in code, eight in
-// data.
+// The fields that a context uses are the bits of a mask; bit 0 is kColumn. Code may use 16 fields, data
+// eight.
 constexpr uint32_t kChoices = kSoFar + 1 - kColumn, kCodeBits = 16, kDataBits = 8;
 constexpr uint32_t kCodeShift = kByte4 - kColumn; // code does not use kColumn and kByte5
 constexpr MayUse kMayUse = {kCodeShift, kCodeBits, kDataBits};
@@ -89,11 +89,11 @@ struct X86Parser {
     uint32_t left; // number of bytes of that part still to come
     uint32_t map, immediate;
     uint32_t high;     // bits of REX or VEX: 8 is W; 4 is R, which VEX inverts
-    uint32_t relative; // size of the relative field that comes now or next, in bytes; 0: none
+    uint32_t relative; // size in bytes of the relative operand that comes now or next; 0: none
     bool begins;       // an instruction begins at the next byte
 
-    // Parses the next byte. If it ends a field that is relative to the next instruction, returns the distance
-    // from this byte to that instruction; otherwise 0.
+    // Parses the next byte. If it ends an operand that is relative to the next instruction, returns the
+    // distance from this byte to that instruction; otherwise 0.
     uint32_t step(uint32_t *f, uint32_t b, const uint8_t *classes) {
         uint32_t toNext = 0;
         f[kSoFar] = mixIn(f[kSoFar], b);

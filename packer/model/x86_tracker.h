@@ -1,8 +1,8 @@
 // The tracker (fields.h) of x86-64 code.
 //
 // The parser finds where instructions begin and which bytes are targets of relative operands. The tracker
-// marks these bytes. Jumps also go forward, so some bytes are marked before they are decoded. The marks
-// predict the last byte of an operand: marked targets are more likely.
+// marks these bytes. A forward jump marks its target before the target is decoded. The marks predict the last
+// byte of an operand, because it is likely to point to a marked byte.
 #pragma once
 
 #include "packer/model/x86.h"
@@ -48,14 +48,14 @@ struct X86Tracker {
         uint32_t first = fields[kByte3] << 24 | fields[kByte2] << 16 | fields[kByte1] << 8;
         flip = 0;
         if (parser.relative == 1) {
-            flip = 128; // the byte has a sign
+            flip = 128; // the byte is signed
             block = now + 1 - 128;
         } else if (first < size)
             block = coded + first;
     }
 
-    // Returns the odds of a one against a zero, by the marks alone. `bits`: a leading one, then the byte's
-    // bits so far.
+    // Returns the odds of a one against a zero, computed from the marks alone. `bits`: a leading one, then
+    // the byte's bits so far.
     Odds odds(uint32_t bits) const {
         if (!block) return {1, 1};
         uint32_t half = 128u >> (31 - __builtin_clz(bits)), from = bits * half * 2;

@@ -9,7 +9,8 @@
 
 namespace pack {
 
-// Whether the `size` bytes at `address` are within the `span` bytes from `base` on. No value overflows.
+// Whether the `size` bytes at `address` are within the `span` bytes from `base` on. Works for all values
+// without overflow.
 inline bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span) {
     return address >= base && size <= span && address - base <= span - size;
 }
@@ -18,8 +19,8 @@ inline bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span
 struct ElfFile {
     const Bytes &bytes;
 
-    template <class T> T at(uint64_t offset, const char *otherwise) const {
-        need(within(offset, sizeof(T), 0, bytes.size()), otherwise);
+    template <class T> T at(uint64_t offset, const char *error) const {
+        need(within(offset, sizeof(T), 0, bytes.size()), error);
         T value;
         std::memcpy(&value, bytes.data() + offset, sizeof value);
         return value;
@@ -37,9 +38,9 @@ struct ElfFile {
         return all;
     }
     // Returns the entries of a section that is a table.
-    template <class T> std::vector<T> table(const Elf64_Shdr &section, const char *otherwise) const {
+    template <class T> std::vector<T> table(const Elf64_Shdr &section, const char *error) const {
         need(section.sh_size < sizeof(T) || within(section.sh_offset, section.sh_size, 0, bytes.size()),
-             otherwise);
+             error);
         std::vector<T> all(section.sh_size / sizeof(T));
         if (!all.empty()) std::memcpy(all.data(), &bytes[section.sh_offset], all.size() * sizeof(T));
         return all;

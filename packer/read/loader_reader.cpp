@@ -30,15 +30,15 @@ Program readAnyProgram(const Bytes &file) {
          "linked below 64 KiB, where Linux maps nothing: link it higher");
     program.readOnly = program.span = (uint32_t)wholePages(program.span);
     // Remove the section headers. The program headers may be in any segment: tools that add headers move them
-    Elf64_Ehdr kept = header;
-    kept.e_shoff = kept.e_shnum = kept.e_shstrndx = 0;
+    Elf64_Ehdr plain = header;
+    plain.e_shoff = plain.e_shnum = plain.e_shstrndx = 0;
     uint64_t headersAt = in.addressOf(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum);
     need(headersAt,
          "its program headers are in no segment, so the loader would not find them: link it again");
-    kept.e_phoff = headersAt - program.base;
-    std::memcpy(program.bytes.data(), &kept, sizeof kept);
+    plain.e_phoff = headersAt - program.base;
+    std::memcpy(program.bytes.data(), &plain, sizeof plain);
     program.dropZeros();
-    program.bytes.resize(std::max(program.bytes.size(), kept.e_phoff + sizeof(Elf64_Phdr) * header.e_phnum));
+    program.bytes.resize(std::max(program.bytes.size(), plain.e_phoff + sizeof(Elf64_Phdr) * header.e_phnum));
     if (const Elf64_Phdr *interpreter = in.firstOf(PT_INTERP)) {
         need(!in.text(interpreter->p_offset, 0).empty() &&
                  within(interpreter->p_vaddr, interpreter->p_filesz, program.base, program.span),

@@ -31,7 +31,7 @@ inline void writeBytes(const std::string &path, const Bytes &bytes, unsigned mod
 
 inline constexpr uint64_t kMostMemory = 64 << 20; // bytes; larger programs are refused
 
-using common::need; // in packer/, its text is the reason to refuse a file
+using common::need; // in packer/, the text is the reason why a file is refused
 inline constexpr char kDamaged[] = "damaged: get it afresh";
 inline constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning";
 
@@ -46,9 +46,9 @@ inline constexpr System kWindows = {"kernel32.dll", {"LoadLibraryA", "GetProcAdd
 // The program in memory as it starts.
 struct Program {
     uint32_t base;     // address of the first byte; page-aligned
-    Bytes bytes;       // up to the last byte that is not 0, at least one; the loader's tables are zeroed
+    Bytes bytes;       // up to the last byte that is not 0, but at least one; the loader's tables are zeroed
     uint32_t readOnly; // size of code and constants, from the base on; whole pages
-    uint32_t span;     // bytes of memory, with the zeros after the bytes
+    uint32_t span;     // bytes of memory, including the zeros after `bytes`
     uint32_t slots[2]; // addresses of the slots for System::functions
     uint32_t entry;
     uint32_t early, earlyEntry;   // as in PayloadHeader

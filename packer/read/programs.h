@@ -7,7 +7,7 @@
 namespace pack {
 
 // Whether a program was made for the packer: its type is ET_EXEC, and libdl.so.2 (or, for Windows,
-// kernel32.dll) is its only library. readProgram() is for these. Throws nothing.
+// kernel32.dll) is its only library. Such programs are read by readProgram(). Throws nothing.
 bool isMadeForPacking(const Bytes &file);
 
 // Accepts an x86-64 program of type ET_EXEC at a fixed base. It must have an interpreter, need only
@@ -19,12 +19,13 @@ bool isMadeForPacking(const Bytes &file);
 // may have any interpreter or none.
 Program readProgram(const Bytes &file, const System &system = kLinux);
 
-// Accepts any x86-64 program that is static or names its interpreter, whose first segment begins with its ELF
-// header, and whose program headers are in a segment. Refuses shared libraries. In the result, readOnly
+// Accepts any x86-64 program that is static or names its interpreter. Its first segment must begin with its
+// ELF header, and its program headers must be in a segment. Refuses shared libraries. In the result, readOnly
 // and span are the size of all its memory, in whole pages. It has no slots and no early part.
 Program readAnyProgram(const Bytes &file);
 
-// Returns the number of bytes after everything that the ELF headers name. A packed program lacks them.
+// Returns the number of bytes after the last one that the ELF headers name. A packed program lacks these
+// bytes.
 uint64_t appendedBytes(const Bytes &file);
 
 } // namespace pack

@@ -17,7 +17,7 @@ constexpr char kMapBegins[] = "Linker script and memory map";
 constexpr uint64_t kMostSymbolBytes = 1ull << 40; // larger sizes and addresses are wrong
 
 std::string demangle(const std::string &name) {
-    if (name.rfind("_Z", 0) != 0) return name; // otherwise a C function i would become "int"
+    if (name.rfind("_Z", 0) != 0) return name; // otherwise a C function named i would become "int"
     int status;
     std::unique_ptr<char, void (*)(void *)> plain(
         abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), std::free);
@@ -30,7 +30,7 @@ void add(std::vector<Claim> &claims, uint64_t address, uint64_t size, std::strin
         claims.push_back({address, address + size, std::move(name), std::move(room)});
 }
 
-// Reads the claims of sections, and of functions and variables, by their names in the file.
+// Reads the claims of the sections to `names`, and the claims of functions and variables to `symbols`.
 void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &symbols) {
     constexpr char kOutside[] = "its symbols are outside the file: strip it";
     ElfFile in = {elf};

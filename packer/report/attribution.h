@@ -25,12 +25,12 @@ struct Stretch {
 struct Claim {
     uint64_t begin, end;
     std::string name;
-    std::string room = {}; // only of object files
+    std::string room = {}; // empty unless the part is an object file
 };
 
-// Sorts the claims and returns, for each of `size` bytes from the address `base` on, the index of its claim
-// or kUnclaimed. Where claims overlap, the one that begins last gets the byte; among equal beginnings the
-// shortest one; among equal sizes the first by name.
+// Sorts the claims. Returns the index of the claim of each of `size` bytes from the address `base` on, or
+// kUnclaimed. Where claims overlap, the claim that begins last gets the byte. If several begin there, the
+// shortest one gets it; among equally short ones, the first by name.
 inline constexpr uint32_t kUnclaimed = UINT32_MAX;
 std::vector<uint32_t> assignClaims(std::vector<Claim> &claims, uint64_t base, size_t size);
 

@@ -14,15 +14,15 @@ struct Cost {
 };
 using Costs = std::map<std::string, Cost>;
 
-// Whether any part has a name.
+// Whether any part has a name of its own.
 bool hasNames(const Costs &costs);
 
-// Costs are multiples of a sixteenth of a bit, so they add up exactly: `overhead`, the costs of all sections
-// and `rest` are the bits of the file. Objects, rooms and symbols add up in the same way. (Without a map
-// there are no objects and no rooms.)
+// Costs are multiples of a sixteenth of a bit, so they add up exactly: the sum of `overhead`, the costs of
+// all sections and `rest` is the size of the file. Objects, rooms and symbols add up in the same way.
+// (Without a map there are no objects and no rooms.)
 struct Report {
-    size_t fileSize = 0, overhead = 0; // bytes of the packed file; bytes of it that are not payload
-    double rest = 0;                   // bits of the payload's end, and padding to whole bytes
+    size_t fileSize = 0, overhead = 0; // bytes of the packed file; how many of them are not payload
+    double rest = 0;                   // bits at the payload's end and of the padding to whole bytes
     Costs sections, objects, symbols, rooms;
     std::map<std::string, std::string> roomOf = {}; // room of each object
     std::map<std::string, long> shares = {};        // bytes that each room may take, if given
@@ -56,8 +56,8 @@ inline constexpr char kStub[] = "(stub)";
 // Throws common::Refused, which names the wrong line.
 Rooms readRooms(const std::string &text);
 
-// `stretches`: the result of attribute(). `bits`: the cost of each byte of the program. With `rooms`, objects
-// that they do not name have no room. Without, the room of an object is its archive or folder.
+// `stretches`: the result of attribute(). `bits`: the cost of each byte of the program. Without `rooms`, the
+// room of an object is its archive or folder. With `rooms`, an object that they do not name has no room.
 Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits, size_t fileSize,
                   size_t overhead, const Rooms *rooms = nullptr);
 
@@ -68,14 +68,14 @@ std::string printReport(const Report &report);
 // like the costs of the report. (It uses no library, since the film's build must not need one.)
 std::string printJson(const Report &report);
 
-// Gives the objects of an earlier report their rooms in a later one, so that both can be compared. An object
-// that no longer exists keeps its room.
+// Moves the objects of an earlier report to the rooms that they have in a later report, so that the reports
+// can be compared. An object that the later report lacks keeps its room.
 void arrange(Report &before, const Report &now);
 
 // Returns Markdown for a comment on a change, which is also readable as plain text: the total, its change,
-// the bytes left of the budget (below 0: no budget), and the ten parts that changed most. Without an earlier
-// report, the ten parts that cost most. Parts are symbols, or objects or sections if one of the reports has
-// no symbols.
+// the bytes left of the budget (a negative budget means none), and the ten parts that changed most. Without
+// an earlier report it lists the ten parts that cost most. Parts are symbols. If one
+// report has no symbols, parts are objects or sections.
 std::string printMarkdown(const std::string &name, const Report &report, const Report *before, long budget);
 
 } // namespace pack

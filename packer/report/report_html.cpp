@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-// Returns the costs as bytes. `high` gets the costs that do not fit, as [[offset, units], ...].
+// Returns the costs as bytes, limited to 255. `high` gets all costs of 255 or more: [[offset, units], ...].
 Bytes lowCosts(const Report &report, json &high) {
     Bytes low;
     for (size_t i = 0; i < report.sixteenths.size(); ++i) {
@@ -58,7 +58,7 @@ struct Instruction {
     std::string text; // in Intel's syntax; after " # " the address of an operand relative to rip
 };
 
-// Returns the instructions in the order of sections; none if objdump (binutils) is missing or finds none.
+// Returns the instructions in the order of the sections. Returns none if objdump (binutils) is missing.
 std::vector<Instruction> disassemble(const std::string &path) {
     std::vector<Instruction> all;
     std::istringstream lines(

@@ -1,5 +1,6 @@
-// The parts of reports that need libraries (nlohmann-json, zlib): the reader of earlier reports, and a page
-// that shows the cost of each byte of a program. The page contains all its files (page/) and data.
+// The parts of reports that need libraries (nlohmann-json, zlib): a reader of earlier reports, and an HTML
+// page that shows the cost of each byte of a program. The page is one file, with its scripts (page/) and its
+// data.
 #pragma once
 
 #include "packer/report/report.h"
@@ -17,16 +18,16 @@ struct ReportPage {
     std::string beforeName = {};
 };
 
-// The page has four elements of data, packed by zlib, in base64:
-// - "tables": the report as JSON, in its units (report_html.cpp);
+// The page has four elements with data, compressed by zlib and written in base64:
+// - "tables": the report as JSON, with costs in units of 1 / kUnit bit (report_html.cpp);
 // - "bytes": the program;
 // - "costs": the cost of each byte, or 255 if it is in the list "high" of the tables;
 // - "code": a line for each instruction: its number of bytes, one hexadecimal digit, then its text. A line
 //   "@OFFSET" precedes an instruction that does not follow the previous one.
 std::string printHtml(const ReportPage &page, const Report &report, const Program &program);
 
-// Reads the output of printJson(). Sections are required, other parts are optional. The result has roomOf,
-// but no stretches and no rooms. Throws common::Refused.
+// Reads the output of printJson(). Sections are required, other parts are optional. The result has no
+// stretches and no rooms, but the room of each object (roomOf). Throws common::Refused.
 Report readJson(const std::string &text);
 
 } // namespace pack

@@ -1,4 +1,4 @@
-// Reports as text: the costs of the parts; and for a comment on a change, the total and the largest changes.
+// Two reports as text: the costs of the parts, and a summary of a change: the total and the largest changes.
 #include "packer/report/report.h"
 #include "tools/common/text.h"
 
@@ -16,7 +16,7 @@ using common::thousands;
 
 std::string change(double value) { return (std::round(value) >= 0 ? "+" : "") + thousands(value); }
 
-// The cost of a part in both reports.
+// The cost of a part in the new report and in the earlier one.
 struct CostChange {
     std::string name;
     double now, was; // packed bytes
@@ -52,7 +52,7 @@ std::string printCosts(const Costs &all, const char *title, size_t most) {
     return text;
 }
 
-// Returns any text as code in a cell of a table, which must not contain | and `.
+// Returns a text as code in a cell of a Markdown table. Replaces | and `, which a cell must not contain.
 std::string cell(std::string text) {
     text = shorten(text, 90);
     std::replace(text.begin(), text.end(), '|', '/');
@@ -99,7 +99,7 @@ std::string printMarkdown(const std::string &name, const Report &report, const R
     now[kStub].bits = 8.0 * (double)report.overhead;
     if (before) was[kStub].bits = 8.0 * (double)before->overhead;
     std::vector<CostChange> changes = compare(now, was);
-    // A changed byte slightly changes the costs of other bytes, so smaller changes have no meaning
+    // A changed byte slightly changes the costs of other bytes, so changes below kLeastChange mean nothing
     double least = before ? kLeastChange : 0.5;
     std::erase_if(changes, [&](const CostChange &c) { return std::abs(c.now - c.was) < least; });
     if (changes.empty()) return text + "No " + kind.name + " changed by four bytes or more.\n";

@@ -1,4 +1,4 @@
-// The packed file. To write another decoder, you need this page, decoder.h, model.h, fields.h, x86_tracker.h,
+// The packed file. To write another decoder, you need this file, decoder.h, model.h, fields.h, x86_tracker.h,
 // x86.h and opcodes.h.
 //
 // THE FILE is an executable (ELF, x86-64, ET_EXEC). Its parts follow one another without gaps; numbers are
@@ -37,19 +37,19 @@
 // and at least `early`. Before each call it makes the first `early` bytes of the image R-X. The function is
 // void (void **stack, uint32_t done, uint32_t size), in the C calling convention. Its arguments are the stack
 // as the kernel made it (argc on top), the number of bytes decoded so far, and the number of bytes in all. So
-// the first call comes when `early` bytes are decoded; a payload of no more bytes causes no call. The
-// function's code and constants must be within those first bytes. What it writes must be after the last byte
-// that is decoded, because decoding overwrites everything before that. The imports stay in their slots only
-// until decoding reaches the slots.
+// the first call comes when `early` bytes are decoded; an image of no more than `early` bytes causes no call.
+// The function's code and constants must be within those first bytes. What it writes must be after the last
+// byte that is decoded, because decoding overwrites everything before that. The imports stay in their slots
+// only until decoding reaches the slots.
 //
 // THE PAYLOAD decodes to the first Layout::size bytes of the image; the bytes after them are zeros. The bytes
 // are decoded in order, and the bits of a byte from the highest to the lowest. Each bit comes from a range
 // decoder (Decoder in decoder.h: 32 bits; range and code start as 1 and 0, so it begins by fetching three
-// bytes). The range decoder needs a probability of 20 bits, which predict() in model.h computes from all bits
-// before; codeImage() in decoder.h is the loop. The range decoder may fetch two bytes beyond the payload, of
-// the padding or the check; their values have no effect. All of the model's state starts as zeros, except the
-// mixing weights. Floats are IEEE single precision. Operations are done in the order written, each rounded to
-// nearest, never fused. A float is converted to an integer by truncation.
+// bytes). The range decoder needs a probability of 20 bits, which predict() in model.h computes from all
+// earlier bits; codeImage() in decoder.h is the loop. The range decoder may fetch two bytes beyond the
+// payload, of the padding or the check; their values have no effect. All of the model's state starts as
+// zeros, except the mixing weights. Floats are IEEE single precision. Operations are done in the order
+// written, each rounded to nearest, never fused. A float is converted to an integer by truncation.
 //
 // The Layout::codeSize bytes from Layout::codeBegin on are code; the rest is data. Code and data have
 // separate contexts. Only code goes through the parser in x86.h, which assumes that an instruction begins at
@@ -80,7 +80,7 @@ inline constexpr char kInterpreter[] = "/lib64/ld-linux-x86-64.so.2";
 inline constexpr uint64_t kPage = 4096;
 constexpr uint64_t wholePages(uint64_t bytes) { return (bytes + kPage - 1) & ~(kPage - 1); }
 constexpr uint32_t kBelow = 0x200000; // the file is mapped this far below the program; also its largest size
-constexpr uint32_t kLeastBase = kBelow + 0x10000; // lowest base: the kernel maps nothing below 64 KB
+constexpr uint32_t kLeastBase = kBelow + 0x10000; // lowest base, since the kernel maps nothing below 64 KB
 constexpr uint64_t kAddressEnd = 0x7fffffff;      // limit of all addresses, which have 31 bits
 constexpr uint32_t kEarlyStep = 2048;             // bytes between two calls of the early part, a power of two
 
@@ -98,7 +98,7 @@ struct Front {
     Elf64_Ehdr header;
     Elf64_Phdr segments[4]; // INTERP, LOAD of the file, LOAD of the program, DYNAMIC
     uint32_t stackType, stackFlags;
-    char interpreter[sizeof kInterpreter], functions[20]; // instead of the rest of GNU_STACK
+    char interpreter[sizeof kInterpreter], functions[20]; // in place of the other fields of GNU_STACK
     Elf64_Dyn dynamic[6];
     uint64_t dynamicEnd;
     Import first;
@@ -112,11 +112,11 @@ static_assert(sizeof(Front) == 528 && offsetof(Front, dynamic) % 8 == 0);
 struct PayloadHeader {
     uint32_t words;    // 32-bit words that the checksum covers: in an ELF file all of them
     uint32_t image;    // address of the program's first byte; page-aligned
-    uint32_t readOnly; // bytes from there that become R-X; whole pages
+    uint32_t readOnly; // bytes from `image` on that become R-X; whole pages
     uint32_t imports;  // address of the two adjacent slots for dlopen and dlsym, in either order
     uint32_t entry;    // address to jump to when all is decoded
-    // The early part, which runs while the rest is still being decoded: its size from the image's start,
-    // whole pages in bytes, or kNothingEarly; and the address of its function
+    // The early part runs while the rest is still being decoded. `early`: its size in bytes from the image's
+    // start, whole pages, or kNothingEarly. `earlyEntry`: the address of its function
     uint32_t early, earlyEntry;
     Layout layout;
     uint32_t memory;   // bytes of the stub's model; another decoder may need more or fewer
@@ -126,8 +126,8 @@ struct PayloadHeader {
 static_assert(sizeof(PayloadHeader) == 46);
 constexpr uint32_t kNothingEarly = 0xffffffff;
 
-// The checksum of all words of the file; the last word is chosen to make it 0. A change of any one word
-// changes it.
+// Returns the checksum of all words of the file. The last word is chosen to make it 0. It changes if any one
+// word changes.
 inline uint32_t checksum(const uint8_t *bytes, size_t words) {
     uint32_t sum = 0, word;
     for (; words--; bytes += 4) {

@@ -8,11 +8,11 @@
 //
 // It has no interpreter, so the kernel starts it directly.
 //
-// IN MEMORY it has two segments. Program and file stay where the kernel maps them. The first segment is the
+// IN MEMORY the file has two segments, which stay where the kernel maps them. The first segment is the
 // program: PayloadHeader::readOnly bytes, RW, from the program's own address PayloadHeader::image on; for
-// ET_DYN the kernel adds an offset. It has a single byte of the file, which decoding overwrites: the kernel
-// does not map a first segment without any. The second segment is the file, R-X, right after the first, so
-// the heap begins after both.
+// ET_DYN the kernel adds an offset. It has one byte from the file, which decoding overwrites, because the
+// kernel does not map a first segment that has no bytes in the file. The second segment is the file, R-X,
+// right after the first, so the heap begins after both.
 //
 // THE PAYLOAD decodes to the program's segments as they are in memory. The first one must begin with the
 // program's own ELF header; its program headers may be in any segment. The stub gets protections, interpreter
@@ -25,16 +25,17 @@
 // kernel made it. ld.so, or the start code of a static program, does relocations, libraries, thread-local
 // storage and constructors as always. The file stays mapped.
 //
-// ERRORS are as in format.h, after the name by which the program was called. One more is for the interpreter,
-// with errno in two digits, which is 80 if the file is not a whole ELF file.
+// ERRORS are as in format.h, but each line begins with the name by which the program was called. One more
+// error is for an interpreter that cannot be loaded. It ends with errno in two digits: 80 if the file is not
+// a whole ELF file.
 #pragma once
 
 #include "packer/stub/format.h"
 
 namespace pack {
 
-// The kernel reads only type and flags of the last program header, GNU_STACK. The stub begins where the rest
-// would be.
+// The kernel reads only type and flags of the last program header, GNU_STACK. The stub takes the place of the
+// header's other fields.
 struct LoaderFront {
     Elf64_Ehdr header;
     Elf64_Phdr program, file;

@@ -1,4 +1,4 @@
-// The packed file for Windows. Payload section and decoding are as in format.h. This page describes the bytes
+// The packed file for Windows. Payload section and decoding are as in format.h. This file describes the bytes
 // before that section, and how the program starts.
 //
 // THE FILE is an executable (PE32+ for x86-64) with a fixed address:
@@ -9,17 +9,18 @@
 //     PayloadHeader, masks, payload, zeros up to a multiple of 512 less four bytes, check
 //
 // IN MEMORY the headers take a page at the image's base. The first section follows; it is R-X and extends to
-// the program. The second section is the program; it is RW and has no bytes in the file. The check makes
-// checksum() 0 over everything in the first section after the slots. PayloadHeader::words is the number of
-// those words, but the stub uses the section's size instead, which the loader has checked.
+// the program. The second section is the program; it is RW and has no bytes in the file. The check makes the
+// checksum() of the first section, from the end of the slots on, 0. PayloadHeader::words is the number of
+// words that it covers. The stub computes this number from the section's size instead, which the loader has
+// checked.
 //
 // START. The loader writes the addresses of the imported functions into the slots, and calls the stub's first
 // byte in Microsoft's convention. The first two slots are for LoadLibraryA and GetProcAddress, in the
-// order of the program's own slots. The stub computes the checksum, allocates PayloadHeader::memory bytes,
-// copies the two slots to the program's, decodes, copies them again (decoding overwrites them), makes
-// PayloadHeader::readOnly bytes R-X, frees the memory and jumps to PayloadHeader::entry with the stack as it
-// found it. The function at PayloadHeader::earlyEntry is called as in format.h, in System V's convention; its
-// first argument has no meaning here.
+// order that the program's own slots have. The stub computes the checksum, allocates PayloadHeader::memory
+// bytes, copies the two slots to the program's own slots, decodes, copies them again (decoding overwrites
+// them), makes PayloadHeader::readOnly bytes R-X, frees the memory and jumps to PayloadHeader::entry with the
+// stack as it found it. The function at PayloadHeader::earlyEntry is called as in format.h, in System V's
+// convention; its first argument has no meaning here.
 //
 // ERRORS go to standard error or, if there is none, to a message box; the exit status is 1.
 #pragma once
@@ -81,15 +82,15 @@ struct PeSection {
 static_assert(sizeof(PeSection) == 40);
 
 struct PeImports {
-    uint32_t names; // address of the table of imported names; 0: the slots hold it until they are filled
+    uint32_t names; // address of the table of imported names; 0: the slots are this table until filled
     uint32_t time, forwarder, library, slots;
 };
 static_assert(sizeof(PeImports) == 20);
 
 // --- The packed file ---
 
-// The stub's messages (messages.h), and the names of the function that shows a message box and of its
-// library. They fill space that would be empty.
+// The stub's messages (messages.h), and two names: the function that shows a message box, and its library.
+// They fill space that would be empty.
 struct PeMessages {
     char mayNotRun[24], damaged[24], noMemory[24], user32[7], messageBox[25];
 };

@@ -1,7 +1,7 @@
 // The stub of programs made for packing: it checks the file, decodes the program and starts it. Baseline x86-64,
 // position-independent, no library.
 //
-// It is part of every packed file, so it is written in assembler: 2.5 KB, half the size that g++ -Os makes of the C++.
+// It is part of every packed file, so it is written in assembler: 2.5 KB, half of what g++ -Os makes of the C++.
 // It does the same as decoder.h, model.h and x86.h and uses their names. The packer runs both versions before it writes
 // a file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.h.
 // Other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
@@ -15,14 +15,14 @@
 
 .section .stub, "ax"
 start:
-    push rdx // ld.so's function to call at exit: an argument of the program
+    push rdx // the function to call at exit, which ld.so passes to the program
     push rsi
     lea ebx, [rip + payload_header]
 
     // The headers are not checked yet, so compute the file's beginning from the address of this code
     lea edi, [rip + start - FRONT]
     check_file
-damaged: // the texts are here, where a truncated file still has them; each is 23 bytes long
+damaged: // the texts are here because a truncated file still has this part; each text has 23 bytes
     call refuse
     .ascii "damaged: get it afresh\n"
 no_memory:
@@ -51,7 +51,7 @@ get_memory:
     lea rbp, [rax - FIELDS]
     large_pages
 
-    // Decode. It overwrites the slots of the imports, so save them before and restore them after
+    // Decode. Decoding overwrites the slots of the imports, so save them before and restore them afterwards
     mov edi, [rbx + IMPORTS]
     push [rdi]
     push [rdi + 8]

@@ -1,4 +1,4 @@
-// Part of stub.S: decoder.h and model.h.
+// Part of stub.S: the decoder of decoder.h and the model of model.h.
 
 decode:
     // Expand the opcodes, then initialise the weights, which follow in memory
@@ -29,7 +29,7 @@ decode:
     lea r14, [rbx + rax + MASKS + (CODE_MASK + DATA_MASK) * (SETS - 1)]
 
     xor eax, eax
-next_byte: // eax is the position
+next_byte: // eax = offset of the byte in the image
 #ifndef NOTHING_IS_EARLY
     test eax, EARLY_STEP - 1
     jne 1f
@@ -98,7 +98,7 @@ next_byte: // eax is the position
     sub edx, [rbx + CODE_BEGIN]
     cmp edx, [rbx + CODE_SIZE]
     sbb r8d, r8d
-    inc r8d // 1 in data
+    inc r8d // 1 in data, 0 in code
     mov [rbp + TYPE], r8d
     je 1f
     lea rsi, [rsi + rcx * CODE_MASK]
@@ -127,7 +127,7 @@ hash_next:
     pop r11
     push NIBBLE_SLOTS
     pop rax
-next_bit: // eax is the step, NIBBLE_SLOTS or more if a nibble begins
+next_bit: // eax = the step; NIBBLE_SLOTS or more: a nibble begins
     cmp al, NIBBLE_SLOTS
     jb 2f
     // Compute the nibble's hashes, and prefetch its slots
@@ -215,14 +215,14 @@ find:
     lodsd
     mov edx, r11d
     call mix_in
-    shr eax, HASH_BITS - CORRECTION_ROW_BITS - CORRECTION_BITS // a row has 32 counters; eax is its first
+    shr eax, HASH_BITS - CORRECTION_ROW_BITS - CORRECTION_BITS // a row has 32 counters; eax = index of the first
     and al, 0x100 - (1 << CORRECTION_BITS)
     lea rax, [rbp + rax * COUNTER + CORRECTIONS]
     prefetcht0 [rax]
     prefetcht0 [rax + 64]
     push rax
 
-    // Compute the odds: the marks of the targets after a one against the marks after a zero
+    // Compute the odds: the sum of the marks of the targets after a one, against the sum after a zero
     mov rdi, [rbp + BLOCK]
     xorps xmm0, xmm0
     test rdi, rdi
@@ -254,7 +254,7 @@ find:
     cvtdq2ps xmm0, xmm0
     lea rdi, [rbp + INPUTS]
     movss [rdi], xmm0
-    mov byte ptr [rdi + 7], CONSTANT_BITS >> 24 // the rest of it is 0
+    mov byte ptr [rdi + 7], CONSTANT_BITS >> 24 // its other bytes are 0
 
     // Compute the inputs ln(p / (1 - p)) and p - 1/2, for a context's three counters at once
     mov eax, CERTAIN + 2
@@ -264,7 +264,7 @@ find:
     lea rsi, [rbp + COUNTERS]
 1:  call counters
     psrad xmm0, SEEN_BITS
-    pshufd xmm2, xmm0, 0b00111111 // the first to the fourth, which is 0
+    pshufd xmm2, xmm0, 0b00111111 // the first counter to the fourth lane; the other lanes become 0
     movaps xmm1, xmm3
     psubd xmm1, xmm0
     paddd xmm0, xmm3
@@ -283,7 +283,7 @@ find:
     pop r10
     mov eax, r11d
     mov ah, [rbp + PHASE]
-1:  lea eax, [r10 + rax * SETS] // the eight sets' rows of one number are adjacent
+1:  lea eax, [r10 + rax * SETS] // rows of the eight sets with the same number are adjacent
     imul eax, eax, ROW
     lea rdx, [rbp + rax + WEIGHTS - ROW]
     mov [rbp + r10 * 8 + ROWS - 8], rdx
@@ -313,7 +313,7 @@ find:
     pop rax
     lea rax, [rax + rdx * COUNTER]
     pop rdi
-    stosq // like three counters of a context; adapting writes the first one last
+    stosq // three equal pointers, as for a context's counters; adapting writes the first one last, so that one counts
     stosq
     stosq
     mulss xmm0, [rbx + SCALE]
@@ -384,11 +384,11 @@ find:
 
     // Adapt the counters, a context's three at once, then the correction's counter
     lea r10d, [r9 - 1]
-    xor r10d, CERTAIN // or its complement
+    xor r10d, CERTAIN // CERTAIN for a one, its complement for a zero
     movd xmm3, r10d
     pshufd xmm3, xmm3, 0
     pcmpeqd xmm4, xmm4
-    psrld xmm4, 31 // ones
+    psrld xmm4, 31 // 1 in each lane
     movups xmm5, [rbx + SETTLED]
     mov cl, [rbx + CONTEXTS] // rcx was 0
     inc ecx
@@ -407,7 +407,7 @@ find:
     cvttps2dq xmm6, xmm6
     paddd xmm0, xmm6
     pslld xmm0, SEEN_BITS
-    paddusb xmm1, xmm4 // one more, at most 255
+    paddusb xmm1, xmm4 // counts one more bit seen, up to 255
     orps xmm0, xmm1
     mov rax, [rsi - 8]
     pshufd xmm1, xmm0, 2
@@ -462,7 +462,7 @@ find:
     jb next_byte
     ret
 
-// xmm0 = three counters, to which the three pointers at rsi point, and 0; advances rsi.
+// xmm0 = the three counters that the three pointers at rsi point to, and 0 in the fourth lane. Advances rsi.
 counters:
     lodsq
     movd xmm0, [rax]

@@ -31,7 +31,7 @@
 .section .stub, "ax"
 start:
     movq xmm15, rsp
-    push rdx // 0: the text of an error has no second part
+    push rdx // 0: the errors below have no second text
     lea rbx, [rip + payload_header]
 
     lea rdi, [rip + start - LOADER_FRONT]
@@ -42,7 +42,7 @@ damaged:
 no_memory:
     call refuse
     .asciz ": not enough free memory\n"
-refuse: // prints the program's name, the text after the call, and a text whose address is on the stack; 0: none
+refuse: // prints the program's name, the text after the call, and the text whose address is on the stack, or 0 for none
     movq rax, xmm15
     mov rsi, [rax + 8]
     call print
@@ -89,7 +89,7 @@ get_memory:
     pop rax
     syscall
 
-    // Give the program's segments their protections. They are decoded, so there is no file to read
+    // Give the program's segments their protections. They are decoded already, so no file is read
     mov r13, r12
     mov eax, [rbx + IMAGE]
     sub r13, rax // the offset that the kernel added to the program's addresses
@@ -107,7 +107,7 @@ get_memory:
     lea rsi, [r13 + r15]
     push -100 // AT_FDCWD
     pop rdi
-    mov eax, 257 // openat, which ld.so uses too: some lists of allowed calls lack open
+    mov eax, 257 // openat, because ld.so uses it too; some sandboxes do not allow open
     cdq
     syscall
     test eax, eax
@@ -123,10 +123,10 @@ get_memory:
     syscall
     cmp eax, edx
     je 1f
-no_interpreter: // eax is an error, or the number of bytes of an interpreter that is not whole
+no_interpreter: // eax = an error; or the number of bytes read, if the interpreter is incomplete
     neg eax
     jg 2f
-    push 80 // ELIBBAD, the kernel's error for those
+    push 80 // ELIBBAD, the kernel's error for an incomplete interpreter
     pop rax
 2:  mov cl, 10
     div cl
@@ -226,7 +226,7 @@ load_next:
     syscall
     cmp rax, [r8 + P_FILESZ]
     jne no_interpreter
-1:  // mprotect's bits are the flags' bits in reverse order: look them up in the digits of a number
+1:  // The bits for mprotect are the bits of the flags in reverse order: look them up in the digits of a number
     mov ecx, [r8 + P_FLAGS]
     shl ecx, 2
     mov edx, 0x73516240

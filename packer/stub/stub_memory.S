@@ -6,7 +6,7 @@
 #define STUB_NUMBER(name, value, meaning) .set name, value;
 #include "packer/stub/stub_numbers.h"
 
-// --- Relative to rbx, the payload header: before it are the constants at the end of stub_rest.S ---
+// --- Constants at the end of stub_rest.S, as offsets from rbx, which points to the payload header after them ---
 .set MOST, -52
 .set LEAST, -48
 .set ONE, -44
@@ -19,7 +19,7 @@
 .set MIDDLE, -8
 .set SCALE, -4
 
-// --- The model's memory, relative to rbp. It points after the first variables, so most offsets are one byte ---
+// --- The model's memory, as offsets from rbp. rbp points after the first variables, so most offsets fit in a byte ---
 .set FIELDS, -128
 .set PARSER_STATE, FIELDS + 4 * FIELD_PARSER_STATE
 .set TARGET, FIELDS + 4 * FIELD_TARGET
@@ -47,18 +47,18 @@
 .set FLIP, TYPE + 4
 .set RESULTS, 0
 .set STEP, RESULTS + 4 * SETS
-.set AFTER, STEP + 4 // offset of the nibble in the counters that the last byte selects
+.set AFTER, STEP + 4 // offset of the nibble's part of the counters that the last byte selects
 .set ROWS, AFTER + 4 // in reverse order of the sets, like the results
 .set BLOCK, ROWS + 8 * SETS
 .set HASHES, BLOCK + 8
 .set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS)
 .set COUNTERS, INPUTS + ROW
-.set BYTE_SLOTS, COUNTERS + 8 * CONTEXT_COUNTERS * (MOST_CONTEXTS + 1) // and the correction's pointer
+.set BYTE_SLOTS, COUNTERS + 8 * CONTEXT_COUNTERS * (MOST_CONTEXTS + 1) // the last entry is the correction's
 .set OPCODES, BYTE_SLOTS + 8 * (MOST_CONTEXTS + 1) // aligned
 .set FINAL_WEIGHTS, OPCODES + OPCODE_CLASSES
 .set WEIGHTS, FINAL_WEIGHTS + 4 * SETS * PHASES
 .set ROW, 16 * (1 + MOST_CONTEXTS)
-.set USED, 12 // in a row
+.set USED, 12 // offset of the count of uses in a row
 .set ALL_ROWS, SETS << SET_ROW_BITS
 .set CORRECTIONS, WEIGHTS + ALL_ROWS * ROW
 .set HISTORIES, CORRECTIONS + (COUNTER << (CORRECTION_ROW_BITS + CORRECTION_BITS))
@@ -68,7 +68,7 @@
 .set SLOTS, SLOTS_FROM + WAYS_SIZE - 1 - (SLOTS_FROM + WAYS_SIZE - 1) % WAYS_SIZE + FIELDS
 // The slots follow, then the coded bytes
 
-.set AFTER_BITS, 14 // log2 of the size of one nibble's part of these counters
+.set AFTER_BITS, 14 // log2 of the size of a nibble's part of the counters that the last byte selects
 
 // --- Assumptions of the code about these values ---
 #define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif
@@ -78,7 +78,7 @@ EQUAL(FIELD_BYTE5, 2)
 EQUAL(FIELD_TO_MARK, FIELD_BYTE1 + 1)
 EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // both are copied at once
 EQUAL(FIELD_OPCODE3, FIELD_OPCODE1 + 2)
-EQUAL(FIELD_MODE, FIELD_OPCODE + 1) // these fields are cleared with the parser's state
+EQUAL(FIELD_MODE, FIELD_OPCODE + 1) // the fields from OPCODE on are cleared together with the parser's state
 EQUAL(FIELD_SO_FAR, FIELD_OPCODE + 2)
 EQUAL(FIELD_MODRM, FIELD_OPCODE + 3)
 EQUAL(FIELD_COUNT, FIELD_OPCODE + 4)
@@ -95,7 +95,7 @@ EQUAL(DATA_MASK, 1)
 EQUAL(MARK_TARGET, 0x80) // the sign bit of a byte
 EQUAL(SLOT_COUNTER, 0) // a new slot is its check, shifted up
 EQUAL(SLOT_CHECK, SLOT - 2)
-EQUAL(SLOT * NIBBLE_SLOTS, 128) // an immediate byte can subtract it
+EQUAL(SLOT * NIBBLE_SLOTS, 128) // subtracting -128 takes an immediate byte, adding 128 would take four
 EQUAL(COUNTER, 4) // its lowest byte counts the bits seen
 EQUAL(SEEN_BITS, 8)
 EQUAL(HISTORY_FULL, 128) // the sign bit of a byte

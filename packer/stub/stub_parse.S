@@ -1,4 +1,4 @@
-// Part of stub.S: x86.h.
+// Part of stub.S: the parser of x86.h.
 
 // X86Parser::step() with the byte in ecx, then X86Tracker::end() and codeImage(). eax is `left`, in and out.
 parse:

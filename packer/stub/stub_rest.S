@@ -1,4 +1,4 @@
-// Part of the stubs: the code that all of them share. The payload section follows in the file.
+// Part of all stubs: the code that they share. The payload section follows in the file.
 
 // mixIn(eax, edx) -> eax; clobbers edx.
 mix_in:

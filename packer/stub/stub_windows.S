@@ -1,7 +1,7 @@
 // The stub of programs packed for Windows: it checks the file, decodes the program and starts it. It does the same as
 // stub.S on Linux, with the same decoder, and with the functions of kernel32.dll that the file imports (PeStart in
 // pe_format.h). They use Microsoft's calling convention: the caller reserves 32 bytes of stack for them. Decoder and
-// program use System V's. pe_format.h describes its input, its actions and its results, and has its texts.
+// program use System V's. pe_format.h describes its input, its actions and its results. The texts are in the headers.
 
 #include "stub_memory.S"
 
@@ -73,7 +73,7 @@ protect:
     mov edx, esi
     push 0x20 // execute, read
     pop r8
-    lea r9, [rsp + 32] // the old protection goes there
+    lea r9, [rsp + 32] // where VirtualProtect writes the old protection
     call VIRTUAL_PROTECT
     add rsp, 40
     test eax, eax
@@ -99,7 +99,7 @@ refuse:
     call GET_STD_HANDLE
     mov rcx, rax
     mov rdx, rsi
-    push PE_MESSAGE // its size
+    push PE_MESSAGE // the text's size
     pop r8
     lea r9, [rsp + 40]
     and qword ptr [rsp + 32], 0

@@ -14,7 +14,8 @@ extern "C" void *memcpy(void *__restrict to, const void *__restrict from, size_t
 
 namespace {
 
-// After the decoder's own data come Layout, ModelParameters and payload, then the decoded bytes
+// Layout, ModelParameters and payload follow the decoder's own data; then come the decoded bytes and the
+// model
 unsigned char *payload() { return (unsigned char *)(((uintptr_t)&__heap_base + 63) & ~63ul); }
 constexpr uint32_t kMostPayload = 1 << 17, kMostDecoded = 1 << 20;
 

@@ -3,8 +3,9 @@
 // The packer's model codes markup, scripts and program together (wasm_tracker.h). The page has a comment with
 // the decoder (decode.cpp), deflated, and the coded bytes. Each byte is XORed with KEY. A byte that HTML
 // would change, or that would end the comment, is escaped as 1, byte ^ 64. KEY is the one that needs the
-// fewest escapes. A page that is opened as a file is read as text in windows-1252, and a script converts its
-// letters back to bytes. A server may name another charset, so from there the script fetches the page again.
+// fewest escapes. A browser reads a page that is opened as a file as text in windows-1252, and the script
+// converts its characters back to bytes. A server may name another charset; then the script fetches the page
+// again, as bytes.
 #include "packer/model/encoder.h"
 #include "packer/model/search.h"
 #include "packer/web/wasm_tracker.h"
@@ -72,7 +73,7 @@ std::string tight(const std::string &script) {
     return out;
 }
 
-// Returns the text as a string of JavaScript.
+// Returns the text as a string literal of JavaScript.
 std::string quoted(const std::string &text) {
     std::string out = "`";
     for (char c : text) {
@@ -109,16 +110,16 @@ Escaped escaped(const std::string &bytes) {
     for (int key = 0; key < 256; ++key) {
         std::string out;
         for (char c : bytes) {
-            unsigned char turned = (unsigned char)(c ^ key);
-            if (mustEscape(turned, out.empty() ? '-' : out.back())) out += (char)1, turned ^= 64;
-            out += (char)turned;
+            unsigned char masked = (unsigned char)(c ^ key);
+            if (mustEscape(masked, out.empty() ? '-' : out.back())) out += (char)1, masked ^= 64;
+            out += (char)masked;
         }
         if (!key || out.size() < best.bytes.size()) best = {out, key};
     }
     return best;
 }
 
-// Finds the code section. `all`: the scripts, then from `program` on the WebAssembly program.
+// Finds the code section. `all`: the scripts, then the WebAssembly program, from the offset `program` on.
 Layout layoutOf(const std::string &all, size_t program) {
     size_t at = program + 8;
     auto number = [&] {
@@ -141,8 +142,8 @@ Layout layoutOf(const std::string &all, size_t program) {
     throw std::runtime_error("the program has no code");
 }
 
-// plain.js finds relaxed instructions by their bytes alone. Throws if other bytes of the program look the
-// same.
+// plain.js finds relaxed SIMD instructions by their bytes alone. Throws if other bytes of the program look
+// like such an instruction.
 void checkRelaxed(const std::vector<uint8_t> &bytes, const Layout &layout) {
     web::WasmParser parser = {};
     uint32_t fields[web::kFields] = {};
@@ -178,7 +179,7 @@ void writeModel(const std::string &path, const ModelParameters &parameters) {
 // The script in the page. It decodes the text `t` of the comment, or the page `s` itself, and runs the
 // decoded script with the program. The decoder runs in a worker, so the page stays responsive. If something
 // fails, for example because a Content-Security-Policy forbids workers or WebAssembly, the page shows one
-// sentence. A click is remembered.
+// sentence. A click before the program starts is remembered.
 constexpr char kLoader[] =
     R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],w,e=onerror=onunhandledrejection=()=>{
 document.body.textContent='This browser or site allows no WebAssembly, workers or DecompressionStream: it cannot play the film.'}

@@ -22,8 +22,8 @@ enum WasmField {
     kUnread2,      // the local set before that and not read yet
     kFollows,      // the local that followed the last use of kLocal1
     kOffset,       // offset of the last access to memory
-    kOffsetOf,     // offset of the last access to memory after kLocal1
-    kLast,         // the last operand of the same opcode
+    kOffsetOf,     // offset of the last access to memory that followed kLocal1
+    kLast,         // the operand of the last instruction with the same opcode
     kDepth,        // nesting depth of blocks
     kTop1,         // opcode that made the topmost operand on the stack
     kTop2,         // opcode that made the operand below it
@@ -43,8 +43,8 @@ enum WasmField {
 
 static_assert(kFields <= kMostFields);
 
-// The effect of an instruction on the stack: 2 * operands that it pops, + 1 if it pushes one. A call
-// counts as seven pops and a push. Indexed as in WasmParser::opcode().
+// The effect of an instruction on the stack: twice the number of operands that it pops, plus 1 if it pushes
+// one. A call counts as seven pops and a push. Indexed as in WasmParser::opcode().
 constexpr uint8_t kUnary = 3, kBinary = 5;
 struct StackEffects {
     uint8_t of[1024];
@@ -82,10 +82,10 @@ struct WasmParser {
     enum Phase : uint32_t { kHead, kOpcodeByte, kPrefixed, kNumber, kSecondNumber, kRaw, kData };
     static constexpr uint32_t kTables = 1024, kUnreads = 8;
 
-    uint32_t phase, count; // the part that the next byte belongs to, and the number of its bytes before
-    uint32_t value, numbers, raw; // the number so far; numbers and plain bytes still to come
+    uint32_t phase, count; // the part that the next byte belongs to, and how many of its bytes came before
+    uint32_t value, numbers, raw; // the number so far; how many numbers and plain bytes are still to come
     uint32_t depth, locals;       // nesting depth of blocks; the state of kHead
-    bool table;                   // br_table: its first number is the count of the others
+    bool table;                   // at the first number of a br_table, which is the count of the others
     uint32_t unread[kUnreads], stack[64], height;
     uint32_t follows[kTables], offsetOf[kTables], last[kTables]; // by local, by local, by opcode
 

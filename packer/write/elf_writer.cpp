@@ -60,7 +60,7 @@ template <class Front> Front frontOf(const PackedKind &kind, const Bytes &file) 
 
 // --- Programs made for packing ---
 
-// Makes all headers except the two of loaded segments, 1 and 2.
+// Makes all headers except segments 1 and 2, which are loaded.
 Front makeFront(uint64_t base, uint64_t entry, const uint32_t *slots) {
     Front f = {};
     f.header = elfHeader(ET_EXEC, entry, offsetof(Front, segments), 5);
@@ -168,7 +168,7 @@ Packed openLoader(const Bytes &file) {
 Bytes writePlainLoader(const Program &program) {
     Bytes out = program.bytes;
     ElfProgram own(program.bytes);
-    // The file has the layout of the memory
+    // The file has the same layout as the memory
     for (Elf64_Phdr &h : own.headers)
         if (h.p_filesz) h.p_offset = h.p_vaddr - program.base;
     std::memcpy(out.data() + own.header.e_phoff, own.headers.data(), own.headers.size() * sizeof(Elf64_Phdr));

@@ -18,10 +18,10 @@ void checkSafeName(const std::string &name) {
 
 std::string mayNotRun(const std::string &usual, const std::string &safeName) {
     if (safeName.empty()) return usual;
-    bool called = usual[0] == ':';
-    std::string line = (called ? ": use " : "use ") + safeName;
+    bool afterName = usual[0] == ':';
+    std::string line = (afterName ? ": use " : "use ") + safeName;
     if (line.size() + std::strlen(" instead\n") <= usual.size()) line += " instead";
-    if (called)
+    if (afterName)
         (line += "\n").resize(usual.size());
     else
         line.resize(usual.size() - 1, ' '), line += "\n";

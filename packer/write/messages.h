@@ -1,20 +1,20 @@
-// The message of a packed program that the system does not let run. It has a fixed size, in the stub or, for
-// Windows, in the headers. So a message that names another program to use costs no bytes.
+// The message that a packed program prints if the system does not let it run. It has a fixed size, in the
+// stub or, for Windows, in the headers. So it costs no bytes to name another program to use.
 #pragma once
 
 #include "packer/read/program.h"
 
 namespace pack {
 
-// The message in stub.S and for Windows; and in stub_loader.S, where it follows the name by which the program
-// was called, and ends with a 0.
+// The usual messages. The first one is for stub.S and for Windows. The second one is for stub_loader.S: it
+// follows the name by which the program was called, and ends with a 0.
 inline constexpr char kMayNotRun[] = "it may not run packed.\n",
                       kLoaderMayNotRun[] = ": may not run packed\n";
 
-// Whether this can be the name of the same program, not packed, for systems that do not run written memory.
-// An empty name is valid: there is none.
+// Whether this is a valid name of another program to use, which is not packed. An empty name is valid: it
+// means none.
 bool isSafeName(const std::string &name);
-// Throws common::Refused if not.
+// Throws common::Refused if the name is not valid.
 void checkSafeName(const std::string &name);
 
 // Returns the usual message or, if there is a safe name, a message of the same size that names it.
@@ -23,12 +23,12 @@ std::string mayNotRun(const std::string &usual, const std::string &safeName);
 // A stub whose message can be replaced.
 class NamedStub {
 public:
-    NamedStub(const uint8_t *stub, size_t size, const char *message = "") // one of the two above
+    NamedStub(const uint8_t *stub, size_t size, const char *message = "") // a usual message
         : usual(stub, stub + size), message(message) {}
 
     size_t size() const { return usual.size(); }
     Bytes with(const std::string &safeName) const;
-    // Whether the stub is at `at`, with any message.
+    // Whether the bytes at `at` are this stub, with any message.
     bool same(const uint8_t *at) const;
 
 private:

@@ -18,8 +18,8 @@ struct Packed {
     uint32_t words; // number of words that the check covers
 };
 
-// Appends the section to `out`, which then has `size` bytes. The checksum() of the bytes from `checkedFrom`
-// on is 0.
+// Appends the section to `out` and fills it up to `size` bytes, so that the checksum() of the bytes from
+// `checkedFrom` on is 0.
 void appendPayloadSection(Bytes &out, const Program &program, const ModelParameters &parameters,
                           const Bytes &payload, size_t checkedFrom, size_t size);
 
@@ -35,14 +35,15 @@ using StubDecode = void(const uint8_t *header, uint8_t *image, void *memory); //
 // A kind of packed file.
 struct PackedKind {
     size_t stubAt;          // offset in the file; the payload section follows the stub
-    NamedStub (*stub)();    // the stub, with its usual message
+    NamedStub (*stub)();    // the stub, whose message names no other program
     StubDecode &stubDecode; // the decoder in the stub
     // Writes a packed file. `payload`: the encoded `program.bytes`. Throws common::Refused.
     Bytes (*write)(const Program &program, const ModelParameters &parameters, const Bytes &payload,
                    const std::string &safeName);
     // Reads a packed file without decoding it. The file may come from any source. Throws common::Refused.
     Packed (*open)(const Bytes &file);
-    // Writes an executable that is the same in memory, not packed. Throws common::Refused.
+    // Writes the program as an executable that is not packed, with the same bytes in memory. Throws
+    // common::Refused.
     Bytes (*writePlain)(const Program &program);
 };
 
@@ -65,19 +66,20 @@ Bytes decodeWithStub(const PackedKind &kind, const Bytes &packed);
 // Opens and decodes a packed file. Never reads beyond the payload. Throws common::Refused.
 Program readPacked(const PackedKind &kind, const Bytes &file);
 
-// A packed program after the proof: both the stub and the C++ decoder decode it.
+// A packed file that was verified: the stub and the C++ decoder both return the program.
 struct PackedFile {
     Bytes bytes;
     size_t overhead;         // bytes that are not payload
     std::vector<float> bits; // cost of each byte of the program
-    double seconds;          // processor time of the stub
+    double seconds;          // processor time for decoding with the stub
 };
-// Packs and proves a program. Throws common::Refused, or std::runtime_error if a decoder fails.
+// Packs a program and verifies the file. Throws common::Refused, or std::runtime_error if a decoder does not
+// return the program.
 PackedFile makePacked(const PackedKind &kind, const Program &program, const ModelParameters &parameters,
                       const std::string &safeName);
 
-// Throws std::runtime_error if `size` is over the budget; below 0 there is none. Before that it removes the
-// earlier file at `path`, so that it is not mistaken for this program.
+// Throws std::runtime_error if `size` is over the budget. A negative budget means no limit. Before it throws,
+// it removes an earlier file at `path`, so that nobody takes that file for this program.
 void checkBudget(const std::string &path, size_t size, long budget);
 
 } // namespace pack

@@ -14,7 +14,7 @@ constexpr uint32_t fileWhole(uint64_t bytes) {
     return (uint32_t)(bytes + kPeFileAlign - 1) & ~(kPeFileAlign - 1);
 }
 
-// Address of the first section; the headers take the page before
+// Address of the first section, relative to the image's base. The headers take the page before it
 constexpr uint32_t kFirst = kPage;
 
 // Size of the stack of the main thread, and of other threads by default. All of it is committed: a stack
@@ -57,7 +57,7 @@ struct Imports {
     char libraryName[16];
 };
 
-// `first`: the function whose slot comes first.
+// `first`: index of the function whose slot comes first.
 Imports makeImports(uint32_t at, uint32_t slots, uint32_t first) {
     Imports i = {};
     i.library = {at + (uint32_t)offsetof(Imports, names), 0, 0, at + (uint32_t)offsetof(Imports, libraryName),
@@ -101,7 +101,7 @@ PeStart makeStart(const Program &program) {
             if (!std::strcmp(functions[k], functions[i])) s.slots[i] = s.slots[k];
         if (s.slots[i]) continue;
         s.slots[i] = at(offsetof(PeStart, names) + end);
-        std::strcpy(s.names + end + 2, functions[i]); // after a hint of two bytes, which may be wrong
+        std::strcpy(s.names + end + 2, functions[i]); // a hint of two bytes precedes it; it may be wrong
         end += 2 + std::strlen(functions[i]) + 1;
     }
     std::strcpy(s.libraryName, kWindows.library);
@@ -187,7 +187,7 @@ Bytes writePlain(const Program &program) {
     h.directories[kPeImports] = {kFirst, sizeof(PeImports) * 2};
     h.directories[kPeImportSlots] = {codeAt + slots, 16};
     Imports imports = makeImports(kFirst, codeAt + slots, first);
-    std::memcpy(image.data() + slots, imports.names, 16); // loaders expect a copy of the table of names
+    std::memcpy(image.data() + slots, imports.names, 16); // loaders expect a copy of the names' table
     uint32_t codeFile = kPeFileAlign + fileWhole(sizeof imports), dataFile = codeFile + program.readOnly;
     PeSection sections[3] = {
         {".idata", codeAt - kFirst, kFirst, fileWhole(sizeof imports), kPeFileAlign, {}, kPeConst},
