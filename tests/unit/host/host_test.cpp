@@ -123,7 +123,7 @@ struct Files : testing::Test {
 } // namespace
 
 TEST_F(Files, AreWholeOrAbsent) {
-    EXPECT_EQ(makeDirectory(folder.c_str()), nullptr); // again
+    EXPECT_EQ(makeDirectory(folder.c_str()), nullptr); // it exists already
     EXPECT_EQ(writeFile(path.c_str(), "hello", 5), nullptr);
     EXPECT_EQ(common::readWhole(path), "hello");
     EXPECT_EQ(count(), 1);
@@ -133,13 +133,13 @@ TEST_F(Files, AreWholeOrAbsent) {
     EXPECT_STREQ(writeAll(9999, "x", 1), "it is closed");
 }
 
-// If the name of the temporary file is in use, a link must not be followed, and a pipe must not be waited
-// for.
+// The name of the temporary file may be in use. Then writeFile() must not follow a link and must not wait for
+// a pipe.
 TEST_F(Files, LeaveOthersPartsAlone) {
     std::string theirs = folder + "/theirs"; // somebody else's file
     common::writeWhole(theirs, "precious");
     auto part = [&](int i) {
-        std::string digits = std::to_string(getpid() + i); // the last name first
+        std::string digits = std::to_string(getpid() + i); // reversed in the name
         return path + "." + std::string(digits.rbegin(), digits.rend()) + ".part";
     };
     ASSERT_EQ(symlink(theirs.c_str(), part(0).c_str()), 0);

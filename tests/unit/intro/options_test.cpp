@@ -20,7 +20,7 @@ Options good(std::vector<const char *> args) {
     return o;
 }
 
-// Parses words separated by blanks, which must be wrong. Returns the error line.
+// Parses a command line of words separated by single spaces and expects an error. Returns the error line.
 std::string bad(std::string line) {
     std::vector<const char *> args = {line.data()};
     for (char &c : line)

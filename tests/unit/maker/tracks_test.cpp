@@ -144,17 +144,17 @@ TEST_F(Fixture, CountsRowsOfTheFilm) {
 TEST_F(Fixture, HasKeysSetByHand) {
     EXPECT_EQ(tracks.setView(4, &kView), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {2, kSmooth}}}));
-    EXPECT_EQ(tracks.track(kLens)[4].value, 45); // as it is there
+    EXPECT_EQ(tracks.track(kLens)[4].value, 45); // the track's own value at that row
     EXPECT_EQ(tracks.setView(16, nullptr), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}}));
     EXPECT_EQ(tracks.setView(16, nullptr), "there is no key");
-    // An editor's change to one of these keys wins; the others stay
+    // If the editor changes one of these keys, its value counts; the other keys stay
     tracks.takeFromEditor(kEyeX, {{16, {3, kSmooth}}});
     EXPECT_EQ(tracks.setView(4, &kView), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {3, kSmooth}}}));
     tracks.takeFromEditor(kEyeX, {{4, {1, kSmooth}}, {16, {3, kSmooth}}});
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {1, kSmooth}}, {16, {3, kSmooth}}}));
-    // A film that is loaded again keeps all that
+    // The keys stay when the film is loaded again
     find();
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {1, kSmooth}}, {16, {3, kSmooth}}}));
     EXPECT_EQ(tracks.track(kEyeY), (rocket::Track{{4, {7, kSmooth}}}));

@@ -1,4 +1,4 @@
-// Tests the music's last step: floats are rounded to samples of 16 bits, with dither.
+// Tests the music's last step: floats are rounded to 16-bit samples, with dither.
 #include "output/samples.h"
 
 #include <cmath>
@@ -30,7 +30,7 @@ TEST(Samples, AreWithinOneAndAHalfOfTheirValue) {
 // error with 1/12. It has no bias.
 TEST(Samples, AreDitheredByATriangle) {
     constexpr int kBlocks = 400;
-    for (float between : {0.f, 0.25f, 0.5f, 0.8f}) { // position between two steps
+    for (float between : {0.f, 0.25f, 0.5f, 0.8f}) { // position between two 16-bit values
         double sum = 0, squares = 0;
         for (int number = 0; number < kBlocks; ++number)
             for (int16_t sample : samplesOf((1000 + between) / 32767, number)) {
@@ -40,7 +40,7 @@ TEST(Samples, AreDitheredByATriangle) {
         double n = (double)kBlocks * kCount, mean = sum / n;
         EXPECT_NEAR(mean, 0, 5 * std::sqrt(0.25 / n)) << between;
         EXPECT_NEAR(squares / n, 1 / 6. + 1 / 12., 0.005)
-            << between; // the same everywhere: noise, not distortion
+            << between; // the same variance everywhere: noise, not distortion
     }
 }
 

@@ -154,8 +154,8 @@ TEST(Reader, TakesAProgramForWindows) {
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
 }
 
-// Cuts the file at every size and damages every byte. The reader must refuse it or return a program, never
-// crash (run it under ASan).
+// Cuts the file at every size and damages every byte. The reader must refuse the file or return a program,
+// and must never crash (run this under ASan).
 TEST(Reader, SurvivesDamage) {
     Bytes whole = Example().file();
     for (size_t size = 0; size < whole.size(); ++size)
@@ -372,7 +372,7 @@ TEST(Loader, WritesWhatReadsBack) {
     }
 }
 
-// Programs as patchelf and postject change them.
+// Programs as patchelf and postject write them.
 TEST(Loader, TakesProgramsWhoseTablesWereMoved) {
     Example e; // the interpreter's name is at the end of the program
     e.image.segments[0].p_offset = 4096 + offsetof(Example::Data, slots) - 28;

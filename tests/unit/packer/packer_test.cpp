@@ -246,7 +246,7 @@ TEST(Coder, SurvivesDamage) {
     }
 }
 
-// A packed file has no bits for other fields.
+// A packed file has no bits for fields that contexts may not use.
 TEST(Coder, RefusesMasksOfFieldsThatCannotBeUsed) {
     for (int type = 0; type < 2; ++type)
         for (uint32_t bit = 0; bit < 32; ++bit) {

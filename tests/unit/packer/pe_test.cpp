@@ -10,7 +10,7 @@ using namespace pack;
 
 namespace {
 
-// A page of code, then one of data that begins with the slots of the imports.
+// A page of code, then a page of data that begins with the slots of the imports.
 Program example() {
     Program p = {};
     p.base = 0x400000;
@@ -33,7 +33,7 @@ TEST(Pe, WritesFilesThatModernWindowsAccepts) {
     EXPECT_EQ(peImports(kPe.writePlain(p)), "kernel32.dll: GetProcAddress LoadLibraryA"); // in slot order
     std::swap(p.slots[0], p.slots[1]);
     EXPECT_EQ(peImports(kPe.writePlain(p)), "kernel32.dll: LoadLibraryA GetProcAddress");
-    // The base may be any page of 31 bits. The data may have no bytes in the file but the slots
+    // The base may be any page. The slots may be the only bytes of the data that are in the file
     for (uint32_t by : {0u, 0x1000u, 0xf000u, 0x10000u}) {
         Program moved = example();
         moved.base += by, moved.entry += by, moved.slots[0] += by, moved.slots[1] += by;

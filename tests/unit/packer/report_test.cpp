@@ -97,7 +97,7 @@ TEST(Report, GroupsObjectsByRooms) {
     EXPECT_EQ(r.rooms.at("hall").bits, 24);
     EXPECT_EQ(r.rooms.at(kNothingNamed).bits, 8); // b.o
     EXPECT_EQ(r.stubRoom, "stub");
-    EXPECT_EQ(r.roomOf.at("c.o"), "hall"); // an object that earlier builds may have
+    EXPECT_EQ(r.roomOf.at("c.o"), "hall"); // an object that only earlier builds may have
     for (const char *wrong : {"hall\n", "hall ten a.o\n", "hall -5 a.o\n", "hall 5x\n"})
         EXPECT_THROW(readRooms(wrong), common::Refused) << wrong;
 }

@@ -25,7 +25,7 @@ constexpr SceneCost kEntangled = {2, 0.18, 0.07, 0.04, 0.06};
 constexpr double kAlone = 0.001; // seconds of each picture that only one core can work on
 
 struct Machine {
-    double cores, noise = 0; // noise: share by which times vary, up or down
+    double cores, noise = 0; // noise: share by which times vary, in both directions
     unsigned seed = 1;
     double hiccupAt = -1;         // the first picture from this time of the film on takes one second longer
     bool hiccupInBetween = false; // an in-between takes it, not a traced picture
@@ -151,7 +151,7 @@ Summary seen(const std::vector<Decision> &all, double from, double to) {
 
 } // namespace
 
-// Also if times vary by 30 %.
+// This holds even if times vary by 30 %.
 TEST(Governor, SettlesSoonAndNeverSwings) {
     for (int cores = 1; cores <= 16; ++cores)
         for (unsigned seed = 0; seed <= 10; ++seed) {
@@ -245,7 +245,7 @@ TEST(Governor, MixesQualities) {
         EXPECT_FLOAT_EQ(thresholdAt(level), kQualities[(int)name].threshold) << level;
     for (float level = 0; level < 1.99f; level += 0.01f)
         EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
-    // A blend has all other knobs of a named quality
+    // A blend takes all its other settings from a named quality
     for (auto [level, like] :
          {std::pair{1.f, QualityName::Play}, {1.99f, QualityName::Play}, {2, QualityName::Draft}}) {
         g.coarseness = level;
@@ -295,7 +295,7 @@ TEST(Governor, ComesBackToAllPixels) {
             return *std::find_if(all.begin(), all.end(), [=](const Decision &d) { return d.time >= time; });
         };
         EXPECT_LT(at(9.5).size.width, 0.9 * at(4.5).size.width) << cores;
-        EXPECT_NEAR(at(14.5).size.width, at(4.5).size.width, 76) << cores; // kDeadBand, up or down
+        EXPECT_NEAR(at(14.5).size.width, at(4.5).size.width, 76) << cores; // kDeadBand, in both directions
         EXPECT_NEAR(at(14.5).level, at(4.5).level, 0.2) << cores;
     }
 }
@@ -374,7 +374,7 @@ TEST(Governor, TracesFewWhereMakingIsCheap) {
     EXPECT_LT(all.back().level, 1);
 }
 
-// The first picture of each shot is traced, on its sixtieth.
+// The first picture of each shot is traced, at exactly the sixtieth of a second at which the shot begins.
 TEST(Governor, TracesAtCuts) {
     for (int sixtieth = 300; sixtieth < 312; ++sixtieth) {
         GovernedPlayer player(withScreen(2), 10, always(kUsual), {0, 0.1f, 0.1f, 0.1f, 9});

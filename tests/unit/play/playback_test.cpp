@@ -17,14 +17,14 @@ constexpr int64_t kMillisecond = 1000000, kSecond = 1000 * kMillisecond;
 // A device with a buffer of some frames that plays at its own speed.
 struct Device {
     int64_t holds = kSoundRate / 20; // frames that its buffer holds
-    int64_t behind = 0;              // further frames that it delays the sound, and reports as queued
+    int64_t behind = 0;              // additional delay of the sound in frames, which it reports as queued
     double speed = 1;
     int64_t stops = -1, goesOn = -1, dies = -1, returns = -1; // moments
     bool there = true, swallows = false; // swallows: accepts everything, and plays nothing
     int64_t error = 0;                   // frames that it adds to its reported delay
 
     int64_t now = 0;
-    double played = 0; // frames to play now
+    double played = 0; // frames that are due now
     std::deque<int16_t> queue;
     struct PlayedFrame {
         int64_t when;

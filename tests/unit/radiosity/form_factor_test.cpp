@@ -160,7 +160,7 @@ TEST(FormFactor, OfUnitSquaresFallsWithResolution) {
 TEST(FormFactor, OneSided) {
     HemicubeBench b;
     b.model->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 0.25f); // facing up
-    b.model->addRect({0, 1, 0}, {0, 0, 1}, {1, 0, 0}, 0, 0.25f); // above, also facing up: a black back
+    b.model->addRect({0, 1, 0}, {0, 0, 1}, {1, 0, 0}, 0, 0.25f); // above, facing up: its back is black
     b.model->addRect({-9, 2, -9}, {20, 0, 0}, {0, 0, 20}, 0, 5); // above both, facing down
     b.model->open = true;
     b.open(64, 1);

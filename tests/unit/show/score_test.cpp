@@ -43,7 +43,7 @@ char chordAt(int row) {
     return kChords[m.shot->scene][(int)m.storyRow / 16];
 }
 
-// Returns whether one of some instruments plays a key, in any octave, on a row. `least`: minimal length.
+// Returns whether one of the instruments `by` plays a key, in any octave, on a row. `least`: minimum length.
 bool isPlayed(int row, int key, std::initializer_list<InstrumentId> by, float least = 0) {
     std::vector<Note> notes = notesOf(row);
     return std::any_of(notes.begin(), notes.end(), [&](const Note &n) {

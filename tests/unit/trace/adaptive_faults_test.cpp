@@ -50,7 +50,7 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
         int count = 0;
         for (int y = 0; y < 360; ++y)
             for (int x = 8 + phase; x < 632; x += 8) {
-                // Use only second differences of smooth parts: those of edges would hide them
+                // Use only smooth parts, because the second differences at edges would hide all others
                 int left = q.at(x - 2, y, 1), a = q.at(x - 1, y, 1), b = q.at(x, y, 1),
                     right = q.at(x + 1, y, 1);
                 int bend = std::abs(right - b - (a - left));
@@ -68,7 +68,8 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
     EXPECT_LT(excess, usual * 1.25);
 }
 
-// A bright face seen edge-on is thinner than the distance between samples. A few of them must not hit it.
+// A bright face seen edge-on is thinner than the distance between samples. If only a few samples hit it, it
+// would look like dashes.
 TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
     auto face = [](float side, const Quality &quality) {
         auto s = shining({5, 5, 5}, rect({side, 0, -10}, {0, 0, -1}, {0, -1, 0}, 0.25f, 3));
@@ -155,7 +156,7 @@ static int blinks(QualityName quality, const std::function<void(Scene &)> &pose)
     return dark;
 }
 
-// The dim highlight of a ball of six pixels is found in most positions between corners.
+// The dim highlight of a ball of six pixels is found in most positions between the corners of squares.
 TEST(AdaptiveFaults, HighlightsOfSmallBallsSeldomBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
@@ -166,8 +167,8 @@ TEST(AdaptiveFaults, HighlightsOfSmallBallsSeldomBlink) {
     EXPECT_LE(blinks(QualityName::Play, pose), 2 * kSparkles);
 }
 
-// A lamp mirrored in a small ball, less than a pixel wide, is found in every position. (If it lights only one
-// pixel, this is dimmed as a spark.)
+// The image of a lamp in a small ball, less than a pixel wide, is found in every position. (If it lights only
+// one pixel, this pixel is dimmed as a spark.)
 TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
@@ -178,7 +179,7 @@ TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
 }
 
 // A ball of two pixels is found in every position, also next to an edge, which alone splits the squares
-// there. (If it lights only one pixel, this is dimmed, as above.)
+// there. (If the ball lights only one pixel, this pixel is dimmed, as above.)
 TEST(AdaptiveFaults, TinyBallsNearEdgesDoNotBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
@@ -276,7 +277,7 @@ TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
 }
 
 // Compares the light of a whole picture with the light of a picture traced in full, for cameras that turn by
-// a seventh of a pixel each: the means are nearly equal, and half of it is never lost.
+// a seventh of a pixel each: the means are nearly equal, and no picture loses half of its light.
 static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName name, double off) {
     constexpr int kCameras = 15;
     double mean = 0;

@@ -1,4 +1,4 @@
-// Compares adaptive pictures with pictures traced in full. They depend on the scene alone.
+// Compares adaptive pictures with pictures traced in full, and tests that they depend on the scene alone.
 #include "show/scenes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_picture.h"
@@ -29,7 +29,7 @@ TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     TracedPicture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);
     double samples = 1e30, quality = 1e30;
-    for (int i = 2; i <= 40; ++i) { // level 1 is left out: only film has some features
+    for (int i = 2; i <= 40; ++i) { // starts at level 0.1, because only `film` has some features
         float level = (float)i / 20;
         Quality q = level < 1 ? blend(named(QualityName::Film), named(QualityName::Play), level)
                               : blend(named(QualityName::Play), named(QualityName::Draft), level - 1);
@@ -39,7 +39,7 @@ TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
         EXPECT_LT(db, quality + 0.3) << level;
         if (i > 2) {
             EXPECT_GT(taken, samples * 0.5)
-                << level; // 0.55 at the level that ends squares of a quarter of a pixel
+                << level; // 0.55 at the level where squares of a quarter of a pixel end
             EXPECT_GT(db, quality - 1.5) << level;
         }
         samples = taken;
@@ -144,7 +144,7 @@ TEST(Adaptive, TakesTheLargestFrame) {
     auto scene = emptyScene();
     posePeerA(*scene);
     scene->finish();
-    auto sumAt = [&](int part) { // the picture has a part of the width and the height
+    auto sumAt = [&](int part) { // the picture has 1 / part of the width and the height
         TracedPicture p =
             traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth / part, kMaxHeight / part);
         double sum = 0;

@@ -57,7 +57,7 @@ TEST(Seam, OfFloorAndWallLetsNoLightIn) {
             g.scene->add(rect({x, 3 * s, 0}, {0, 1, 0}, {0, 0, 1}, 3 * s, 9 * s, 1));
             ASSERT_GT(g.scene->shapes[0].frame.v.y, 0);
             ASSERT_GT(g.scene->shapes[1].frame.v.x, 0);
-            // From so low no light passes over a high wall
+            // The sun is so low that its light does not pass over the wall
             Vec3 sun = normalize(Vec3{-1, p.height, 0.2f}) * p.far;
             g.scene->add(Light{sun + Vec3{x, 0, 0}, Rgb{1, 1, 1} * (p.far * p.far)});
             g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
@@ -66,7 +66,7 @@ TEST(Seam, OfFloorAndWallLetsNoLightIn) {
         }
 }
 
-// The top and a side of a box of rectangles, with the sun on both: their common edge is not darker.
+// The sun lights the top and a side of a box made of rectangles: their common edge is not darker.
 TEST(Seam, OfTopAndSideCastsNoShadow) {
     for (const Pose &p : kPoses) {
         RayTracer g;

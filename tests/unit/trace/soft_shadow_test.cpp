@@ -83,9 +83,9 @@ TEST(SoftShadow, IsOfWhatStandsBetweenAlone) {
     EXPECT_EQ(none.count, 0);
 }
 
-// Returns the share of the light on a glass ball that arrives within a radius on a plane at distance z beyond
-// the ball's middle, both in its radii. The light comes from far away and is refracted in and out, by
-// Fresnel's equations.
+// Returns the share of the light on a glass ball that arrives in a disc of the radius `within`, on a plane at
+// the distance z behind the ball's middle. Both are in units of the ball's radius. The light comes from far
+// away and is refracted in and out. Losses follow Fresnel's equations.
 static double withinByRays(double z, double within, double n) {
     double sum = 0;
     constexpr int kRays = 20000;

@@ -179,7 +179,7 @@ TEST(Materials, AreColoursEverywhere) {
                 }
 }
 
-// The shares in a pattern's row were measured, and sum to 1.
+// The shares in a pattern's row were measured. They sum to 1.
 TEST(Patterns, ShowTheirColoursInTheSharesOfTheirRows) {
     Dice dice(8);
     for (const PatternTraits &row : kPatterns) {

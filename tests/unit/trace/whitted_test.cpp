@@ -1,4 +1,4 @@
-// Whole rays through small scenes, against Phong's, Snell's and Fresnel's formulas.
+// Traces whole rays through small scenes and compares them with Phong's, Snell's and Fresnel's formulas.
 #include "base/maths.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_picture.h"
@@ -60,7 +60,7 @@ TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
     RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(shiny({0, 0, 0}, 0.8f, 300))));
     g.scene->add(Light{{300, 300, 600}, {1e5f, 1e5f, 1e5f}});
-    auto look = [&](float size) {
+    auto sumAndMost = [&](float size) {
         double sum = 0, most = 0;
         for (int i = -50; i <= 50; ++i)
             for (int j = -50; j <= 50; ++j) {
@@ -72,8 +72,8 @@ TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
             }
         return std::pair{sum, most};
     };
-    auto [sum, most] = look(1e-6f);
-    auto [widerSum, widerMost] = look(0.1f / 500 / 0.728f); // in pixels: 0.1 at the ball's distance
+    auto [sum, most] = sumAndMost(1e-6f);
+    auto [widerSum, widerMost] = sumAndMost(0.1f / 500 / 0.728f); // a sample covers 0.1 on the ball
     EXPECT_LT(widerMost, most * 0.25);
     EXPECT_NEAR(widerSum, sum, sum * 0.15);
 }
@@ -145,7 +145,7 @@ TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(mirror(1))));
     g.scene->add(sphere({0, 0, 20}, 1, g.scene->add(glowing({60, 60, 60}))));
     Vec3 eye = {0, 8, 8}, place = {0, 0.4f, 0.9f};
-    // At the image's position: half-way between eye and lamp, as seen from the ball's surface
+    // Find the image on the ball: where the normal is half-way between the directions to eye and lamp
     for (int i = 0; i < 20; ++i)
         place = normalize(normalize(eye - place) + normalize(Vec3{0, 0, 20} - place));
     EXPECT_NEAR(g.trace(eye, place, kExact, 1e-6f).radiance().x, 60, 0.1);
@@ -161,8 +161,8 @@ TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     EXPECT_GT(g.trace(eye, beside, kExact, 0.02f).radiance().x, 0.01f);
 }
 
-// Two emitting mirrors face each other: the path ends at the depth limit, so the sum is a finite geometric
-// series, even of sixty-four bounces.
+// Two emitting mirrors face each other. A path ends at the depth limit, so its light is a finite geometric
+// series, even with sixty-four bounces.
 TEST(Mirror, RecursionEndsByDepthAndByContribution) {
     auto seen = [](float reflect, int depth, float cutoff) {
         RayTracer g;
@@ -180,7 +180,7 @@ TEST(Mirror, RecursionEndsByDepthAndByContribution) {
 }
 
 // A path that ends, by depth or because its share is small, returns the average light, not darkness.
-TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
+TEST(Mirror, ReturnsTheAverageWhereAPathEnds) {
     RayTracer g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(mirror(0.5f))));
     g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
@@ -283,7 +283,7 @@ TEST(View, PutsTheTargetInTheMiddleAndUpOnTop) {
     EXPECT_NEAR(rolled.direction(50.f, 0.f).y, 0, 1e-5);
 }
 
-// A lamp's size softens only shadows of balls, which have closed forms. All other shadows are hard, also the
+// A lamp's size softens only shadows of balls, which have closed forms. All other shadows are hard, even
 // shadows of objects that are nearer to the floor than the lamp's radius.
 TEST(Shadow, OfALargeLampReachesTheFloor) {
     auto s = emptyScene();

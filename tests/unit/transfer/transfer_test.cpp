@@ -37,9 +37,9 @@ struct Floor {
 
 } // namespace
 
-// The sky, its clouds and the sun at every hour. The error is below one per cent; it comes from bands above
-// the fourth. At dawn most light is the rose glow around the sun, which counts as part of the sun although it
-// is wide: there the error is three per cent of a dim light.
+// Tests the sky, its clouds and the sun at every hour. The error is below one per cent and comes from bands
+// above the fourth. At dawn most light is the rose glow around the sun, which counts as part of the sun
+// although it is wide: there the error is three per cent of a dim light.
 TEST(Day, IsWithinAFewPerCentOfExactSolutions) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (const DayError &e : dayErrors({0, 1, 2, 3, 4, 5, 6}, headlessGl(), serial)) {
@@ -49,8 +49,9 @@ TEST(Day, IsWithinAFewPerCentOfExactSolutions) {
     }
 }
 
-// Rays from the four patches of a square, by the cosine law, have the radiosity of the patches that they hit,
-// or the sky's radiance. Computed directly, their light is blurred by the lobe and mirrored towards an eye.
+// Casts rays from the four patches of a square, by the cosine law. Each ray has the radiosity of the patch
+// that it hits, or the sky's radiance. The expected gloss is the light of these rays, weighted by the lobe
+// around the mirrored direction to the eye.
 TEST(Gloss, AgreesWithRays) {
     Floor floor;
     const Hall &hall = *solved().hall;

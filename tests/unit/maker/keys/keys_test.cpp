@@ -301,7 +301,7 @@ TEST_F(KeyTablesTest, AreSavedAndSavedBack) {
     EXPECT_TRUE(holds("{72, 0.95, Linear},\n")) << readWhole(file);
     EXPECT_TRUE(holds("    {3, 0.5, Smooth},\n    {4, 1, Linear},\n")) << readWhole(file);
     EXPECT_EQ(tables.edited(), 0);
-    load(); // as when the film was rebuilt: steps stay
+    load(); // as after the film was rebuilt: the steps can still be undone
     tables.undo();
     tables.undo();
     EXPECT_EQ(tables.edited(), 2);

@@ -160,7 +160,7 @@ TEST(Keys, HaveOneMeaningEachAndEveryActionHasOne) {
         EXPECT_EQ(actionOf(host, false), Action::Count) << (char)host;
 }
 
-// The font lacks most other characters, and would skip them
+// The font lacks most other characters and skips them
 TEST(Keys, AreListedInLettersThatTheFontHas) {
     for (const KeyRow &row : kKeys)
         for (const char *text : {row.shown, row.what})

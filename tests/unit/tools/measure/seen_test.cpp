@@ -56,7 +56,7 @@ TEST(Shown, WhatIsWrongIsReported) {
     EXPECT_NE(wrongIn("2,2,traced,1,64,36\n" + first), "");
 }
 
-TEST(Shown, TheLastOneThatCameStands) {
+TEST(Shown, TheLatestOneIsOnScreen) {
     std::vector<ShownPicture> list = {
         {1, 1, false, 1, 64, 36}, {-1, 2, false, 1, 64, 36}, {3, 3, false, 1, 64, 36}};
     EXPECT_EQ(onScreenAt(list, 0.9), -1);
@@ -74,7 +74,7 @@ TEST(Shown, InBetweensHaveTheirGap) {
         EXPECT_EQ(&from.earlier, &list[i - i % 4]);
         EXPECT_EQ(&from.later, &list[(i + 3) / 4 * 4]);
     }
-    // One is missing
+    // With one traced picture missing, the gap is wider
     list = {{1, 1, false, 1, 64, 36}, {1.05, 1.05, true, 1, 64, 36}, {1.15, 1.15, false, 1, 64, 36}};
     EXPECT_NEAR(madeFrom(list, 1).gap(), 9, 1e-6);
 }
@@ -85,7 +85,7 @@ SeenErrors seenOf(Viewer &viewer, const std::vector<ShownPicture> &list, double 
     return seen;
 }
 
-// In the flake's flight, where everything moves.
+// The moment is in the flake's flight, where everything moves.
 TEST(Viewer, SeesWhatCostsWhat) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     constexpr double kFrom = 52.5, kTo = 52.7;

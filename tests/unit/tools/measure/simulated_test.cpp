@@ -93,7 +93,8 @@ TEST(Simulated, InBetweensAreChargedAtTheirGap) {
     }
 }
 
-// So has an in-between next to a cut, which is made from one picture alone. There is a cut at 40 s.
+// An in-between next to a cut, which is made from only one picture, has the cost of its cadence's gap too.
+// There is a cut at 40 s.
 TEST(Simulated, InBetweensBesideACutAreNotTraced) {
     EXPECT_GT(charged(Governor::kSixes, 39, 41).making[6], 80);
 }
@@ -114,7 +115,7 @@ TEST(Simulated, FasterMachinesAreNoWorse) {
             EXPECT_TRUE(fast[i].shown >= 0.99 * slow[i].shown || fast[i].level < slow[i].level - 0.3 ||
                         fast[i].width > 1.2 * slow[i].width)
                 << giga << ' ' << slow[i].scene;
-        EXPECT_LE(slow[1].rate, giga * 1e9 * 1.01) << "no more is done than it can";
+        EXPECT_LE(slow[1].rate, giga * 1e9 * 1.01) << "no more work than the machine can do";
     }
 }
 

@@ -77,7 +77,7 @@ TEST(Exr, ReadsOtherWriters) {
 }
 
 // Renderers write other channels as well as the colours: whole numbers, and floats of 16 and 32 bits. Unused
-// statements in the header are named.
+// attributes in the header are reported.
 TEST(Exr, ReadsColoursAmongOtherChannels) {
     // A file of 2 x 2 pixels. Each channel is filled with its index
     auto made = [](const std::string &channels, const std::string &more = "", const std::string &value = "") {

@@ -13,7 +13,7 @@ namespace {
 using Bytes = std::vector<uint8_t>;
 constexpr int kAcross = 72, kDown = 48;
 
-// The pictures of that comparison
+// Makes the pictures of the comparison with dense filters
 template <class F> Bytes picture(F &&of, int width = kAcross, int height = kDown) {
     Bytes all;
     for (int y = 0; y < height; ++y)

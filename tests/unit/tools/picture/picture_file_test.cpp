@@ -166,7 +166,7 @@ TEST(PictureFile, ReadsPngAndJpeg) {
         for (size_t at; (at = lacks.find(table)) != lacks.npos;) lacks[at + 1] = '\xfe';
         expectRefused(lacks, "it is damaged");
     }
-    // A picture is too large by its header alone
+    // The size in the header alone shows that the picture is too large
     expectRefused(
         "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x23\x28\0\0\x23\x28\10\2\0\0\0\xe2\xb7\xe5\xed\0\0\0\0IEND\xae\x42\x60\x82"s,
         "no pixels, or more than 2^26");
@@ -194,7 +194,7 @@ TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
     }
 }
 
-// Fourth bytes that the file does not declare as alpha are ignored.
+// The fourth byte of a pixel is ignored if the file does not declare it as alpha.
 TEST(PictureFile, ReadsAlphaOnlyWhereItIs) {
     std::string clear = tga(2, 1, 32, "\1\2\3\x80\4\5\6\xff"), old = bmp(1, 1, "\1\2\3\4");
     clear[17] = 0x20, old[28] = 32;
@@ -202,7 +202,7 @@ TEST(PictureFile, ReadsAlphaOnlyWhereItIs) {
     EXPECT_EQ(read(old).encoded, (Encoded{771, 514, 257}));
 }
 
-// Unused statements of a file are named, unless they say the usual.
+// Properties of a file that are not used are reported, unless they have their usual values.
 TEST(PictureFile, NamesWhatItDoesNotUse) {
     auto unused = [](const char *name, const std::string &more, size_t at) {
         std::string file = common::readWhole(kFolder + name);
@@ -242,7 +242,7 @@ TEST(Picture, HasStepsAndLinearLight) {
     EXPECT_THROW(linearToImage(light, 2), common::Refused);
 }
 
-// Tests all values of 16 bits, alone and as means of squares. Results are rounded to the nearest.
+// Tests all values of 16 bits, alone and averaged over 4 x 4 pixels. Results are rounded to the nearest.
 TEST(Picture, LinearLightBecomesSrgb) {
     Picture all = {256, 256, 1, 16, {}};
     for (int i = 0; i < 65536; ++i) all.encoded.push_back((uint16_t)i);
@@ -257,7 +257,7 @@ TEST(Picture, LinearLightBecomesSrgb) {
     }
 }
 
-// Light is limited so that sums of it are floats, too.
+// Light is limited so that sums of light are finite floats.
 TEST(PictureFile, RefusesLightThatIsNoNumberOrTooMuch) {
     auto hdr = [](const char *pixel) {
         return "#?RADIANCE\n\n-Y 1 +X 2\n\x80\x80\x80\x80"s + std::string(pixel, 4);

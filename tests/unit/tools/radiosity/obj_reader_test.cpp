@@ -1,4 +1,4 @@
-// Wavefront OBJ as other programs write it: its text, its numbers, its materials, and the notes about them.
+// Tests the reader of Wavefront OBJ with files as other programs write them: text, numbers, materials, notes.
 #include "tests/support/read_model.h"
 #include "tools/picture/picture.h"
 
@@ -96,7 +96,7 @@ TEST(ObjReader, TakesAllKindsOfText) {
     EXPECT_EQ(r.mesh.materials.size(), 1u);
 }
 
-// Lines are counted as editors do.
+// Errors name the line, counted as editors count lines.
 TEST(ObjReader, NamesTheLine) {
     const std::string zip("\x1f\x8b\b\0\0", 5);
     const std::pair<std::string, std::string> cases[] = {
@@ -142,7 +142,7 @@ TEST(ObjReader, NotesWhatIsNotReadAsWritten) {
               Lines{"m.mtl: is not a text file, and has no materials"});
 }
 
-// One note for each kind, with the first line or material.
+// There is one note for each kind of unused statement. It names the first line or material.
 TEST(ObjReader, NotesWhatIsNotUsed) {
     const std::string obj =
         "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 0 1 1.0\nv 0 0 1 2\nvt nan 0\nvt 1 inf\nvt\nvt "
@@ -196,7 +196,8 @@ TEST(ObjReader, TakesColours) {
     EXPECT_NEAR(with("Kd xyz 0.4755 0.5 0.5445").mesh.materials[0].reflects[1], 0.5, 0.01);
 }
 
-// Material files in another case or in another system's folders; material names with blanks and #.
+// Finds material files whose names are in another case or have another system's folders, and materials whose
+// names have blanks and #.
 TEST(ObjReader, FindsMaterials) {
     for (const char *library : {"M.MTL", "C:\\\\my\\\\m.mtl", "none.mtl m.mtl"})
         for (const std::string name : {"a b", "a#1"}) {
@@ -272,7 +273,7 @@ TEST(ObjReader, DividesLampsByTheirPicture) {
     EXPECT_NEAR(dark, 72, 4);
     EXPECT_NEAR(lit, 72, 4);
     EXPECT_NEAR(power, 20 * 72, 1);
-    // Without Ke the picture alone is meant; one that cannot be read leaves Ke
+    // Without Ke the picture counts alone. If the picture cannot be read, Ke counts alone (see `none` below)
     ReadObj alone(obj, "newmtl a\nKd 0 0 0\nmap_Ke -clamp on " + (folder / "half.png") + "\n");
     EXPECT_EQ(std::max_element(alone.mesh.materials.begin(), alone.mesh.materials.end(),
                                [](auto &a, auto &b) { return a.emits[0] < b.emits[0]; })

@@ -115,7 +115,7 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
         }
 }
 
-// A geometric series bounds the light that unshot light would still bring.
+// A geometric series bounds the radiosity that the unshot light would still add.
 TEST(Shooting, TheResidualBoundsTheError) {
     RandomSystem room(60, 0.7f, 5, 3);
     std::vector<double> exact = room.solvedDirectly(&Rgb::x);

@@ -38,7 +38,7 @@ SkyPicture read(const std::string &file, bool upIsZ, std::vector<Sun> &suns,
     return readSky(folder / "sky.hdr", upIsZ, suns, notes);
 }
 
-// The integral of light over all directions, over pi.
+// Returns the integral of light over all directions, divided by pi.
 Rgb all(const SkyPicture &sky, const std::vector<Sun> &suns) {
     Rgb sum = {};
     int high = 4 * std::max(sky.height, 1), wide = 2 * high;
@@ -54,7 +54,7 @@ Rgb all(const SkyPicture &sky, const std::vector<Sun> &suns) {
 
 } // namespace
 
-// Refuses other primaries; notes another aspect ratio.
+// A picture with other primaries is refused. A note reports another aspect ratio.
 TEST(Sky, IsAPanoramaOfItsLight) {
     std::vector<Sun> suns;
     std::vector<std::string> notes;
@@ -124,7 +124,7 @@ TEST(Sky, CastsWhatIsTooBrightAsSuns) {
         EXPECT_GT(dot(suns[0].towards, wanted), 0.99999f);
         EXPECT_GT(wanted.x, 0.8f);
         EXPECT_NEAR(upIsZ ? wanted.z : wanted.y, std::sin(30.23 / 360 * kTurn), 1e-3);
-        // Its light over pi: radiance times solid angle
+        // Its light divided by pi: radiance times solid angle, over pi
         double angle = kTurn / 256 * (std::cos(kTurn * 42 / 256) - std::cos(kTurn * 43 / 256)) / (kTurn / 2);
         EXPECT_NEAR(suns[0].light.x / suns[0].light.z, 3, 0.02); // RGBE has eight bits
         EXPECT_NEAR(suns[0].light.x, 30000 * angle, 0.02 * 30000 * angle);
@@ -157,7 +157,7 @@ TEST(Sky, StandsWhereItIsAsked) {
     EXPECT_TRUE(near(sunTowards(-90, 0, true), {0, 0, -1}));
 }
 
-// (hdr_reader_test has files that are no pictures.)
+// (hdr_reader_test has files that are not pictures.)
 TEST(Sky, RefusesSumsThatAreNoNumbers) {
     std::vector<Sun> suns;
     EXPECT_THROW(read("#?RADIANCE\n\n-Y 1 +X 1\n\xff\xff\xff\xff", false, suns), common::Refused);

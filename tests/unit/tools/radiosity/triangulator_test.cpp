@@ -61,7 +61,7 @@ Vec3d newell(const std::vector<Vec3d> &p) {
 struct Built {
     Mesh mesh;
     std::vector<std::string> notes;
-    double area = 0; // the triangles', along Newell's normal; NaN if one faces the other way
+    double area = 0; // the area of the triangles along Newell's normal; NaN if one faces the other way
 
     explicit Built(const std::vector<Vec3d> &points) {
         Polygons polygons;
