@@ -120,8 +120,8 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
     EXPECT_LT(retraced, 0.005);
 }
 
-// At any fraction of a wider gap the squared error is at most twice a draft's, which is not visible in a
-// picture shown for a sixtieth of a second, or too small to see.
+// At any fraction of a wider gap the squared error is at most twice a draft's, or too small to see. Twice
+// the error is not visible in a picture that is shown for a sixtieth of a second.
 TEST(Between, IsNearAtEveryFraction) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (double seconds : {20., 44., 98., 150.}) {

@@ -123,10 +123,11 @@ TEST_F(Fixture, TakesOverAnEditorsKeys) {
     EXPECT_EQ(keysOf(kLamp), (Keys{{1, 5, (float)kStep},
                                    {2.5f, 6, (float)kRamp}, // on the row of the film's own key
                                    {9, 7, (float)Smooth}}));
-    // All numbers of the camera get a key on every row where one has a key, as in the film's table
-    EXPECT_EQ(keysOf(kPath), (Keys{{-8, 1, 2, 3, 4, 5, 6, 7, 40}, // stays: the editor cannot see it
-                                   {4, 1.5f, 9, 3.5f, 4.5f, 5.5f, 6.5f, 7.5f, 45}, // half-way
-                                   {16, 2, 9, 4, 5, 6, 7, 8, 50}}));               // holds
+    // All numbers of the camera get a key on every row on which one of them has a key, as in the film's table
+    EXPECT_EQ(keysOf(kPath),
+              (Keys{{-8, 1, 2, 3, 4, 5, 6, 7, 40},                  // stays, because the editor cannot see it
+                    {4, 1.5f, 9, 3.5f, 4.5f, 5.5f, 6.5f, 7.5f, 45}, // half-way between the film's keys
+                    {16, 2, 9, 4, 5, 6, 7, 8, 50}}));               // eye.y keeps 9
     // The editor releases them
     tracks.takeFromEditor(kTheLamp, {});
     tracks.takeFromEditor(kEyeY, {});

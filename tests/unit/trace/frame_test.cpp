@@ -85,7 +85,7 @@ struct Developed {
     }
 };
 
-// The exact value, by the definition.
+// Returns the exact value, computed from the definition.
 double exact(float radiance) { return 255 * (double)encodeSrgb(filmic(broadcast(radiance)))[0]; }
 
 // The noise of a flat picture: the shown values minus their mean, for `seed` and colour `c`.
@@ -118,7 +118,8 @@ TEST(Develop, WritesEveryPixelOfOddSizes) {
 }
 
 // A pixel that is brighter than all its neighbours shows the brightest of these; lines, corners and pairs
-// stay. Tried in a picture of odd size, also at its edges, where there are fewer neighbours.
+// stay. The test tries every pixel of a picture of odd size, so also the edges, where there are fewer
+// neighbours.
 TEST(Develop, ShowsNoSparks) {
     constexpr int kWidth = 21, kHeight = 9;
     for (int at = 0; at < kWidth * kHeight; ++at) {
@@ -138,7 +139,7 @@ TEST(Develop, ShowsNoSparks) {
 }
 
 // With noise, the mean of many pixels has more than eight bits: it gives the table's value without steps. The
-// mean of 512 pixels is exact to 1/40 of a step.
+// mean of 512 pixels is within 1/40 of a step.
 TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
     std::vector<float> radiances;
     for (float x = 1e-6f; x < 1e5f; x *= 1.013f) radiances.push_back(x);

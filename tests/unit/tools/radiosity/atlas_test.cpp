@@ -1,4 +1,4 @@
-// Lightmaps: they show the solution in other programs, and polygons share no texels.
+// Tests that lightmaps show the solution in other programs, and that polygons share no texels.
 #include "tests/support/exported.h"
 #include "tests/support/generated_mesh.h"
 #include "tests/support/headless_gl.h"
@@ -63,8 +63,9 @@ std::vector<Element> elementsOf(const Solution &b) {
 
 float most(const Rgb &c) { return std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}); }
 
-// Differences between a folder's pages and the solution, in the middles of elements, and the CSV. The worst
-// difference is a share of the largest of red, green and blue, because a page stores eight bits.
+// Differences between exported pages and the solution, in the middles of elements. `worst`: the largest
+// difference from the solution's light, as a share of the largest of red, green and blue, because a page
+// stores eight bits. `squareOfTable`: the rms difference from the means in the CSV.
 struct Difference {
     float worst = 0;
     double squareOfTable = 0;
@@ -112,7 +113,7 @@ TEST(Atlas, ShowsTheSolution) {
         Difference d = compare(room(), out);
         EXPECT_GT(d.count, 2000);
         EXPECT_LT(d.lost, d.count / 100);
-        EXPECT_LT(d.worst, 1 / 150.f); // above one step of eight bits, because light is redder than surfaces
+        EXPECT_LT(d.worst, 1 / 150.f); // more than one 8-bit step, because light is redder than surfaces
         EXPECT_LT(d.squareOfTable, 0.01);
     }
 }
@@ -138,7 +139,7 @@ TEST(Atlas, HasFewerTexelsOnDemand) {
     EXPECT_GT(d.squareOfTable, 0.01);
 }
 
-// The texels around a chart repeat its border, and eight bits agree with floats.
+// The texels around a chart repeat its border. Pages of eight bits agree with pages of floats.
 TEST(Atlas, PadsAndScales) {
     AtlasSettings s;
     Atlas atlas = packAtlas(room(), s);

@@ -1,4 +1,5 @@
-// glTF as other programs write it, and damaged files: triangles, transforms, materials and lights.
+// Tests the reader of glTF, with files as other programs write them and damaged ones: triangles, transforms,
+// materials and lights.
 #include "tests/support/read_model.h"
 #include "tools/common/text.h"
 
@@ -91,7 +92,7 @@ void expectNear(Vec3d a, Vec3d b, double within = 1e-6) {
 
 } // namespace
 
-// Four points as two triangles, in all modes and types of indices.
+// Four points form two triangles, in all modes and with all types of indices.
 TEST(GltfReader, TakesAllTriangles) {
     struct Case {
         int mode;
@@ -164,7 +165,8 @@ TEST(GltfReader, PlacesNodes) {
                             kMesh))
                     .area(),
                 3, 1e-6);
-    // A skinned mesh keeps its bind pose: the transform of the first joint counts, not of its node
+    // A skinned mesh keeps its bind pose: the transform of the first joint counts, not the transform of its
+    // node
     Read skinned(Writer()
                      .add("VEC3", kSquare)
                      .add<float>("MAT4", {3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1})
