@@ -1,4 +1,5 @@
-// Checks that this machine has all the film needs. If a viewer reports a problem, ask for this output first.
+// Checks whether this machine has all that the film needs. If a viewer reports a problem, ask for this output
+// first.
 #pragma once
 
 namespace odraz {

@@ -10,7 +10,7 @@ struct Arena {
     unsigned char *base;
     size_t size;
     size_t used;
-    bool full = false; // some take() failed. A caller of many may check this once, at the end
+    bool full = false; // some take() failed. After many calls it is enough to check this once
 
     // Returns `count` zeroed Ts that start on a new cache line; null if they do not fit.
     template <class T> T *take(size_t count) { return (T *)take(count, sizeof(T)); }

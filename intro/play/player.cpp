@@ -87,7 +87,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
         p.music.playback.pause(paused);
         if (paused) p.music.clock.start(time, before);
         time = p.music.clock.at(before);
-        if (time < from) time = from; // the first sound is still on its way
+        if (time < from) time = from; // the first sound is not heard yet
         if (time >= to || p.leaves()) break;
         Queue::Action action = p.queue.action(time);
         if (action == Queue::kWait) {

@@ -5,8 +5,8 @@
 
 namespace odraz {
 
-// The duplicate of standard error while a Quiet exists, otherwise 0. It cannot start as 2: when the early
-// part prints an error, only data that starts as 0 exists
+// The duplicate of standard error while a Quiet exists, otherwise 0. It cannot be initialised to 2: when the
+// early part prints an error, only data that is initialised to 0 exists
 static long theStandardError;
 
 const char kMoreMemory[] = "end other programs, or raise ulimit -v";
@@ -30,7 +30,7 @@ bool couldAddress(size_t bytes) { return mayMap(bytes, sys::kNothing); }
 int printError(const char *line) {
     char text[512] = FILM_NAME ": ";
     int size = sizeof FILM_NAME + 1;
-    // Keep it to one line, even if it quotes control characters that a user gave
+    // Keep the message to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';
     sys::call(sys::kWrite, theStandardError ? theStandardError : 2, (long)text, size);
@@ -61,7 +61,7 @@ int prepareDescriptors() {
     for (int fd = 0; fd < 3; ++fd)
         if (sys::call(sys::kFcntl, fd, 1 /* F_GETFD */) == -sys::kEbadf) {
             closed |= 1 << fd;
-            // It gets the lowest free number, which is fd
+            // The new descriptor gets the lowest free number, which is fd
             sys::call(sys::kOpen, (long)"/dev/null", 2 /* O_RDWR */);
         }
     uint64_t action[4] = {1 /* SIG_IGN */};

@@ -27,7 +27,8 @@ struct WindowState {
     Xlib x;
     Glx glx;
     Display *drawing; // used by the thread that traces and draws
-    // Used by the thread that listens. The window is made on it, so it gets the message of the close button
+    // Used by the thread that listens. The window is made through this connection, so this one gets the
+    // message of the close button
     Display *events;
     Window window;
     Atom closeRequest;

@@ -1,4 +1,4 @@
-// The part of Xlib that we use, as a table.
+// The functions of Xlib that we use, as a table.
 #pragma once
 
 #include "host/library.h"

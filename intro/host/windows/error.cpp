@@ -22,7 +22,7 @@ namespace {
 int report(const char *line, bool box) {
     char text[512] = FILM_NAME ": ";
     uint32_t size = sizeof FILM_NAME + 1;
-    // Keep it to one line, even if it quotes control characters that a user gave
+    // Keep the message to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';
     // Consoles and boxes get UTF-16, because they do not read bytes as UTF-8

@@ -44,7 +44,7 @@ int prepareDescriptors() {
     for (int fd = 0; fd < 3; ++fd)
         if (!GetFileType(to[fd] = standard(fd))) {
             closed |= 1 << fd;
-            SetStdHandle(which(fd), nullptr); // so that no file of ours becomes it
+            SetStdHandle(which(fd), nullptr); // so that no file of ours becomes a standard descriptor
         }
     // Attach the console of the parent process. That also replaces pipes and files, which are put back
     static const WCHAR kConsole[] = {'C', 'O', 'N', 'O', 'U', 'T', '$', 0};

@@ -89,9 +89,9 @@ ODRAZ_INLINE void cornersOf(Square q, int size, uint32_t *c) {
 }
 
 // Samples are clamped to this radiance before they are averaged, unless the whole pixel is brighter.
-// Otherwise one sample of a lamp makes a pixel white, and edges of lamps alias. (Above it the tone curve
-// rises little.) Of the limits 0.7, 1, 1.5 and 2.5, times exposure, 1 comes closest to pictures with four
-// times as many pixels a side that were scaled down after the tone curve.
+// Otherwise one sample of a lamp makes a pixel white, and edges of lamps alias. (Above this radiance the tone
+// curve rises little.) Of the limits 0.7, 1, 1.5 and 2.5, times exposure, 1 comes closest to pictures with
+// four times as many pixels a side that were scaled down after the tone curve.
 inline float whiteOf(const Scene &scene) { return 1 / scene.exposure; }
 
 // The shape that a corner shows; -1: the sky.
