@@ -1,4 +1,4 @@
-// Properties of the maths functions; maths_exhaustive_test proves their accuracy.
+// Tests properties of the maths functions. maths_exhaustive_test proves their accuracy.
 #include "base/maths.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Hemicubes: visibility, sums and energy in closed rooms, and cleaning up.
+// Tests hemicubes: visibility, sums and energy in closed rooms, and freeing all objects.
 #include "tests/support/hemicube_bench.h"
 #include "tests/support/room.h"
 

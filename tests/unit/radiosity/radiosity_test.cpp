@@ -1,4 +1,4 @@
-// Direct light against closed forms, solved rooms, and extremes of reflectance, power and size.
+// Tests direct light against closed forms, solved rooms, and extremes of reflectance, power and size.
 #include "radiosity/radiosity.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/model_bench.h"

@@ -1,4 +1,4 @@
-// Solving for many right-hand sides, against closed forms.
+// Tests solving for many right-hand sides, against closed forms.
 #include "radiosity/solve.h"
 #include "tools/engine/heap_arena.h"
 

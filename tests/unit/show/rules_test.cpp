@@ -1,5 +1,5 @@
-// Rules for any film made with this engine: cuts are on bars, cameras have keys for their whole shots and
-// neither jump nor run into shapes, events are within their scenes, and no picture has a NaN.
+// Tests the rules for any film made with this engine: cuts are on bars, cameras have keys for their whole
+// shots and neither jump nor run into shapes, events are within their scenes, and no picture has a NaN.
 #include "inside.h"
 #include "show/events.h"
 #include "tests/support/planes.h"

@@ -1,4 +1,4 @@
-// The score stays within its scale and its bars, and fits the pictures.
+// Tests that the score stays within its scale and its bars, and fits the pictures.
 #include "show/score.h"
 
 #include "show/tune.h"
@@ -143,8 +143,9 @@ TEST(Score, HasATuneThatCanBeSung) {
         }
 }
 
-// The image mirrors each tone about F, except two that would clash. In the finale, where it follows two bars
-// later, both are consonant on every half bar except one, or they are the dominant's root and seventh.
+// kMirrored mirrors each tone of the tune about F, except two that would clash. In the finale it follows the
+// tune two bars later. On every half bar except one, the two are consonant or are the dominant's root and
+// seventh.
 TEST(Score, MirrorsTheTuneInACanon) {
     int others = 0;
     for (int i = 0; i < 32; ++i) {

@@ -22,7 +22,7 @@ float medianOf(std::vector<float> values) {
 
 } // namespace
 
-// From the treatment.
+// The treatment demands this number of cuts.
 constexpr int kLeastCuts = 14;
 
 TEST(Film, HasTheCutsAndTheLengthOfItsTreatment) {
@@ -30,8 +30,8 @@ TEST(Film, HasTheCutsAndTheLengthOfItsTreatment) {
     EXPECT_NEAR(duration(), 160, 5);
 }
 
-// The camera's target moves through the picture, each second by at least a hundredth of its height. (Far
-// away, through a long lens, a walking camera may look still.)
+// In each second the camera's target moves through the picture by at least a fiftieth of the picture's
+// height. (Far away, through a long lens, a walking camera may look still.)
 TEST(Film, NoCameraIsStill) {
     for (int i = 0; i < kFilm.count; ++i) {
         double end = endOf(i) / kRowsPerSecond;
@@ -134,7 +134,7 @@ TEST(Film, BallsDoNotRollThroughShapes) {
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
                 if (!a.isBall() || b.kind == ShapeKind::Plane) continue;
-                // At the door they pass through its wall
+                // At the door the balls pass through the wall
                 if (now.scene().id == kOdraz && b.kind == ShapeKind::Rect && b.centre.z < -8.99f) continue;
                 EXPECT_GT(distanceFrom(b, a.centre) - a.half.x, -1e-3f)
                     << "at " << t << " s: shapes " << i << " and " << j << " of " << now.scene().name;

@@ -1,4 +1,4 @@
-// The mixer: refused notes, stolen voices, silence, the compressor and seeking.
+// Tests the mixer: refused notes, stolen voices, silence, the compressor and seeking.
 #include "sound/mixer.h"
 
 #include "show/score.h"

@@ -1,5 +1,5 @@
-// Bands of noise: the filter's response matches its closed form, stays bounded when swept, and all bands
-// differ.
+// Tests bands of noise: the filter's response matches its closed form and stays bounded when swept, and all
+// bands differ.
 #include "base/maths.h"
 #include "base/random.h"
 #include "tests/support/voice.h"

@@ -1,4 +1,4 @@
-// Notes: in tune, without aliases or clicks, and independent of block boundaries.
+// Tests notes: they are in tune, have no aliases and no clicks, and do not depend on block boundaries.
 #include "show/score.h"
 #include "tests/support/voice.h"
 #include "tools/measure/detect/recording.h"

@@ -1,4 +1,4 @@
-// The room decays as designed, and is dense; the echo alternates sides.
+// Tests that the room's sound decays as designed and is dense, and that the echo alternates sides.
 #include "sound/reverb.h"
 
 #include <cmath>

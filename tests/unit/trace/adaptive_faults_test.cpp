@@ -1,4 +1,4 @@
-// Visible faults of adaptive pictures: flicker, squares, dashes, stairs, blinking points.
+// Tests that adaptive pictures have no visible faults: flicker, squares, dashes, stairs, blinking points.
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_picture.h"
 

@@ -1,4 +1,4 @@
-// The tracer at the limits of floats, compared with the same rays in double precision: far and near, large
+// Tests the tracer at the limits of floats, against the same rays in double precision: far and near, large
 // and small, grazing, starting on and inside surfaces, nested and coincident, sixty-four bounces, light on
 // surfaces.
 #include "base/maths.h"

@@ -1,4 +1,4 @@
-// Glare neither loses nor makes light, whatever the size of the picture and the number of threads.
+// Tests that glare neither loses nor makes light, whatever the size of the picture and the number of threads.
 #include "tests/support/threads.h"
 #include "tools/engine/heap_arena.h"
 #include "trace/picture/development.h"

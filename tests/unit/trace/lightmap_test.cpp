@@ -1,4 +1,4 @@
-// Light on surfaces, the form factor of a ball, and the sky.
+// Tests light on surfaces, the form factor of a ball, and the sky.
 #include "trace/scene/lightmap.h"
 #include "trace/scene/sky.h"
 #include "trace/shade/ball.h"
@@ -75,20 +75,21 @@ TEST(Lightmap, OverItThePatchesAreAMosaic) {
 TEST(Lightmap, FindsPatchesAndTheLinesBetweenThem) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;
-    auto look = [&](float s, float t, float width = 0.001f) {
+    auto patchAndClear = [&](float s, float t, float width = 0.001f) {
         return sheet.patchAndClear(s, t, c.n, 1, width);
     };
-    EXPECT_EQ(look(0.7f, 0.2f), (std::pair{100, 1.f}));
-    EXPECT_EQ(look(2.9f, 0.2f).first, 101);
-    EXPECT_EQ(look(0.1f, 0.9f).first, 102);
-    EXPECT_EQ(look(2.9f, 0.9f).first, 103);
-    EXPECT_NEAR(look(1.5f, 0.2f).second, 0, 1e-5f);
+    EXPECT_EQ(patchAndClear(0.7f, 0.2f), (std::pair{100, 1.f}));
+    EXPECT_EQ(patchAndClear(2.9f, 0.2f).first, 101);
+    EXPECT_EQ(patchAndClear(0.1f, 0.9f).first, 102);
+    EXPECT_EQ(patchAndClear(2.9f, 0.9f).first, 103);
+    EXPECT_NEAR(patchAndClear(1.5f, 0.2f).second, 0, 1e-5f);
     // In a wide sample a line is paler
-    EXPECT_GT(look(1.5f, 0.25f, 0.5f).second, 0.9f);
-    EXPECT_LT(look(1.5f, 0.25f, 0.5f).second, 1);
+    EXPECT_GT(patchAndClear(1.5f, 0.25f, 0.5f).second, 0.9f);
+    EXPECT_LT(patchAndClear(1.5f, 0.25f, 0.5f).second, 1);
 }
 
-// Lines between patches look as with many samples over twice the width, seen straight and at an angle.
+// A line between patches looks like the mean of many narrow samples over twice the width, seen straight or at
+// an angle.
 TEST(Lightmap, LinesAreFilteredLikeManySamples) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;
@@ -110,7 +111,7 @@ TEST(Lightmap, LinesAreFilteredLikeManySamples) {
             }
 }
 
-// Compares with a sum over the cone that the ball fills.
+// Compares the form factor with a sum over the cone that the ball fills.
 TEST(Ball, FormFactorWithAndWithoutTheHorizon) {
     for (double sine2 : {1e-6, 0.01, 0.2, 0.5, 0.9, 0.999})
         for (double cosine = -1; cosine <= 1.0001; cosine += 0.05) {
@@ -127,16 +128,18 @@ TEST(Ball, FormFactorWithAndWithoutTheHorizon) {
             double got = (double)ballFormFactor(broadcast((float)c), broadcast((float)sine2))[0];
             EXPECT_NEAR(got, exact, 1e-3 * sine2 + 1e-6) << sine2 << ' ' << c;
         }
-    EXPECT_TRUE(std::isfinite(ballFormFactor(broadcast(1.f), broadcast(5.f))[0])); // inside it
+    EXPECT_TRUE(std::isfinite(ballFormFactor(broadcast(1.f), broadcast(5.f))[0])); // a point inside the ball
 }
 
 TEST(Sky, RisesFromTheHorizonToTheZenith) {
     Sky sky = plainSky({1, 2, 3}, {0, 0, 0});
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, 1, 0})).x[0], 0);
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{1, 0, 0})).y[0], 2);
-    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 3); // below the horizon its colour stays
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0],
+                    3); // below the horizon the horizon's colour stays
     sky.least = -1;
-    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 12); // or the gradient goes on
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0],
+                    12); // with `least` = -1 the gradient continues
     sky.least = 0;
     sky.sun = {0.6f, 0.8f, 0};
     sky.glow = sky.near = {0.5f, 0.5f, 0.5f};

@@ -1,4 +1,4 @@
-// What a scene reports: the traits of its shapes, and the array that is full.
+// Tests what a scene reports: the traits of its shapes, and which of its arrays is full.
 #include "tests/support/shapes.h"
 #include "trace/rays/intersect.h"
 #include "trace/shade/diffuse.h"

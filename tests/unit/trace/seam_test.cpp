@@ -1,4 +1,5 @@
-// Where rectangles join, no light passes between them, directly or by a mirror, and none is lost.
+// Tests that no light passes between rectangles that join, directly or by a mirror, and that none is lost
+// there.
 #include "tests/support/random.h"
 #include "tests/support/traced_ray.h"
 

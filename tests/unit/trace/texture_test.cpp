@@ -16,7 +16,7 @@ float noiseAt(double x, double y, double z) {
     return noise({broadcast((float)x), broadcast((float)y), broadcast((float)z)})[0];
 }
 
-// The noise in double precision, written out corner by corner.
+// Returns the noise in double precision, computed corner by corner.
 double plainNoise(double x, double y, double z) {
     double cell[3] = {std::floor(x), std::floor(y), std::floor(z)},
            f[3] = {x - cell[0], y - cell[1], z - cell[2]}, sum = 0;
@@ -29,7 +29,7 @@ double plainNoise(double x, double y, double z) {
         h = (h ^ h >> 15) * 0x2c1b3c6du;
         double p[3] = {f[0] - o[0], f[1] - o[1], f[2] - o[2]}, weight = 1;
         for (int k = 0; k < 3; ++k) weight *= o[k] ? fade(f[k]) : 1 - fade(f[k]);
-        // A cube's corner by three bits, turned around x, y and z
+        // The gradient: a corner of a cube, selected by three bits and rotated about three axes
         double g[3];
         for (int k = 0; k < 3; ++k) g[k] = (h >> (29 + k) & 1 ? 1 : -1) * std::sqrt(2 / 3.);
         auto turn = [&](double &a, double &b, double angle) {
@@ -87,13 +87,13 @@ TEST(Noise, LooksAlikeAlongEveryAxis) {
     Vec3 slope = {};
     for (int i = 0; i < 60000; ++i) {
         Vec3 p = dice.point(500);
-        // One lane for a step along each axis
+        // Lanes 0 to 2 have a step along one axis each, the others have none
         Float8 at = noise(broadcast(p) + Vec3x8{Float8{0.01f}, Float8{0, 0.01f}, Float8{0, 0, 0.01f}});
         Vec3 d = Vec3{at[0] - at[3], at[1] - at[3], at[2] - at[3]};
         slope += d * d;
     }
     EXPECT_NEAR(slope.x / slope.y, 1, 0.1);
-    EXPECT_NEAR(slope.z / slope.y, 1, 0.35); // z is chosen a little more often, as in Perlin's own twelve
+    EXPECT_NEAR(slope.z / slope.y, 1, 0.1);
 }
 
 TEST(Noise, IsContinuousAcrossCells) {
@@ -123,8 +123,8 @@ static Material checker(float cell) {
     return {.texture = {Pattern::Plain, 1, {{1, 1, 1}}}, .other = {Pattern::Plain, 1, {}}, .cell = cell};
 }
 
-// Returns how much the filtered checker differs from the mean of the sharp one, at a point seen along d, over
-// a footprint that is `across` wide across the view.
+// Returns the difference between the filtered checker and the mean of the sharp one, at a point seen along d.
+// The footprint's width across the view is `across`.
 static double offAverage(float cell, Vec3 point, Vec3 d, float across) {
     float cosine = -d.y, flat = std::hypot(d.x, d.z);
     Vec3 ahead = flat > 0 ? Vec3{d.x / flat, 0, d.z / flat} : Vec3{1, 0, 0}, aside = {-ahead.z, 0, ahead.x};
@@ -150,7 +150,8 @@ TEST(Checker, IsFilteredLikeManySamples) {
     }
 }
 
-// Along its diagonals the two waves of a checker change together, so the product of their means is wrong.
+// Along its diagonals the two square waves of a checker change together, so the product of their means is
+// wrong.
 TEST(Checker, IsFilteredAlongASlantedView) {
     Dice dice(7);
     for (float degrees : {0.f, 20.f, 45.f, 70.f}) {

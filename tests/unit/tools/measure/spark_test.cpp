@@ -1,4 +1,4 @@
-// The spark detector finds the sparks planted into clean pictures, and no others.
+// Tests that the spark detector finds the sparks planted into clean pictures, and no others.
 #include "tests/support/sanitized.h"
 #include "tools/measure/detect/spark.h"
 

@@ -1,4 +1,4 @@
-// Spherical harmonics of six bands, and environments projected onto them, compared with the addition theorem,
+// Compares spherical harmonics of six bands, and environments projected onto them, with the addition theorem,
 // Parseval's theorem and closed forms.
 #include "tests/support/open_room.h"
 #include "tools/radiosity/transfer/environment.h"

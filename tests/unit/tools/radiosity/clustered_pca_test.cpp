@@ -1,4 +1,4 @@
-// Clustered PCA on data with known singular values or structure, and on extreme data.
+// Tests clustered PCA on data with known singular values or structure, and on extreme data.
 #include "tools/radiosity/transfer/clustered_pca.h"
 
 #include "tests/support/random.h"
@@ -56,11 +56,12 @@ struct Result {
     double percent() const { return 100 * std::sqrt(error / size); }
 };
 
-// The number and the values of the singular values of falling(): at most 40, halved every `half`.
+// The singular values of falling(): their number, at most 40, and value k. They halve after each `half`
+// values.
 int countOf(int rows, int columns) { return std::min({40, rows - 1, columns - 1}); }
 double valueOf(int k, double half) { return 12 * std::exp2(-k / half); }
 
-// Rows about a mean. Singular vector k is a cosine, along rows and along columns. The cosines are
+// Makes rows about a mean. Singular vector k is a cosine, along rows and along columns. The cosines are
 // orthonormal, and each sums to 0.
 Data falling(int rows, int columns, double half) {
     auto wave = [](int k, int i, int size) {
@@ -74,14 +75,15 @@ Data falling(int rows, int columns, double half) {
             }};
 }
 
-// The squared error of the best mean and subspace.
+// Returns the squared error of the best mean and subspace.
 double bestLeft(const Data &d, double half, int dimensions) {
     double left = 0;
     for (int k = dimensions; k < countOf(d.rows, d.columns); ++k) left += std::pow(valueOf(k, half), 2);
     return left;
 }
 
-// Several flats (affine subspaces) with four dimensions each and distant means. Rows alternate between them.
+// Makes several flats (affine subspaces) with four dimensions each and distant means. Rows alternate between
+// them.
 Data flats(int count, int rows, int columns) {
     Data d(rows, columns);
     Random random = {9};

@@ -1,4 +1,4 @@
-// Light shown during solving: it starts with direct light, grows, and ends with the solution.
+// Tests the light shown during solving: it starts with direct light, grows, and ends with the solution.
 #include "tests/support/generated_mesh.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"

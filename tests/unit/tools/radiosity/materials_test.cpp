@@ -1,4 +1,4 @@
-// Options that change materials: reading, effect and errors.
+// Tests options that change materials: reading, effect and errors.
 #include "tests/support/thrown.h"
 #include "tools/radiosity/read/material_changes.h"
 #include "tools/radiosity/read/mesh.h"

@@ -1,4 +1,4 @@
-// Pictures on materials: means over polygons, and the reflectance of elements.
+// Tests pictures on materials: means over polygons, and the reflectance of elements.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
 #include "tools/common/folders.h"

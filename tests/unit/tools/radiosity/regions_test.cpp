@@ -1,4 +1,5 @@
-// Triangles joined into charts, and the elements of charts. (radiosity_errors compares solutions with paths.)
+// Tests joining triangles into charts, and the elements of charts. (radiosity_errors compares solutions with
+// paths.)
 #include "tests/support/headless_gl.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/divide/facets.h"

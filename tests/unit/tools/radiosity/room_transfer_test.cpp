@@ -1,4 +1,4 @@
-// Transfer of any model: closed forms (an open plane, a white corner, a furnace), a rotated model,
+// Tests the transfer of any model: closed forms (an open plane, a white corner, a furnace), a rotated model,
 // compression and gloss. (The test radiosity_transfer compares rooms with solutions for one light by
 // `transfer --check`.)
 #include "tests/support/open_room.h"
@@ -122,8 +122,9 @@ TEST(Relighting, IsASumOfRows) {
     EXPECT_LT(difference(compressed, light), 0.01);
 }
 
-// Gloss is a mirror image blurred by a lobe. Dense rays over the upper half-space give the same: on a floor
-// without walls, which sees only sky, and in the open room, through the solution for this light.
+// Gloss is a mirror image blurred by a lobe. It is compared with dense rays over the upper half-space, on a
+// floor without walls, which sees only sky, and in the open room, where rays bring the solution for this
+// light.
 TEST(Gloss, IsTheLobeOfWhatArrives) {
     auto shown = [&](const Mesh &mesh, const Vec3 &eye, bool lamps, const char *what, double limit) {
         TransferSettings settings = settingsOf(kBands, 256, 0.15);

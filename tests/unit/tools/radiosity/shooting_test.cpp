@@ -1,6 +1,6 @@
-// Shooting against gathering, Gauss-Seidel and a direct solution in double; odd hemicubes against closed
-// forms. (The tests radiosity and radiosity_study compare shots by hemicubes, from patches and from blocks,
-// with rows.)
+// Compares shooting with gathering, Gauss-Seidel and a direct solution in double precision, and odd hemicubes
+// with closed forms. (The tests radiosity and radiosity_study compare shots by hemicubes, from patches and
+// from blocks, with rows.)
 #include "tests/support/dice.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/model_bench.h"
@@ -27,7 +27,7 @@ struct RandomSystem {
     std::vector<Rgb> &direct = system.direct;
     std::unique_ptr<Model> &model = system.model;
 
-    // As in a closed room, rows sum to 1, and area times form factor is the same in both directions
+    // Makes the system. As in a closed room, rows sum to 1, and area times form factor is the same both ways
     RandomSystem(int patchCount, float reflects, float light, unsigned seed) : count(patchCount) {
         patches.resize((size_t)count), system.rows = FormFactorRows((size_t)count);
         std::vector<std::vector<Link>> &links = system.rows.of;
@@ -51,7 +51,8 @@ struct RandomSystem {
         model->patches = patches.data(), model->patchCount = count;
     }
 
-    // (1 - rho F) B = rho D by elimination, for a channel; the diagonal dominates, so pivots are not needed
+    // Solves (1 - rho F) B = rho D by elimination, for a channel. The diagonal dominates, so no pivots are
+    // needed
     std::vector<double> solvedDirectly(float Rgb::*channel) const {
         auto n = (size_t)count;
         std::vector<std::vector<double>> m(n, std::vector<double>(n + 1));
@@ -133,7 +134,7 @@ TEST(Shooting, TheResidualBoundsTheError) {
         double missing = 0;
         for (int i = 0; i < 60; ++i) {
             double b = (double)shooting.radiosity(i).x;
-            EXPECT_LE(b, exact[(size_t)i] * (1 + 1e-4)) << residual; // it only grows
+            EXPECT_LE(b, exact[(size_t)i] * (1 + 1e-4)) << residual; // radiosity only grows
             missing += (exact[(size_t)i] - b) * (double)room.patches[(size_t)i].area;
         }
         EXPECT_GE(missing, -1e-4 * put);

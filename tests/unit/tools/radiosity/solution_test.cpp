@@ -1,4 +1,4 @@
-// Solution files that `radiosity solve` did not write are refused, even if the checksum is right.
+// Tests that solution files which `radiosity solve` did not write are refused, even if the checksum is right.
 #include "tests/support/headless_gl.h"
 #include "tests/support/thrown.h"
 #include "tools/common/folders.h"
@@ -101,9 +101,15 @@ TEST_F(SolutionFile, OfOthersIsRefused) {
         [](Solution &b) { b.reflects.pop_back(); },
         [](Solution &b) { b.emits.clear(); },
         [](Solution &b) { b.cellReflects.resize(3); },
-        [](Solution &b) { b.material = {0, 2}, b.names = {'a', 0}; },
-        [](Solution &b) { b.material = {0, 0}, b.names = {'a'}; },
-        [](Solution &b) { b.material = {0}, b.names = {'a', 0}; },
+        [](Solution &b) {
+            b.material = {0, 2}, b.names = {'a', 0};
+        },
+        [](Solution &b) {
+            b.material = {0, 0}, b.names = {'a'};
+        },
+        [](Solution &b) {
+            b.material = {0}, b.names = {'a', 0};
+        },
         [](Solution &b) {
             b.cellReflects.resize(b.cells.size(), Rgb{NAN, 0, 0});
         },

@@ -1,4 +1,4 @@
-// Pictures of the sky: no light is lost, and suns replace pixels that are too bright.
+// Tests pictures of the sky: no light is lost, and suns replace pixels that are too bright.
 #include "tools/common/command_line.h"
 #include "tools/common/folders.h"
 #include "tools/common/whole_file.h"

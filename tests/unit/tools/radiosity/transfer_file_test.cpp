@@ -1,4 +1,4 @@
-// Room files: a round trip, and damaged files.
+// Tests room files: a round trip, and damaged files.
 #include "tests/support/open_room.h"
 #include "tests/support/thrown.h"
 #include "tools/common/folders.h"

@@ -1,5 +1,5 @@
-// Rays against many triangles: the solver's tree, in floats, and the references', in double precision, are
-// compared with a test of every triangle.
+// Tests rays against many triangles. Compares the solver's tree (in floats) and the tree of the references
+// (in double precision) with a test of every triangle.
 #include "tests/support/dice.h"
 #include "tests/support/sanitized.h"
 #include "tools/radiosity/rays/ray_tree.h"

@@ -1,4 +1,5 @@
-// Polygons of any shape, at any place: their triangles have Newell's area and all face the same way.
+// Tests that the triangles of polygons of any shape and position have Newell's area and all face the same
+// way.
 #include "tools/radiosity/read/mesh_builder.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ bool crosses(const Loop &p, size_t i, size_t k) { // the sides that begin at i a
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-// Random points in random order; parts of the outline are reversed until no sides cross.
+// Returns random points in random order. Reverses parts of the outline until no sides cross.
 Loop untangled(size_t count, std::mt19937 &random) {
     std::uniform_real_distribution<double> uniform(0, 1);
     Loop p(count);
@@ -41,7 +42,7 @@ Loop untangled(size_t count, std::mt19937 &random) {
     return p;
 }
 
-// Points around a centre, at random distances.
+// Returns points around a centre, at random distances.
 Loop star(size_t count, std::mt19937 &random) {
     std::uniform_real_distribution<double> uniform(0.1, 1);
     Loop p;
@@ -77,7 +78,7 @@ struct Built {
     }
 };
 
-// The polygon in a plane with these axes.
+// Returns the polygon's points in a plane with these axes.
 std::vector<Vec3d> placed(const Loop &p, const Vec3d &u, const Vec3d &v, const Vec3d &at) {
     std::vector<Vec3d> points;
     for (const auto &q : p) points.push_back(at + u * q[0] + v * q[1]);
