@@ -125,6 +125,7 @@ Atlas packAtlas(const Solution &b, const AtlasSettings &s) {
 
 namespace {
 
+// Paints the texels of one chart.
 class Painter {
 public:
     Painter(const Solution &b, const Atlas &atlas, int chart, PageContent content)

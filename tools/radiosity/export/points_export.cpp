@@ -29,6 +29,7 @@ struct ColourScale {
     float operator()(float x) const { return pictures::srgbOfLinear(x * scale); }
 };
 
+// The pieces of elements as faces, and their corners with radiosity.
 struct LitCorners {
     std::vector<SolutionPoint> points;
     std::vector<std::vector<size_t>> faces;

@@ -48,7 +48,7 @@ public:
           tree(cornersOf(task.mesh)), grid(task.regions, tree, task.workers, cellsOfPatch(task)) {}
 
     void run() {
-        report.whole = true;
+        report.complete = true;
         divide();
         task.lap(SolveStep::kDividing);
         findDirectLight();
@@ -129,7 +129,7 @@ private:
                 return !task.stopped();
             };
             const RowSettings settings = {lit, s.memory, s.each, s.eyeOf};
-            report.whole = radiosity::findRows(hemicubes, m, settings, p.rows, task.workers, progress);
+            report.complete = radiosity::findRows(hemicubes, m, settings, p.rows, task.workers, progress);
         }
         for (uint8_t known : p.rows.known) report.rows += known;
     }
@@ -141,14 +141,14 @@ private:
         const bool counted = s.bounces >= 0;
         std::vector<Rgb> radiosity = counted ? std::vector<Rgb>(lampLight.size()) : p.reflectDirect();
         if (!counted) report.residual = kInfinity;
-        while (report.whole && report.sweeps < (counted ? s.bounces : kMostSweeps) &&
+        while (report.complete && report.sweeps < (counted ? s.bounces : kMostSweeps) &&
                (counted || report.residual > s.residual)) {
             report.residual = p.sweep(radiosity, !counted);
             ++report.sweeps;
             float share =
                 counted ? (float)report.sweeps / (float)s.bounces : task.solvedShare(report.residual);
             task.show(SolveStep::kSolving, share, counted ? -1 : report.residual);
-            report.whole = !task.stopped();
+            report.complete = !task.stopped();
         }
         for (size_t i = 0; i < p.patches.size(); ++i)
             arrives.push_back(p.rows.gather((int)i, radiosity) + lampLight[i]);
@@ -160,8 +160,8 @@ private:
         Shooting shooting(m, blocksOfPatches(m, p.emits, std::max(s.shots / 4, 1)), p.emits, p.direct);
         HemicubeShooter shooter(gl, m, s.hemicube);
         for (int most; (most = s.shots - report.shots) > 0 && shooting.left() > (double)s.residual;) {
-            if (task.stopped()) report.whole = false;
-            int shot = report.whole ? shooter.shoot(shooting, most, task.workers) : 0;
+            if (task.stopped()) report.complete = false;
+            int shot = report.complete ? shooter.shoot(shooting, most, task.workers) : 0;
             if (shot == 0) break;
             report.shots += shot;
             task.show(SolveStep::kSolving, (float)report.shots / (float)s.shots, (float)shooting.left());

@@ -52,11 +52,11 @@ public:
             grid.fill(task.solution.light);
             s.watcher(task.solution, false);
         }
-        if (s.rays == 0 && report.whole) refineRows();
+        if (s.rays == 0 && report.complete) refineRows();
         report.raysFromSite = system.rows.size() / std::max(grid.sites.size(), (size_t)1);
         solve();
         task.solution.light = lightOfTexels(kShared);
-        if (s.finalRays > 0 && report.whole) finalGather();
+        if (s.finalRays > 0 && report.complete) finalGather();
         task.lap(SolveStep::kSolving);
     }
 
@@ -102,9 +102,9 @@ private:
             task.show(SolveStep::kFormFactors,
                       from + (to - from) * (float)done / (float)std::max(missing, (size_t)1));
             bool stopped = task.stopped();
-            if (stopped) report.whole = false;
+            if (stopped) report.complete = false;
             if (stopped || keepIsDue()) keep(refinedRows);
-            if (!report.whole) return;
+            if (!report.complete) return;
             for (size_t i = first; i < end; ++i) done += !system.found[i];
             system.findRows(first, end, task.workers);
             report.rows = (int)end;
@@ -157,7 +157,7 @@ private:
         bool counted = s.bounces >= 0;
         auto afterSweep = [&](float residual) {
             report.residual = residual;
-            if (report.whole && keepIsDue()) keep(s.rays == 0);
+            if (report.complete && keepIsDue()) keep(s.rays == 0);
             task.show(SolveStep::kSolving, task.solvedShare(residual), residual);
             if (task.watched()) {
                 task.solution.light = lightOfTexels(kShared);
@@ -168,8 +168,8 @@ private:
         report.sweeps = system.solve(directAtSites, reflects, counted, s.residual,
                                      counted ? s.bounces : kMostRaySweeps, task.workers, afterSweep);
         bool done = counted ? report.sweeps == s.bounces : report.residual <= s.residual;
-        if (report.whole && !done && task.stopped()) {
-            report.whole = false;
+        if (report.complete && !done && task.stopped()) {
+            report.complete = false;
             keep(s.rays == 0);
         }
         if (!counted && !done && !task.stopped())
@@ -189,7 +189,7 @@ private:
             task.show(SolveStep::kFinalRays, (float)(k + 1) / kParts);
         }
         if (task.stopped()) { // keep the light of the sweeps
-            report.whole = false;
+            report.complete = false;
             keep(s.rays == 0);
             return;
         }
@@ -209,7 +209,7 @@ private:
 
 void solveByRays(SolveTask &task) {
     SolveReport &report = task.report;
-    report.whole = true;
+    report.complete = true;
     task.show(SolveStep::kDividing, 0);
     RayTree tree(cornersOf(task.mesh));
     task.show(SolveStep::kDividing, 0.4f);

@@ -55,7 +55,7 @@ private:
         if (used++ == 0) return;
         while (names.count(name = first + " (" + std::to_string(used) + ")")) ++used;
         names[name] = 1;
-        note("materials with a name that was used before get a number");
+        note("materials that share a name get a number");
     }
 
     GltfMaterial read(const tinygltf::Material &m, size_t number) {

@@ -36,7 +36,8 @@ public:
     void readScene() {
         nodes = findTransforms(model);
         if (model.scenes.size() > 1)
-            notes.push_back(path + ": one of its " + std::to_string(model.scenes.size()) + " scenes is read");
+            notes.push_back(path + ": only one of " + std::to_string(model.scenes.size()) +
+                            " scenes is read");
         for (int i : nodes.order) {
             const tinygltf::Node &n = model.nodes[(size_t)i];
             if (n.mesh >= 0) readMesh(n, i);
@@ -68,7 +69,7 @@ private:
 
     void checkExtensions() {
         for (const std::string &name : model.extensionsRequired)
-            need(isExtensionRead(name), "needs " + name + ", which is not read: export it without");
+            need(isExtensionRead(name), "needs " + name + ", which is not read: export the model without it");
         for (const std::string &name : model.extensionsUsed)
             if (!isExtensionRead(name)) kinds["extensions that are not used"].push_back(name);
     }

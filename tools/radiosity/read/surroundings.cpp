@@ -118,14 +118,14 @@ private:
     pictures::Picture given;
     int width, height;
     SkyPicture sky;
-    std::vector<double> weight; // the covered area of each of its pixels so far
+    std::vector<double> weight; // covered area so far of each pixel of `sky`
     std::vector<Glint> glints;
 
     Rgb pixel(int i, int j) const {
         auto [red, green, blue] = given.linear((size_t)j * (size_t)width + (size_t)i);
         return {std::max(red, 0.f), std::max(green, 0.f), std::max(blue, 0.f)};
     }
-    double solidAngle(int j) const { // a pixel's, in row j
+    double solidAngle(int j) const { // solid angle of a pixel in row j
         return 2 * std::numbers::pi / width *
                (std::cos(std::numbers::pi * j / height) - std::cos(std::numbers::pi * (j + 1) / height));
     }

@@ -15,7 +15,7 @@ static_assert(std::size(kStepNames) == kSolveSteps && (int)SolveStep::kFinalRays
 
 // All results except light.
 struct SolveReport {
-    bool whole = false;               // all rows and sweeps were done; false: stopped early
+    bool complete = false;            // all rows and sweeps are done; false: stopped early
     int rows = 0;                     // number of sites' or patches' rows found
     int sweeps = 0;                   // number of sweeps or bounces
     float residual = 0;               // after the last sweep

@@ -91,10 +91,10 @@ void printSolveReport(const Mesh &mesh, const Solved &solved, const SolveSetting
                 seconds(SolveStep::kSolving));
     if (r.shots > 0)
         std::printf("%d shots, %.2g %% of the light is not shot%s\n", r.shots, 100 * (double)r.residual,
-                    r.whole ? "" : ": stopped");
-    else if (!r.whole && r.sweeps > 0)
+                    r.complete ? "" : ": stopped");
+    else if (!r.complete && r.sweeps > 0)
         std::printf("stopped: the light of %d sweeps\n", r.sweeps);
-    else if (!r.whole)
+    else if (!r.complete)
         std::printf("stopped: direct light, and the rows of %d %s\n", r.rows, byRays ? "sites" : "patches");
     else if (settings.bounces >= 0)
         std::printf("%d bounces\n", r.sweeps);
@@ -142,17 +142,17 @@ public:
         printNotes(notes);
         prepare();
         Solved solved = solve();
-        if (mayLightBacks() && solved.report.whole && staysDark(solved.solution)) {
+        if (mayLightBacks() && solved.report.complete && staysDark(solved.solution)) {
             printNotes({"no light reaches the fronts of the polygons: both sides are lit (--two-sided)"});
             lightBacks();
             solved = {};
             solved = solve();
         }
         solved.solution.save(job.out);
-        if (solved.report.whole && job.keeps) std::remove(job.state().c_str());
+        if (solved.report.complete && job.keeps) std::remove(job.state().c_str());
         printSolveReport(mesh, solved, job.options.settings);
         printMeans(solved.solution);
-        if (!solved.report.whole && !solved.patches && job.keeps)
+        if (!solved.report.complete && !solved.patches && job.keeps)
             std::printf("to continue: radiosity solve --resume %s\n", job.state().c_str());
     }
 

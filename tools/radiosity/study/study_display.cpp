@@ -33,6 +33,7 @@ Solution flatOf(const Solution &from, const Model &model) {
     return flat;
 }
 
+// Shows a solution with four mappings of radiosity to brightness.
 void mappings(Study &study, const Solution &solution) {
     Page &page = study.page;
     // Find the radiosities of surfaces that do not emit, and the largest radiosity of all surfaces

@@ -144,8 +144,8 @@ private:
         double error = 0, now = 0;
         for (int i = 0; i < model.patchCount; ++i) {
             double light = (double)luminance(radiosity(i)),
-                   off = light - (double)luminance(converged[(size_t)i]), a = (double)model.patches[i].area;
-            error += off * off * a, now += light * a;
+                   gap = light - (double)luminance(converged[(size_t)i]), a = (double)model.patches[i].area;
+            error += gap * gap * a, now += light * a;
         }
         double gained = power > 0 ? 100 * (now - before) / power : 0;
         before = now;

@@ -94,7 +94,7 @@ public:
         for (const TriedSky &sky : skies) {
             exact.push_back(solveSky(sky, rays));
             relight(sky.light);
-            // Also solve by the number of rays that the light needs; not for all skies, because it is slow
+            // For every other sky (all would be slow), also solve with as many rays as the light needs
             std::vector<Rgb> others;
             if (exact.size() % 2) others = solveSky(sky, 0);
             if (stopped()) return false;
@@ -176,7 +176,8 @@ private:
 
     bool stopped() const { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; }
 
-    // Light by this number of rays (0: the number that it needs). A stopped solution is incomplete.
+    // Solves with `count` rays from each site (0: as many as its light needs). The result is incomplete after
+    // a stop.
     std::vector<Rgb> solve(const Mesh &model, int count, const Surroundings &surroundings) {
         SolveSettings s = settings.solve;
         s.rays = count;
@@ -232,7 +233,7 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
                 "     MB   rank  of the rows  of the light     rank  of the rows  of the light\n");
     if (!check.printSubspaces()) return false;
     std::printf(
-        "of the rows: of the whole matrix (Frobenius); of the light: the worst of the skies above, rms\n");
+        "error of the rows: of the whole matrix (Frobenius); of the light: under the worst sky above, rms\n");
     return true;
 }
 

@@ -20,18 +20,18 @@ struct Clustering {
         const float *row = rowOf(r), *mean = p.axesOf(c);
         Float8 squares = {};
         for (int i = 0; i < p.columns; i += 8) {
-            Float8 off = load(row + i) - load(mean + i);
-            squares = fmadd(off, off, squares);
+            Float8 offset = load(row + i) - load(mean + i);
+            squares = fmadd(offset, offset, squares);
         }
         float square = total(squares);
         for (int d = 0; weights && d < p.dimensions; d += 8) {
             const float *axes = mean + (size_t)(1 + d) * (size_t)p.columns;
             Float8 sum[8] = {};
             for (int i = 0; i < p.columns; i += 8) {
-                Float8 off = load(row + i) - load(mean + i);
+                Float8 offset = load(row + i) - load(mean + i);
                 const float *axis = axes + i;
 #pragma GCC unroll 8
-                for (int k = 0; k < 8; ++k, axis += p.columns) sum[k] = fmadd(off, load(axis), sum[k]);
+                for (int k = 0; k < 8; ++k, axis += p.columns) sum[k] = fmadd(offset, load(axis), sum[k]);
             }
             for (int k = 0; k < 8; ++k) {
                 float w = weights[d + k] = total(sum[k]);
@@ -87,10 +87,10 @@ struct Clustering {
                     Float8 sum[8] = {};
                     for (int m = begin; m < end; ++m) {
                         int r = p.members[m];
-                        Float8 off = load(rowOf(r) + i) - load(mean + i);
+                        Float8 offset = load(rowOf(r) + i) - load(mean + i);
                         const float *weights = weightsOf(r) + d;
 #pragma GCC unroll 8
-                        for (int k = 0; k < 8; ++k) sum[k] = fmadd(off, weights[k], sum[k]);
+                        for (int k = 0; k < 8; ++k) sum[k] = fmadd(offset, weights[k], sum[k]);
                     }
                     for (int k = 0; k < 8; ++k) store(axes + (size_t)(d + k) * (size_t)columns + i, sum[k]);
                 }
@@ -129,7 +129,7 @@ struct Clustering {
         for (int r = 0; r < p.rows; ++r) ++p.first[p.cluster[r] + 1];
         for (int c = 0; c < p.clusters; ++c) p.first[c + 1] += p.first[c];
         for (int r = 0; r < p.rows; ++r) p.members[p.first[p.cluster[r]]++] = r;
-        // Move each cluster's first index back, which the line above has moved to the cluster's end
+        // The line above has moved each cluster's first index to the cluster's end: move it back
         for (int c = p.clusters; c > 0; --c) p.first[c] = p.first[c - 1];
         p.first[0] = 0;
     }

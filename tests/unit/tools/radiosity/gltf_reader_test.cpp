@@ -154,7 +154,7 @@ TEST(GltfReader, PlacesNodes) {
     auto [lo, hi] = boxOf(r.mesh.points);
     expectNear(lo + toDouble(r.mesh.origin), {12, 2, 2}, 1e-5);
     expectNear(hi + toDouble(r.mesh.origin), {14, 2, 5}, 1e-5);
-    EXPECT_EQ(r.notes, Lines{"m.gltf: one of its 2 scenes is read"});
+    EXPECT_EQ(r.notes, Lines{"m.gltf: only one of 2 scenes is read"});
     // Matrices are stored by columns. A mirrored triangle still faces the same side
     const Read placed(square("'nodes':[{'mesh':0,'matrix':[-2,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}]," + kMesh));
     expectNear(placed.facing(), {0, 0, 2});
@@ -216,12 +216,11 @@ TEST(GltfReader, TakesMaterials) {
     EXPECT_EQ(m[1].reflects, (std::array<float, 3>{0.2f, 0.3f, 0.4f}));
     EXPECT_EQ(m[2].reflects, (std::array<float, 3>{1, 0, 0}));
     EXPECT_NEAR(r.area(), 4, 1e-6); // the first one is lit from both sides
-    EXPECT_EQ(r.notes,
-              (Lines{"m.gltf: material unnamed 2: its baseColorFactor is above 1, and counts as 1",
-                     "m.gltf: alpha is not used, so all surfaces are opaque: material a",
-                     "m.gltf: materials with a name that was used before get a number: material a (2)",
-                     "m.gltf: metal counts as diffuse: material unnamed 2",
-                     "m.gltf: normalTexture is not used: material unnamed 2"}));
+    EXPECT_EQ(r.notes, (Lines{"m.gltf: material unnamed 2: its baseColorFactor is above 1, and counts as 1",
+                              "m.gltf: alpha is not used, so all surfaces are opaque: material a",
+                              "m.gltf: materials that share a name get a number: material a (2)",
+                              "m.gltf: metal counts as diffuse: material unnamed 2",
+                              "m.gltf: normalTexture is not used: material unnamed 2"}));
     // Options find materials by the new names
     const ReadSettings changed = {1, false, {readMaterialChange("--power", "a (2)=1,2,3")}};
     EXPECT_EQ(Read(file, "m.gltf", changed).mesh.materials[1].emits, (std::array<float, 3>{1, 2, 3}));
@@ -401,7 +400,7 @@ TEST(GltfReader, RefusesDamage) {
         {"'asset'", "'extras':" + std::string(200, '[') + std::string(200, ']') + ",'asset'",
          "its JSON is nested too deeply"},
         {"'asset'", "'extensionsRequired':['KHR_draco_mesh_compression'],'asset'",
-         "needs KHR_draco_mesh_compression, which is not read: export it without"},
+         "needs KHR_draco_mesh_compression, which is not read: export the model without it"},
         {"'count':4", "'count':5", "an accessor of 5" + outside},
         {"'count':4", "'count':9007199254740991", "an accessor of 9007199254740991" + outside},
         {"'count':4", "'count':4,'byteOffset':9007199254740991", "an accessor of 4" + outside},
