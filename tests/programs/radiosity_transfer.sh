@@ -72,7 +72,7 @@ interrupted() { # fails if the check had already ended: then it is tried again
 check "Ctrl-C ends it with status 1 and one line" await interrupted
 check "... and the room can be rendered" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
-check "an unknown lamp" refuses 2 "no lamp 'moon'; there are 1 lamp, 2 spot" "$radiosity" render room.prt -o x.png --lamps moon
+check "an unknown lamp" refuses 2 "no lamp 'moon'; the room has 1 lamp, 2 spot" "$radiosity" render room.prt -o x.png --lamps moon
 check "options for a room with a solution" refuses 2 "is for a room that" "$radiosity" render fresh.rad -o x.png --turn 3
 check "refusals leave no files" eval '! ls x.* 2>/dev/null'
 finish
