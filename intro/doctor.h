@@ -1,5 +1,4 @@
-// Checks whether this machine has all that the film needs. If a viewer reports a problem, ask for this output
-// first.
+// Checks whether this machine has all that the film needs. If a viewer has a problem, ask for its output.
 #pragma once
 
 namespace odraz {

@@ -24,8 +24,7 @@ struct IntroSettings {
     bool pairs = false;
 };
 
-// Returns whether a scene between `from` and `to`, in seconds, plays in the hall. If so, load() must solve
-// the hall.
+// Returns whether a scene in [from, to) seconds plays in the hall, which load() must then solve.
 bool needsHall(double from, double to);
 
 // Returns the bytes of arena that load() needs with this many workers.
@@ -68,8 +67,7 @@ struct TracedSize {
 inline constexpr int kMostEnlarged = 2560; // widest picture that may be traced in fewer pixels
 
 // Traces and develops the picture of a time, in seconds, in a slot. It depends only on the time, the quality
-// and the sizes. If fewer pixels are traced, the picture is scaled up. A given `camera` replaces the scripted
-// one.
+// and the sizes. If fewer pixels are traced, the picture is scaled up. `camera` replaces the scripted one.
 Picture picture(Intro &intro, int slot, double seconds, const Quality &quality,
                 const CameraKey *camera = nullptr, TracedSize traced = {});
 
@@ -80,14 +78,12 @@ Picture between(Intro &intro, int earlier, int later, double share = 0.5, int bu
 
 // Returns the number of samples of the last picture.
 int64_t samplesTaken(const Intro &intro);
-// Returns null if the last picture is right. If its scene did not fit, returns the name of the constant in
-// scene.h that is too small.
+// Returns null or, if the last picture is wrong, the constant of scene.h that is too small for its scene.
 const char *exceededLimit(const Intro &intro);
 
 // --- Sound: independent of the picture, so that it may run on another thread ---
 
-// The film's music while it is played. It is stereo: samples of the left and the right side alternate, and
-// are in -1 .. 1.
+// The film's music while it is played. Samples, -1 .. 1, of the left and the right side alternate.
 struct Sound;
 inline constexpr int kSoundRate = 48000; // samples a second for each side
 inline constexpr int kSoundBlock = 240;  // samples of each side in a block: 5 ms

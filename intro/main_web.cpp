@@ -131,8 +131,7 @@ EXPORT(due) double due(double now) {
     while ((action = theQueue.action(now + thePlayer.kNearest)) == Queue::kSkip) theQueue.remove();
     return action == Queue::kShow ? theQueue.first().time : -1;
 }
-// Reports that this picture was shown, `at` seconds of the film after the beginning, in `present`
-// milliseconds.
+// Reports that this picture was shown, `at` seconds after the film's beginning, in `present` milliseconds.
 EXPORT(shown) void shown(double at, double present) {
     theStatistics.add(theQueue.first(), at, nanosecondsOf(present));
     theQueue.remove();

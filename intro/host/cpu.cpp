@@ -5,8 +5,7 @@
 namespace odraz {
 
 bool cpuSuffices() {
-    // AVX2 and BMI are in leaf 7, the other features in leaves 1 and 0x80000001. The kernel must save wide
-    // registers
+    // AVX2 and BMI are in leaf 7, the others in leaves 1 and 0x80000001. The kernel must save wide registers
     unsigned a, b, c, d;
     constexpr unsigned kLeaf1 =
         bit_FMA | bit_AVX | bit_F16C | bit_MOVBE | bit_OSXSAVE | bit_POPCNT | bit_SSE4_2;

@@ -9,8 +9,7 @@
 namespace odraz {
 
 // Fills table[] with functions of the library `soname`. `names` is the list of their names: each name ends
-// with a zero, and the list ends with an empty name. Returns null, or the name of the library or function
-// that is missing.
+// with a zero, and the list ends with an empty name. Returns null, or the missing library or function.
 const char *loadFunctions(const char *soname, const char *names, void **table);
 
 // Returns the name that follows `name` in such a list.
@@ -23,8 +22,7 @@ inline const char *nextName(const char *name) {
 // Fills table[] by `find`, which returns a function by its name. Returns null, or the name that is missing.
 const char *fillFunctions(void *(*find)(const char *), const char *names, void **table);
 
-// Fills the table of OpenGL's functions by `find`, for the current context. Returns null, or the name that is
-// missing.
+// Fills the table of OpenGL by `find`, for the current context. Returns null, or the name that is missing.
 const char *fillGl(void *(*find)(const char *), Gl &gl);
 
 // For tables written as lists: #define LIST(F) F(first) F(second)

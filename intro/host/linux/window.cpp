@@ -27,8 +27,7 @@ struct WindowState {
     Xlib x;
     Glx glx;
     Display *drawing; // used by the thread that traces and draws
-    // Used by the thread that listens. The window is made through this connection, so this one gets the
-    // message of the close button
+    // Used by the thread that listens. The window is made through it, for the close button's message
     Display *events;
     Window window;
     Atom closeRequest;
@@ -174,8 +173,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     int count = 0, depth = DefaultDepth(w.drawing, DefaultScreen(w.drawing));
     if (depth < 24) return "the screen has too few colours: set it to 24 bits, or use --dump";
     GLXFBConfig *configs = w.glx.glXChooseFBConfig(w.drawing, DefaultScreen(w.drawing), kFormat, &count);
-    // Choose a visual of the screen's own depth: a deeper one has alpha, so a compositor would show what is
-    // behind the window
+    // Choose a visual of the screen's own depth: a deeper one has alpha, and compositors would blend it
     XVisualInfo *visual = nullptr;
     int chosen = -1;
     while (++chosen < count) {

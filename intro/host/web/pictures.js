@@ -1,5 +1,4 @@
-// The program plans pictures, and workers trace them. `pictures` holds them by their times until the program shows
-// them.
+// The program plans pictures, and workers trace them. `pictures` holds them by time until they are shown.
 const pictures = new Map, cores = navigator.hardwareConcurrency || 2
 // count: number of tracers; idle: tracers without a picture; spare: free buffers; lit: number of tracers with the hall's
 // light; solved: progress of the solver, 0 .. 1; unlit: why the hall has no light
@@ -57,8 +56,7 @@ const showDue = (film, t) => {
     if (time <= due) skipped += time < due, forget(time, rgba)
 }
 // Starts the workers. Pictures have the screen's size, which is known before the click, so the workers start early. In
-// a page that does not fill the screen they have the page's size. If that has changed at the click, all workers start
-// again
+// a page that does not fill the screen they have the page's size. If it has changed at the click, they start again
 const prepare = () => {
   const dpr = devicePixelRatio || 1, most = cores > 4 ? 1920 : 1280
   const [across, down] = (full ? [screen.width, screen.height] : [innerWidth || 1280, innerHeight || 720])

@@ -9,9 +9,8 @@ namespace odraz::windows {
 // Loads user32, gdi32 and opengl32. Returns null, or what is missing.
 const char *openGlLibraries();
 
-// A window and its device context. A window belongs to the thread that makes it: calls on other threads wait
-// for that thread. So it is made on a thread that only listens. Its OpenGL context belongs to the thread that
-// draws.
+// A window and its device context. Calls on other threads wait for the thread that made the window, so a
+// thread that only listens makes it. Its OpenGL context belongs to the thread that draws.
 struct Surface {
     const char *kind; // its window class
     uint32_t style;

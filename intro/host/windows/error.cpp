@@ -12,8 +12,7 @@ using namespace windows;
 
 namespace {
 
-// Ends the process after half a minute: a script that runs the film must not wait for a box that nobody
-// closes.
+// Ends the process after half a minute: a script must not wait for a box that nobody closes.
 [[gnu::force_align_arg_pointer]] void *endLater(void *) {
     sleepFor(30000000000);
     endProcess(1);

@@ -61,8 +61,7 @@ void makeMiddles(Tile &t, Square q, int half, Split why) {
     makeMiddle(t, c[2], c[3], middle + down, half, calm);
 }
 
-// Makes a square's quarters that are in the tile, and their corners. Returns their number; `to` needs room
-// for one more.
+// Makes a square's quarters in the tile, and their corners. Returns the count; `to` needs room for one more.
 [[gnu::noinline]] int quarter(Tile &t, Square a, int half, Split why, Square *to) {
     bool right = a.x + half < t.width, below = a.y + half < t.height;
     uint8_t x = (uint8_t)(a.x + half), y = (uint8_t)(a.y + half);
@@ -125,8 +124,7 @@ int splitSquares(Tile &t, int count, int size) {
             else
                 squares[left++] = a;
         }
-        // Split more squares because of samples that were traced for neighbours. Test all before the first
-        // split
+        // Split more squares because of samples traced for neighbours. Test all before the first split
         for (int before = 0; size > 1 && splits > before;) {
             before = splits;
             traceRequested(t);
@@ -150,8 +148,7 @@ int splitSquares(Tile &t, int count, int size) {
     return rough;
 }
 
-// The number of samples that a pixel takes first. The weight of each of its corners when it has these
-// samples, and when it has all.
+// The number of samples that a pixel takes first; the weight of each corner with these, and with all samples.
 constexpr int kFirst = 3;
 constexpr float kCornerWeight = 0.078f, kCornerWeightAll = 0.038f;
 

@@ -2,9 +2,9 @@
 //
 // Every corner is traced once, or is the mean of two; criterion.h decides which, and which squares split.
 // Squares that do not split are filled by bilinear interpolation (fill.h). Only light is interpolated; the
-// diffuse colour is evaluated at every pixel. The method follows a thesis on a 64 kB intro with a Whitted ray
-// tracer, "the intro thesis". The thesis also splits pixels, into quarters. Here a pixel gets samples inside
-// it, at positions chosen for edges of any slope.
+// diffuse colour is evaluated at every pixel. Source: a thesis on a ray-traced 64 kB intro ("the intro
+// thesis"). It also splits pixels, into quarters. Here a pixel gets samples inside, at positions chosen for
+// edges of any slope.
 #pragma once
 
 #include "trace/picture/tile.h"

@@ -18,8 +18,7 @@ namespace {
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // a tile with a border of one pixel; rows are padded
 constexpr int kRowStep = 8;                         // rows at this distance are always traced; a power of two
 constexpr int kBlock = 8; // side of the blocks of pixels that are carried by their corners
-// Tolerated difference at a gap of 2/60 s; it grows in proportion to the gap. The second value limits it in
-// flat mirrors.
+// Tolerated difference at a gap of 2/60 s, in proportion to the gap; and its limit in flat mirrors.
 constexpr float kTolerance = 0.06f, kMirrorTolerance = 0.09f;
 // Distances by which reflections move across a ball between the pictures, in radians as seen from the eye.
 // Beyond kTorn, parts of the ball that only one picture shows do not count. Beyond kGhosts the tolerance
@@ -40,8 +39,7 @@ constexpr int kMaxRetraced = kTile * kTile / 8; // pixels; a tile with more is t
 
 struct BetweenScratch {
     int64_t retracedCount;
-    // The shape that each pixel shows, and its distance in lengths of direction(). The first entry is the
-    // pixel above and left of the tile
+    // From one pixel up and left of the tile: each pixel's shape, and its distance, in lengths of direction()
     int32_t shape[kRows * kRow];
     float along[kRows * kRow];
     uint16_t retraced[kMaxRetraced + kBlock * kBlock]; // numbers of pixels
@@ -62,8 +60,7 @@ struct Sources {
 [[gnu::cold]] void findTrust(const Traced &before, const Traced &after, const Traced &now, float gap,
                              Carry *const (&carry)[2], Trust *trust) {
     const Scene &scene = *now.scene;
-    // Next to a cut, `before` and `after` are the same picture: measure how far reflections move from it to
-    // now
+    // Next to a cut, `before` and `after` are the same picture: measure the motion from it to now
     const bool one = before.scene == after.scene;
     for (int i = 0; i <= scene.shapeCount; ++i) {
         const Shape &a = scene.shapes[i];
@@ -83,8 +80,7 @@ struct Sources {
              v = one ? a.centre - now.view.eye
                      : after.scene->shapes[carry[1][i].shape].centre - after.view.eye;
         float perLength = 1 / length(u);
-        // Limit glass and mirror balls. The reflecting normal turns by half the angle between the directions
-        // to the two eyes
+        // Limit glass and mirror balls. The reflecting normal turns by half the angle between the eyes
         float moves = length(u * perLength - v * (1 / length(v))) * 0.5f * a.half.x * perLength;
         if (!glass) trust[i].tolerance *= min(kGhosts / max(moves, 1e-6f), 1.f);
         if (moves <= (glass ? kTornInGlass : kTorn)) continue;

@@ -16,8 +16,7 @@ inline constexpr uint16_t kNone = 0xffff;
 inline constexpr float kAhead = 1e-6f;
 
 // Computes the maps of all shapes of `now`, followed by the sky's, to another picture. Its scene may lack
-// some shapes and have others. Shapes that are in both scenes must be in the same order, and have hardly
-// moved.
+// some shapes and have others. Shapes in both must be in the same order, and have hardly moved.
 void carryTo(const Traced &to, const Traced &now, Carry *carry);
 
 // The colours at eight points of a traced picture. coverage: whether the four pixels around each show a
@@ -29,8 +28,7 @@ struct Fetched {
 
 // Reads the colours at points inside the picture, in pixels from the centre of its first pixel.
 Fetched fetch(const Frame &f, int shape, Float8 x, Float8 y);
-// Reads the colours for eight pixels of the in-between, which show the shape at `along` times their
-// directions.
+// Reads the colours for eight pixels of the in-between that show the shape at `along` times direction().
 Fetched fetchCarried(const Frame &f, const Carry &c, Float8 px, float py, Float8 along);
 
 } // namespace odraz

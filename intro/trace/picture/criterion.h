@@ -57,8 +57,7 @@ ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
     return (same & kSameId) && c.id ? (int)c.shape() : -1;
 }
 
-// Whether rays are traced to measure how much of a pixel each shape covers (fill.cpp). This is done only in
-// `draft`, and in blends close to it.
+// Whether rays measure how much of a pixel each shape covers (fill.cpp): in `draft`, and blends close to it.
 [[gnu::cold]] inline bool countsCoverage(const Tile &t, const uint32_t *c) {
     const Sample *s = t.s.corners;
     int one = shapeOrSky(s[c[0]]);
@@ -86,8 +85,7 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
     if (size == 2 && !(same & kSameId) && t.scene.lines == 0 && countsCoverage(t, c) &&
         !exceeds(difference, t.quality.edge))
         return Split::No;
-    // Where shapes meet, also compare the textures, which may be all that differs. In scenes with lines
-    // between patches, split there: all edges have lines
+    // Where shapes meet, also compare textures; in scenes with lines between patches, always split
     if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)) ||
         (!(same & kSameId) && (t.scene.lines != 0 || radianceExceeds(t, c, t.quality.markThreshold))))
         return Split::Differs;

@@ -26,8 +26,7 @@ void makeToneCurve(ToneCurve &curve) {
 
 namespace {
 
-// Keeps x in a register or on the stack. Otherwise each iteration of a loop would make the constant again, in
-// up to three instructions.
+// Keeps x in a register or on the stack. Otherwise a loop makes the constant again, in 1 to 3 instructions.
 template <class T> ODRAZ_INLINE T kept(T x) {
 #ifndef __wasm__ // WebAssembly has no registers
     asm("" : "+x"(x));

@@ -14,8 +14,7 @@ Float8 filmic(Float8 x);
 Float8 encodeSrgb(Float8 x);
 
 // Both functions in one table with linear interpolation; the error is below 1/40 of one of the 255 steps.
-// Entries are evenly spaced in the bits of x + kFoot, 32 for each doubling, from x = 0. Values above kHead
-// are white.
+// Entries are evenly spaced in the bits of x + kFoot, 32 for each doubling, up to kHead, which is white.
 struct ToneCurve {
     static constexpr float kFoot = 1.f / 32, kHead = 32768;
     static constexpr int kShift = 18; // turns the bits of x + kFoot into the index of an entry

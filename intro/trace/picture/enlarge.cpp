@@ -29,8 +29,7 @@ struct Taps {
             (one & 255) | ((two - one) & 255) << 8 | ((three - two) & 255) << 16 | (64 - three) << 24};
 }
 
-// Mixes eight pixels, each from four that are `step` bytes apart. The first one for pixel k is
-// from[which[k]], 0 .. 7.
+// Mixes eight pixels, each from four that are `step` bytes apart; for pixel k, the first is from[which[k]].
 [[gnu::noinline]] void mix(const uint8_t *from, ptrdiff_t step, Int8 which, Int8 weights, uint8_t *out) {
     const __m256i forBytes =
         _mm256_broadcastsi128_si256(_mm_set_epi64x(0x0504050405040504, 0x0100010001000100));

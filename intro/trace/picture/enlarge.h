@@ -15,8 +15,8 @@ inline constexpr int kMostAcross = 2560; // pixels of a row that enlarge() can m
 
 // Both pictures are sRGB, four bytes a pixel, rows without gaps. `from` is at least 4x4; `to` is no smaller
 // in either direction, and 8 to kMostAcross pixels wide. The first pixel and the last two of each row and
-// column of `from` are not shown: their neighbours are repeated. Up to 32 bytes after `from` are read and
-// ignored. The result does not depend on the number of workers.
+// column of `from` are not shown. Up to 32 bytes after `from` are read and ignored. The result does not
+// depend on the number of workers.
 void enlarge(const uint8_t *from, int width, int height, uint8_t *to, int toWidth, int toHeight,
              Workers &workers);
 

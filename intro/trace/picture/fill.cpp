@@ -16,8 +16,7 @@ static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i shapes) {
 
 // The albedo of a shape at eight pixels; `active` are those that show it. Where it changes from one pixel to
 // the next, one sample is inexact: noise fades a little too early or too late, and lines have stairs. There
-// the mean of two by two samples of half the width is taken. A single sample is closest to that mean if it is
-// 0.7 pixels wide.
+// the mean of two by two samples of half the width is taken. A single sample comes closest to it if 0.7 wide.
 static Rgb8 albedoOf(const Tile &t, uint16_t id, int x, int y, Int8 active) {
     const Shape &shape = t.scene.shapes[id];
     const Material &m = t.scene.materials[shape.material];

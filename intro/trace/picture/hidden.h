@@ -9,8 +9,7 @@ namespace odraz {
 // are more, they are so close together that corners hit them.
 void findBallsAndThinShapes(Tile &t);
 
-// Whether a square may show a shape that none of its corners shows. `shape`: the shape that all corners show;
-// -1: the sky, or several shapes.
+// Whether a square may show a shape that no corner shows. All corners show `shape`; -1: the sky, or several.
 bool mayHideShape(const Tile &t, Square q, int size, int shape);
 // Whether a square may show one of the thin shapes from index `first` on.
 bool mayHideThin(const Tile &t, Square q, int size, int first);

@@ -13,8 +13,7 @@ inline constexpr int kTile = 64;                       // pixels along a side
 inline constexpr int kCorners = kTile + 1;             // corners of pixels along a side
 inline constexpr int kPointShift = 7;                  // a row of points is 2^7 long, see pointAt()
 inline constexpr int kDiscs = 1024, kThinShapes = 192; // most balls and thin shapes that a tile keeps
-// Values of TileScratch::shape for pixels without an albedo. kMixed: several shapes, or samples inside; kSky:
-// the sky; kDone: already written to the frame.
+// TileScratch::shape of pixels without an albedo: several shapes or samples; sky; already in the frame.
 inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
 static_assert(kMaxShapes <= kDone);
 
@@ -75,8 +74,7 @@ struct Tile {
     int x0, y0, width, height; // the part of the frame that the tile covers, in pixels
 };
 
-// pointAt() packs a point of the tile into one number, from which x and y are easily read. cornerAt() is the
-// index of the corner there.
+// pointAt() packs a point of the tile into a number with bits for x and y; cornerAt() is its corner's index.
 ODRAZ_INLINE uint32_t pointAt(int x, int y) { return (uint32_t)(y << kPointShift | x); }
 ODRAZ_INLINE uint32_t cornerAt(int x, int y) { return (uint32_t)(y * kCorners + x); }
 

@@ -7,8 +7,7 @@
 
 namespace odraz {
 
-// Finds the shapes that primary rays through a square of the tile may hit. Its upper left pixel is (x, y),
-// its sides are `size` pixels long.
+// Finds the shapes that primary rays may hit in a square of the tile, `size` pixels wide, from (x, y) on.
 void findCandidates(const Tile &tile, int x, int y, int size, Candidates &found);
 
 // A function that makes a tile, and its first argument.

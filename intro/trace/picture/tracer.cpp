@@ -86,8 +86,7 @@ void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &
     for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i]->sampleCount = 0;
     int across = (frame.width + kTile - 1) / kTile, down = (frame.height + kTile - 1) / kTile;
     parallelFor(workers, across * down, [&](int piece, int worker) {
-        // Start with the bottom tiles, which mostly take longer, so that no worker waits long for the last
-        // tiles
+        // Start with the bottom tiles, which mostly take longer, so that no worker waits long at the end
         int last = across * down - 1 - piece, x = last % across * kTile, y = last / across * kTile;
         Tile tile = {
             *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),

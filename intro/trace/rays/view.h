@@ -12,8 +12,7 @@ struct View {
     float width, height; // size of the picture in pixels
     float spread;        // growth of a pixel's width per unit of distance
 
-    // Returns the direction through the point (x, y) of the picture, in pixels from its top left. It is not
-    // normalized.
+    // The direction (of any length) through the point (x, y) of the picture, in pixels from its top left.
     template <class T> Vec3T<T> direction(T x, T y) const {
         T u = x * (1.f / width) - 0.5f, v = y * (1.f / height) - 0.5f;
         return {fmadd(u, right.x, fmadd(v, down.x, forward.x)),

@@ -19,8 +19,7 @@ struct SortedHits {
     int32_t rays[8 * kChunk + 8]; // indices in the stream; a group's last is repeated up to a multiple of 8
 };
 
-// Scratch of sortHits(): the numbers of hits on the sky, each shape and each material. All zero between
-// calls.
+// Scratch of sortHits(): numbers of hits on the sky, each shape and each material. All zero between calls.
 using HitCounts = int32_t[kMaxShapes + kMaxMaterials + 1];
 
 // Sorts the hits of rays [begin, end) of a stream, at most kChunk. in.shape must be set.

@@ -49,8 +49,7 @@ inline constexpr float kFlat = 1e4f;
 // The light of a chart at points of its plane.
 Rgb8 lightAt(const Lightmap &map, const Chart &chart, const Vec3x8 &p);
 
-// The gloss of map.glossy at points of its plane: the radiance that it reflects in addition to the diffuse
-// light.
+// The gloss of map.glossy at points of its plane: the radiance that it reflects as well as diffuse light.
 Rgb8 glossAt(const Lightmap &map, const Vec3x8 &p);
 
 // Returns the index of the patch at each point p. `clear` gets the share (0 .. 1) of a sample that no line

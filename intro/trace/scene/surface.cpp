@@ -14,8 +14,7 @@ static Float8 nearest(Interval i) {
     return select((i.enter <= i.leave) & (t > 0.f) & (t < kFar), t, kInfinity);
 }
 
-// The interval in which o + t d is between -half and +half, in one coordinate. A direction of zero becomes a
-// tiny one, to avoid NaN.
+// Where o + t d is between -half and +half, in one coordinate. A zero direction becomes tiny, to avoid NaN.
 static Interval slab(Float8 o, Float8 d, float half) {
     Int8 tiny = abs(d) < 1e-20f;
     Float8 inverse = 1.f / select(tiny, 1e-20f, d);

@@ -42,8 +42,8 @@ struct Occluders {
             Int8 counts = (facing > -r) & (distance2 < square * (1 / kLeast));
             if (shape.isBall()) counts &= distance2 > square * 1.0001f; // not itself
             if (!any(counts)) continue;
-            // Use the exact formula only for balls that the horizon cuts. A ball on a floor just touches the
-            // horizon: 0.9999 keeps rounding errors from deciding
+            // Use the exact formula for the few balls that the horizon cuts. Most others touch a floor:
+            // 0.9999 keeps rounding errors from deciding about these
             Float8 cosine = facing / sqrt(distance2), sine2 = square / distance2, blocked = cosine * sine2;
             if (any(counts & (facing * abs(facing) < square * 0.9999f)))
                 blocked = ballFormFactor(cosine, sine2);

@@ -9,8 +9,7 @@
 // caustic. For u = (distance from the axis)^2 and h = (the horn's radius)^2, the density of light is the real
 // part of 1 / sqrt(h - u + bi): a fold blurred by b, or a core with soft edges where h = 0. It is divided by
 // its integral, so that it holds the light that passes the ball, weakened by the tint. At all distances
-// behind the ball, the share of the light that arrives within a given radius differs by less than 0.1 from
-// that of rays that are refracted twice.
+// behind the ball, the share of light within a given radius differs by less than 0.1 from exact refraction.
 #pragma once
 
 #include "trace/scene/scene.h"
