@@ -32,7 +32,7 @@ inline void writeBytes(const std::string &path, const Bytes &bytes, unsigned mod
 inline constexpr uint64_t kMostMemory = 64 << 20; // bytes; larger programs are refused
 
 using common::need; // in packer/, the text is the reason why a file is refused
-inline constexpr char kDamaged[] = "damaged: get it afresh";
+inline constexpr char kDamaged[] = "damaged: copy it again";
 inline constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning";
 
 // The system of a program made for packing: one library, whose two functions find all others.

@@ -62,7 +62,7 @@
 // parser use the bytes as they were coded. The parser also reports one-byte fields, which are coded
 // unchanged.
 //
-// ERRORS. If the checksum is not 0 or a page is missing, the stub prints "damaged: get it afresh". If it gets
+// ERRORS. If the checksum is not 0 or a page is missing, the stub prints "damaged: copy it again". If it gets
 // no memory, it prints "not enough free memory". If the system forbids executing memory that was written, it
 // prints "it may not run packed", or the program to use instead (messages.h). Each message is one line on
 // standard error; the exit status is 1, and nothing of the program has run. After the checksum, the stub

@@ -24,7 +24,7 @@ start:
     check_file
 damaged: // the texts are here because a truncated file still has this part; each text has 23 bytes
     call refuse
-    .ascii "damaged: get it afresh\n"
+    .ascii "damaged: copy it again\n"
 no_memory:
     call refuse
     .ascii "not enough free memory\n"

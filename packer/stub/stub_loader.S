@@ -38,7 +38,7 @@ start:
     check_file
 damaged:
     call refuse
-    .asciz ": damaged: get it afresh\n"
+    .asciz ": damaged: copy it again\n"
 no_memory:
     call refuse
     .asciz ": not enough free memory\n"

@@ -110,7 +110,7 @@ PeStart makeStart(const Program &program) {
 }
 
 PeMessages makeMessages(const std::string &safeName) {
-    PeMessages t = {{}, "damaged: get it afresh\n", "not enough free memory\n", "user32", "MessageBoxA"};
+    PeMessages t = {{}, "damaged: copy it again\n", "not enough free memory\n", "user32", "MessageBoxA"};
     std::strcpy(t.mayNotRun, mayNotRun(kMayNotRun, safeName).c_str());
     return t;
 }

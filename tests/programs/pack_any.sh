@@ -72,9 +72,9 @@ check "... the same" cmp wanted got
 # Errors begin with the program's name, and the program itself does not run
 cp c.packed damaged
 flip damaged 3800
-check "a damaged program reports it" refuses 1 "./damaged: damaged: get it afresh" ./damaged
+check "a damaged program reports it" refuses 1 "./damaged: damaged: copy it again" ./damaged
 head -c 3900 c.packed >short && chmod +x short
-check "... one cut short, too" refuses 1 "./short: damaged: get it afresh" ./short
+check "... one cut short, too" refuses 1 "./short: damaged: copy it again" ./short
 check "... one without memory" refuses 1 "./c.packed: not enough free memory" bash -c 'ulimit -v 30000; exec ./c.packed'
 for interpreter in lib64/lost=02 .=21 dev/null=80; do # a missing file, a folder, an empty file
     name=$(printf %27s "${interpreter%=*}" | tr ' ' /)

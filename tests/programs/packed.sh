@@ -28,7 +28,7 @@ check "... the same as before packing, in the same place" cmp "$WORK/code" <(par
 # Damage. Nothing can check the first 656 bytes: the header and the check itself. (elf_test damages each byte for --test
 # and -d; hostile/damaged.sh cuts and overwrites the film)
 broken=$WORK/broken total=$(stat -c %s "$hello")
-is_refused() { refuses 1 "damaged: get it afresh" "$broken"; }
+is_refused() { refuses 1 "damaged: copy it again" "$broken"; }
 flipped() {
     local at
     for at in $(seq 656 97 $((total - 1))) $((total - 1)); do

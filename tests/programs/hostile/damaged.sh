@@ -19,7 +19,7 @@ check "the film, whole, runs" prints '^odraz' "$film" --version
 
 from() { local span=$(($2 - $1)); at=$(($1 + (RANDOM * 32768 + RANDOM) % span)); } # from A B: sets `at` to a random offset, A <= at < B
 write() { dd of="$broken" bs=1 seek="$1" conv=notrunc status=none; }             # write OFFSET: copies standard input to it
-reports_it() { refuses 1 "damaged: get it afresh" "$broken" --dump - --from 20 --to 20.04 --size 16x9; }
+reports_it() { refuses 1 "damaged: copy it again" "$broken" --dump - --from 20 --to 20.04 --size 16x9; }
 each() { # each COMMAND: the command damages $broken, $tries times; the film must report it each time
     local n
     for ((n = 1; n <= tries; ++n)); do

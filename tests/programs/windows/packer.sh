@@ -15,7 +15,7 @@ check "... with the same bytes" cmp "$WORK/plain.exe" "$WORK/again.exe"
 broken=$WORK/broken.exe
 total=$(stat -c %s "$exe")
 checked=$((512 + 264 + 300)) # after headers, imports, and the code that checks and reports
-is_refused() { refuses 1 "damaged: get it afresh" "$wine" "$broken" && refuses 2 "$broken: " "$pack" --test "$broken" && refuses 2 "$broken: " "$pack" -d "$broken" -o "$WORK/x"; }
+is_refused() { refuses 1 "damaged: copy it again" "$wine" "$broken" && refuses 2 "$broken: " "$pack" --test "$broken" && refuses 2 "$broken: " "$pack" -d "$broken" -o "$WORK/x"; }
 flipped() {
     local at
     [ "$total" -gt 3000 ] || return 1
@@ -30,5 +30,5 @@ check "bytes after its end do not matter" exits 7 "hello, 42" "$wine" "$broken"
 # Without standard error a box shows the message
 start_display 640x480
 cp "$exe" "$broken" && flip "$broken" $((total - 1)) 1
-check "a box opens, which Return closes, with status 1" boxed 1 'damaged: get it afresh' without_stderr "$wine" "$broken"
+check "a box opens, which Return closes, with status 1" boxed 1 'damaged: copy it again' without_stderr "$wine" "$broken"
 finish
