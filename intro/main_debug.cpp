@@ -191,7 +191,7 @@ const char *loadFilm(Stage &stage, Screen &screen, uint64_t solvers, Maker &m) {
         return !(m.closes = m.closes || m.leaves || glfwWindowShouldClose(screen.window));
     };
     const char *problem = stage.loadFirst(
-        screen.gl, solvers, [&](bool on) { screen.hiddenCurrent(on); }, wait);
+        screen.gl, solvers, [&](bool on) { screen.useHidden(on); }, wait);
     return m.closes ? nullptr : problem;
 }
 

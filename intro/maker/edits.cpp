@@ -8,7 +8,7 @@ namespace odraz::maker {
 
 namespace {
 
-constexpr double kSettling = 0.3; // seconds in which a new editor sends the keys that it has
+constexpr double kSettling = 0.3; // seconds that a new editor gets to send its keys
 
 } // namespace
 
@@ -21,7 +21,7 @@ void Edits::renew() {
     std::vector<std::string> before = tracks.names();
     tracks.readFilm(stage.live());
     if (host.empty() || (client && tracks.names() == before)) return;
-    // The tracks of a connection cannot change
+    // A connection's list of tracks is fixed: connect again
     client = std::make_unique<rocket::Client>(host, port, tracks.names());
     version = 0;
 }
@@ -81,7 +81,7 @@ std::string Edits::writeDocument(const std::string &file) {
     std::string message = std::to_string(all.size()) + " tracks in " + file;
     if (off)
         message += "; " + std::to_string(off) +
-                   " keys between rows, before row 0 or two on a row were moved to the nearest row or left "
+                   " keys (between rows, below row 0, second on a row) were moved to the nearest row or left "
                    "out";
     return message;
 }

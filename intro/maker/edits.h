@@ -1,4 +1,4 @@
-// Edits of the film's tracks, from an editor of GNU Rocket and by hand.
+// Edits of the film's tracks: from an editor of GNU Rocket, and manual ones.
 #pragma once
 
 #include "maker/rocket/client.h"
@@ -15,7 +15,7 @@ public:
     // editor is; empty: none.
     Edits(const Stage &stage, std::string show, std::string host = "", int port = rocket::kPort);
 
-    // To be called for a new film: reads its tracks.
+    // Reads the tracks of a new film. Call this whenever the film was replaced.
     void renew();
 
     struct Requests {              // from the editor
@@ -24,18 +24,18 @@ public:
         bool save = false;
         std::string message; // a line when the connection changes, else empty
     };
-    // To be called once a picture. Sends `row` of the film to the editor and takes over the editor's keys.
+    // Call this once per picture. Sends `row` of the film to the editor and takes over the editor's keys.
     // `now`: seconds of any clock.
     Requests update(double now, double row);
 
     // Sets a key with the eye and target of `camera`, or removes the key if `camera` is null. Returns its
     // row, which is `row` rounded (see Tracks::rowOfView). `message`: what was done, or why not.
     uint32_t setView(double row, const CameraKey *camera, std::string &message);
-    // Undo or redo one edit by hand, or save all edits. These return what was done, or why not.
+    // Undo or redo one manual edit, or save all edits. These return what was done, or why not.
     std::string undo();
     std::string redo();
     std::string save();
-    int unsaved() const { return tracks.unsaved(); } // tables
+    int unsaved() const { return tracks.unsaved(); } // number of tables
 
     // Writes all tracks as a document of GNU Rocket. Returns what was written. Throws std::runtime_error.
     std::string writeDocument(const std::string &file);

@@ -18,7 +18,7 @@ bool Follower::follow(Screen &screen, int block) {
     failed = event == Rebuilder::Event::Failed || (failed && !built);
     if (event == Rebuilder::Event::Failed) report("does not compile", rebuilder.error());
     if (built) {
-        stage.change(screen.gl, rebuilder.solverHash(), block, [&](bool on) { screen.hiddenCurrent(on); });
+        stage.change(screen.gl, rebuilder.solverHash(), block, [&](bool on) { screen.useHidden(on); });
         if (!stage.state().empty()) report("loading", stage.state());
     }
     bool fresh = stage.poll(block) || (built && stage.state().empty());

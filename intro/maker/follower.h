@@ -11,15 +11,15 @@ namespace odraz::maker {
 
 class Follower {
 public:
-    // Receives news: a word for the window's title, and a line for stderr that may be empty.
-    using Report = std::function<void(const std::string &word, const std::string &line)>;
+    // Receives news: a text for the window's title, and a line for stderr that may be empty.
+    using Report = std::function<void(const std::string &title, const std::string &line)>;
     // `build`: the build folder.
     Follower(const std::string &build, Stage &stage, Report report);
 
-    // To be called before each picture. `block`: the music's position. Returns true if the film is a new one.
+    // Call this before each picture. `block`: the music's position. Returns true if the film was replaced.
     bool follow(Screen &screen, int block);
-    // Draws one line over a picture, the first that exists: an error or progress, `limit` (names a constant
-    // that is too small, or is null), `recent`.
+    // Draws one line over a picture: an error or the progress; else that the constant `limit` is too small
+    // (null: none is); else `recent`.
     void drawState(const Picture &p, const char *limit, const std::string &recent) const;
     // During a build, waits for an event or 0.2 s, so that the compiler gets the processors.
     void wait() const;

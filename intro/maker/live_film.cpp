@@ -9,7 +9,7 @@ namespace odraz {
 
 namespace {
 
-// Replaced as one, so that the music thread never sees a Sound of another film
+// The film and music in use, replaced together: the music thread never gets a Sound of another film
 struct InUse {
     const maker::Live *live;
     Sound *sound;

@@ -19,7 +19,7 @@ public:
     Pool(const Pool &) = delete;
 
     Workers &workers() { return all; }
-    // Makes work in progress end soon, with a useless result.
+    // Makes work in progress end soon. Its result is useless.
     void abort() { __atomic_store_n(&leave, 1, __ATOMIC_RELAXED); }
 
 private:

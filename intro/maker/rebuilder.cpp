@@ -71,12 +71,12 @@ void Rebuilder::start() {
     int to = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(to, 1);
     dup2(to, 2);
-    // English messages have quotes that the font has. (`cmake --build` would end before its children)
+    // English messages have quotes that are in the font. (`cmake --build` would end before its children)
     execlp("env", "env", "LC_ALL=C", buildTool.c_str(), "-C", build.c_str(), "live", nullptr);
     _exit(127);
 }
 
-// Ends the build with all its processes.
+// Ends all processes of the build.
 void Rebuilder::stop() {
     if (compiling > 0) kill(-compiling, SIGTERM);
 }
@@ -115,14 +115,14 @@ Rebuilder::Event Rebuilder::poll(double now) {
     };
     if (problem().empty() && now >= lookedAt + kInterval) look();
     if (compiling > 0) {
-        if (dirty && !stopped) stop(); // it is building old sources
+        if (dirty && !stopped) stop(); // it uses old sources
         stopped = dirty;
         int status;
         pid_t ended = waitpid(compiling, &status, WNOHANG);
         if (ended == 0) return Event::None;
         compiling = -1;
         backdate();
-        look(); // a source may have been saved since the last one
+        look(); // a source may have been saved since the last look
         if (dirty) return Event::None;
         if (ended > 0 && WIFEXITED(status) && !WEXITSTATUS(status)) return Event::Built;
         readError();
@@ -135,7 +135,7 @@ Rebuilder::Event Rebuilder::poll(double now) {
     return compiling > 0 ? Event::Building : Event::Failed;
 }
 
-// The object files below intro/maker, where the target `live` has the engine's.
+// Returns the object files below intro/maker. The target `live` has those of the engine there, too.
 std::vector<std::string> Rebuilder::objects() const {
     std::vector<std::string> files;
     std::error_code ignored;

@@ -28,13 +28,13 @@ public:
     bool building() const { return compiling > 0; }
 
     const std::string &problem() const { return wrong; }
-    // The compiler's first error, or another problem, as one line. Paths start at the source folder.
+    // The compiler's first error, or another problem, as one line. Paths are relative to the source folder.
     const std::string &error() const { return firstError; }
     std::string showFolder() const { return source.empty() ? "" : source + "/intro/show"; }
     std::string object() const { return build + "/live/live.so"; }
     // A hash of the code that solves the hall. When it changes, the hall must be solved again.
     uint64_t solverHash() const;
-    // The time, as in poll(), at which the last change that was built was seen.
+    // Returns when the change that was built last was noticed, as a time of poll().
     double saved() const { return savedAt; }
 
 private:
@@ -47,7 +47,7 @@ private:
     std::vector<std::string> objects() const;
 
     std::string build, source, buildTool, wrong, firstError;
-    Times times; // of all sources
+    Times times; // by source file
     pid_t compiling = -1;
     std::filesystem::file_time_type began = {};
     bool dirty = false;   // a source was saved since the build began

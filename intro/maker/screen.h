@@ -10,11 +10,11 @@
 namespace odraz::maker {
 
 struct Screen {
-    GLFWwindow *window, *hidden; // the context of `hidden` serves the thread that loads
+    GLFWwindow *window, *hidden; // the context of `hidden` is for the thread that loads
     Gl gl;
     int width, height;
-    // Makes the hidden window's context current on the calling thread, or none
-    void hiddenCurrent(bool on) const { glfwMakeContextCurrent(on ? hidden : nullptr); }
+    // Makes the hidden window's context current on the calling thread; false: no context
+    void useHidden(bool on) const { glfwMakeContextCurrent(on ? hidden : nullptr); }
     GLuint texture, framebuffer;
 };
 

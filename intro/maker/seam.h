@@ -1,5 +1,5 @@
 // The functions of intro.h, each as FILM(type, name, (parameters), (arguments)). SOUND functions are called
-// on the music thread, with the Sound that was loaded first; their arguments replace it by the newest one.
+// on the music thread, with the Sound that was loaded first; the arguments here pass the newest one.
 #pragma once
 
 #include "intro.h"

@@ -51,7 +51,7 @@ void Stage::loadOnThread(Loaded &to, const Gl &gl, const Current &current) {
     loading = std::thread([this, &to, &gl, current] {
         current(true);
         Progress report = {[](float part, void *at) { *(std::atomic<float> *)at = part; }, &progress};
-        missing = load(to, gl, report);
+        loadError = load(to, gl, report);
         current(false);
         done = true;
     });
@@ -66,7 +66,7 @@ const char *Stage::loadFirst(const Gl &gl, uint64_t solvers, const Current &curr
         if (!wait(progress)) now.pool->abort();
     loading.join();
     done = false;
-    if (missing) return missing;
+    if (loadError) return loadError;
     useLive(now.live, newSound(now, 0));
     return nullptr;
 }
@@ -79,7 +79,7 @@ void Stage::giveUp() {
 }
 
 void Stage::change(const Gl &gl, uint64_t solvers, int block, const Current &current) {
-    giveUp(); // a load in progress is of an older film
+    giveUp(); // a load in progress loads an older film
     wrong.clear();
     const Live *live = openLive(object, wrong);
     if (!live) return;
@@ -99,7 +99,7 @@ void Stage::change(const Gl &gl, uint64_t solvers, int block, const Current &cur
 bool Stage::poll(int block) {
     if (!done.exchange(false)) return false;
     loading.join();
-    if (missing) return wrong = missing, false;
+    if (loadError) return wrong = loadError, false;
     std::swap(now, next);
     useLive(now.live, newSound(now, block));
     return true;

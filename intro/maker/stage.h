@@ -24,17 +24,17 @@ public:
     void settle(int width, int height, int threads, bool mute);
     using Current = std::function<void(bool)>;
     // Loads the film on a thread, which calls current(true) first, to make an OpenGL context current, and
-    // current(false) at its end. Meanwhile calls wait(progress), 0 .. 1, repeatedly; it returns false to give
-    // up. Returns null, or an error line. `solvers`: a hash of the code that solves the hall.
+    // current(false) at its end. Meanwhile calls wait(progress) repeatedly, with 0 .. 1; `wait` returns false
+    // to give up. Returns null, or an error line. `solvers`: a hash of the code that solves the hall.
     const char *loadFirst(const Gl &gl, uint64_t solvers, const Current &current,
                           const std::function<bool(float)> &wait);
 
     // Opens the rebuilt object. If its data have the same layout and its hall the same light, it makes the
-    // next picture; else it is loaded in the background, as above. `block`: the music's position.
+    // next picture; else it is loaded in the background, like the first film. `block`: the music's position.
     void change(const Gl &gl, uint64_t solvers, int block, const Current &current);
     // Stops loading in the background; the context must still exist.
     void giveUp();
-    // To be called once a picture. Replaces the film if a new one has been loaded, and returns true then.
+    // Call this once per picture. If a new film has been loaded, replaces the old one and returns true.
     bool poll(int block);
 
     Intro &intro() const { return *now.intro; }
@@ -67,7 +67,7 @@ private:
     std::thread loading;
     std::atomic<bool> done = false;
     std::atomic<float> progress = 0;
-    const char *missing = nullptr;
+    const char *loadError = nullptr;
 };
 
 } // namespace odraz::maker

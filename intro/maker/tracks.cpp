@@ -16,13 +16,13 @@ namespace {
 constexpr const char *kChannelNames[kChannels] = {"eye.x",    "eye.y",    "eye.z", "target.x",
                                                   "target.y", "target.z", "roll",  "lens"};
 
-// "./intro/show/scenes/hall.keys" as "scenes/hall.keys"
+// Returns "scenes/hall.keys" for "./intro/show/scenes/hall.keys".
 std::string fileOf(const KeyTable &table) {
     const std::string file = table.file, show = "/show/";
     return file.substr(file.rfind(show) + show.size());
 }
 
-// "kToTheDoor" as "toTheDoor"
+// Returns "toTheDoor" for "kToTheDoor".
 std::string plainName(std::string name) {
     if (name.size() > 1 && name[0] == 'k' && std::isupper((unsigned char)name[1])) {
         name.erase(0, 1);
@@ -44,7 +44,7 @@ rocket::Interpolation toRocket(Interpolation i) {
 // numbers on every row. A channel without a key on a row gets the value of its curve there.
 std::vector<KeyNumbers> merged(const std::vector<std::vector<Key>> &channels) {
     std::set<float> rows;
-    std::vector<CameraKey> paths[kChannels]; // path c uses number c alone
+    std::vector<CameraKey> paths[kChannels]; // path c has only channel c
     for (size_t c = 0; c < kChannels; ++c)
         for (const Key &k : channels[c]) {
             rows.insert(k.row);
@@ -75,7 +75,7 @@ void Tracks::readFilm(const Live &from) {
     files.read(names, rows);
     tables.clear();
     for (KeyTable *t = live->keyTables(); t; t = t->next) {
-        // The shot of a path, or the first shot of the scene that the file is named after
+        // Find the shot of a path, or the first shot of the scene that the file is named after
         std::string file = fileOf(*t), scene = std::filesystem::path(file).stem();
         auto shot = std::find_if(shots.begin(), shots.end(), [&](const ShotInfo &s) {
             return t->camera ? s.path->keys == t->poses : live->sceneName(s.scene) == scene;
@@ -86,7 +86,7 @@ void Tracks::readFilm(const Live &from) {
         double shift = shot->story * kRowsPerSecond + (double)t->start;
         tables.push_back({t, shot->scene, shift, i, name + plainName(t->name), 0});
     }
-    std::reverse(tables.begin(), tables.end()); // the live list begins with the newest
+    std::reverse(tables.begin(), tables.end()); // the list of tables begins with the newest one
     std::stable_sort(tables.begin(), tables.end(), [](const FilmTable &a, const FilmTable &b) {
         return std::pair(a.scene, !a.live->camera) < std::pair(b.scene, !b.live->camera);
     });
@@ -144,7 +144,7 @@ int Tracks::offRows() const {
     int count = 0;
     for (const FilmTable &t : tables) {
         int off = 0;
-        double last = -1; // two keys on a row are a jump, for which Rocket has no row either
+        double last = -1; // the second of two keys on a row (a jump) has no row in Rocket
         for (const KeyNumbers &k : ownKeys(t)) {
             double row = (double)k[0] + t.shift;
             off += row < 0 || row != std::round(row) || row == last;
@@ -205,7 +205,7 @@ std::string Tracks::save(std::string &message) {
     std::string wrong;
     for (const FilmTable &t : tables) {
         std::vector<KeyNumbers> now = editedKeys(t);
-        if (now == ownKeys(t)) continue; // edited by hand alone, or the editor has the same keys
+        if (now == ownKeys(t)) continue; // no edits from the editor, or the same keys
         bool foreign = !t.live->camera && std::any_of(now.begin(), now.end(), [](const KeyNumbers &k) {
             return keyOf(k).interpolation >= kStep;
         });

@@ -1,12 +1,12 @@
 // The film's tracks under the names that GNU Rocket shows, with all edits of them.
 //
-// A camera's path is eight tracks, such as "hall.camera.beams:eye.x", for the scene that it shows and the
-// table in film.keys (kBeams). A table of Key is one track, such as "hall:exposure", for its file and its
-// name there. Rows count from the film's start.
+// A camera's path is eight tracks, such as "hall.camera.beams:eye.x", named after the scene that it shows and
+// the table in film.keys (kBeams). A table of Key is one track, such as "hall:exposure", named after its file
+// and its name there. Rows count from the film's start.
 //
 // Rocket has no Hermite curves: a camera's path keeps its own, and Rocket's documents say "smooth". Rocket
-// has no negative and no fractional rows: a key there keeps its row in the film, and Rocket has it on the
-// nearest row.
+// has no fractional and no negative rows: it gets a key on the nearest row, or not at all if that is
+// negative. In the film the key keeps its row.
 #pragma once
 
 #include "maker/keys/key_tables.h"
@@ -40,21 +40,21 @@ public:
 
     // Takes over an editor's version of a track. If it has no keys, the film's own are shown.
     void takeFromEditor(size_t i, const rocket::Track &keys);
-    // Edits by hand the camera path that is shown at a row of the film: sets eye and target there and leaves
-    // roll and field of view, or removes the key if `camera` is null. Holds until an editor changes that key.
-    // Returns why it failed, or nothing. The row must be a result of rowOfView().
+    // Edits the camera path that is shown at a row of the film: sets eye and target of a key there, or
+    // removes the key if `camera` is null. The edit holds until an editor changes that key. Returns why it
+    // failed, or an empty string. The row must be a result of rowOfView().
     std::string setView(uint32_t row, const CameraKey *camera);
-    // Describes such a row, as a row of its scene and of the film. Warns if another key is within a beat,
-    // because the path may swing.
+    // Describes a row that rowOfView() returned, as a row of its scene and of the film. Warns if another key
+    // is within a beat, because the path may swing.
     std::string rowInWords(uint32_t row) const;
     // Rounds a row of the film to the nearest whole row, or down if that one shows another path (at a cut).
     uint32_t rowOfView(double row) const;
-    bool undo() { return files.undo(); } // one edit by hand
+    bool undo() { return files.undo(); } // one manual edit
     bool redo() { return files.redo(); }
-    // Writes all edits, by hand and from an editor, to the files. Returns what was not written, and why.
-    // `message`: what was written.
+    // Writes all edits, manual ones and those from an editor, to the files. Returns what was not written, and
+    // why. `message`: what was written.
     std::string save(std::string &message);
-    // The number of tables with unsaved edits: by hand only, or in all.
+    // The number of tables with unsaved edits: manual ones only, or all.
     int unsavedByHand() const { return files.edited(); }
     int unsaved() const { return files.edited() + unsavedByEditor; }
 
@@ -74,10 +74,10 @@ private:
     };
     struct Edit {
         rocket::Track editor;
-        std::set<uint32_t> byHand; // rows where later edits by hand replace the editor's key
+        std::set<uint32_t> byHand; // rows where a later manual edit replaces the editor's key
     };
     int tableAt(double row) const; // index of the camera's table at a row; -1: none
-    const std::vector<KeyNumbers> &ownKeys(const FilmTable &table) const; // with edits by hand alone
+    const std::vector<KeyNumbers> &ownKeys(const FilmTable &table) const; // with manual edits only
     std::vector<Key> editedChannel(const FilmTable &table, size_t channel) const;
     std::vector<KeyNumbers> editedKeys(const FilmTable &table) const; // with all edits
 

@@ -1,4 +1,4 @@
-// Edits by hand of the camera path that is shown.
+// Manual edits of the camera path that is shown.
 #include "maker/panel/content.h"
 #include "maker/tracks.h"
 
@@ -39,7 +39,7 @@ std::string Tracks::setView(uint32_t row, const CameraKey *camera) {
         KeyNumbers view = numbersOf(*camera);
         std::copy_n(view.begin() + 1, 6, // eye and target
                     here->begin() + 1);
-        // Round to millimetres and thousandths of a degree: finer steps are invisible and harder to read
+        // Round to millimetres and thousandths of a degree: finer steps are invisible, and hard to read
         for (size_t n = 1; n < here->size(); ++n) (*here)[n] = std::round((*here)[n] * 1000) / 1000;
     }
     for (size_t c = 0; c < kChannels; ++c) {
@@ -63,7 +63,7 @@ std::string Tracks::rowInWords(uint32_t row) const {
     std::string words = "row " + written((float)tableRow) + " of " + live->sceneName(t.scene);
     if (t.shift != 0) words += ", " + std::to_string(row) + " of the film";
     if (nearest < kNear)
-        words += ". another key is " + written((float)nearest) + " rows away: the camera may swing";
+        words += "; another key is " + written((float)nearest) + " rows away: the camera may swing";
     return words;
 }
 

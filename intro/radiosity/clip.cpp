@@ -6,10 +6,10 @@ namespace {
 
 // A border of a face: sign * (x or y) + limit * w >= 0.
 struct Border {
-    bool upright;
+    bool alongY;
     float sign, limit;
 
-    float inside(const FaceCorner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
+    float inside(const FaceCorner &c) const { return fmadd(sign, alongY ? c.y : c.x, limit * c.w); }
 };
 
 // Cuts a convex polygon. A new corner is computed from the nearer end of its side: this is precise, and
@@ -28,7 +28,7 @@ int clip(const FaceCorner *in, int count, FaceCorner *out, const Border &border)
         FaceCorner &c = out[n++];
         c = {lerp(near.x, far.x, t), lerp(near.y, far.y, t), lerp(near.w, far.w, t), lerp(near.s, far.s, t),
              lerp(near.t, far.t, t)};
-        (border.upright ? c.y : c.x) = -border.sign * border.limit * c.w;
+        (border.alongY ? c.y : c.x) = -border.sign * border.limit * c.w;
     }
     return n;
 }

@@ -34,9 +34,9 @@ Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const SourcePart &part) {
     }
     return max(sum, 0.f) * (0.5f / kPi);
 }
-constexpr float kNear = 16; // distance^2 / area of a part, below which a disc is too inexact
+constexpr float kNear = 16; // distance^2 / area of a part: below this the disc formula is too inexact
 
-constexpr int kWindowParts = 32, kLampParts = 16; // for each facet of a chart
+constexpr int kWindowParts = 32, kLampParts = 16; // the most parts of a facet
 
 // The direction to a part from eight receivers, and its visible form factor.
 struct PartSample {
@@ -113,7 +113,7 @@ struct DirectSampler {
         return count;
     }
 
-    // Calls `take` for each part of a chart that emits.
+    // Calls `take` with each sample of an emitting chart.
     template <class Take>
     void sampleChart(const Receivers &at, int chart, int most, PartSample *samples, Take &&take) {
         const Chart &c = model.charts[chart];

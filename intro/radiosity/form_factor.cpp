@@ -4,8 +4,8 @@
 
 namespace odraz {
 
-// A pixel's form factor is the integral of 1 / (pi (1 + a^2 + b^2)^2) over it on the top face, and of b times
-// this on a side face. Gauss's rule with two points integrates squares, at least 64 along a face.
+// A pixel's form factor is the integral of 1 / (pi (1 + a^2 + b^2)^2) over the pixel on the top face. On a
+// side face it is b times this. Gauss's rule with 2 x 2 points integrates squares, 64 or more along a face.
 void deltaFormFactors(int px, float *delta) {
     int squares = 64 / px + 1; // along a pixel's side
     float size = 2 / (float)(px * squares);

@@ -30,12 +30,12 @@ struct FormFactors {
 // Computes the form factors of a hemicube's pixels: 3 px rows of px values, in the layout of hemicube.h.
 void deltaFormFactors(int px, float *delta);
 
-// Computes their running sums along every row, starting at 0: px + 1 values a row.
+// Computes the running sums of `delta` along every row, starting at 0: px + 1 values a row.
 void accumulateFormFactors(int px, const float *delta, float *sums);
 
-// Adds the pixels of one hemicube to row[patch], by these sums. Returns the form factor of pixels that show
-// nothing, or backs. An empty pixel between two others, in line or column, is a crack: it counts as one of
-// them.
+// Adds the form factors of one hemicube's pixels to row[patch], by means of `sums`. Returns the form
+// factor of the pixels that show nothing or a back. An empty pixel between two others in its row or column
+// is a crack: it counts as one of them.
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
 // Draws the hemicubes of all visible patches that reflect, and stores their rows. Returns false if the viewer

@@ -21,7 +21,7 @@ inline constexpr int kMaxHemicube = 1024;  // the most pixels along a top face's
 // Ids in the pictures: a patch's index plus one, or one of these.
 inline constexpr uint32_t kNothing = 0, kBackSide = 0xffffffff;
 
-// The position of a hemicube: local = frame * (world - p); frame.w is the surface's normal.
+// The position and orientation of a hemicube: local = frame * (world - p); frame.w is the surface's normal.
 struct Eye {
     Vec3 p;
     Mat3 frame;

@@ -70,7 +70,7 @@ struct Model {
     Facet facets[kMaxFacets];
 
     // Adds a rectangle with sides u and v; its front faces u x v. Returns its chart. kPieces: addFacet() adds
-    // facets; kOpen: a window. Cells have sides of about `cell`, but at most kMaxAcross along a side.
+    // facets; kOpen: a window. Cells have sides of about `cell`, at most kMaxAcross of them along each.
     enum Kind { kWhole, kPieces, kOpen };
     int addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int material, float cell,
                 Kind kind = kWhole);
@@ -84,7 +84,7 @@ struct Model {
     enum Side { kLeft = 1, kRight = 2, kBottom = 4, kTop = 8, kBack = 16, kFront = 32, kUpright = 51 };
     void addBox(const Vec3 &lo, const Vec3 &hi, int material, float cell, unsigned sides);
 
-    // Adds all facets but windows, which must be rectangles, to a scene with the charts' material indices.
+    // Adds all facets except windows to a scene, with the charts' material indices. They must be rectangles.
     void pose(Scene &scene) const;
     Shape shapeOf(int facet) const;
 

@@ -18,7 +18,7 @@ struct Texels8 {
 // Loads the `count` texels from `first` on.
 Texels8 loadTexels(const Model &model, int first, int count);
 
-// One sample point of each of eight texels: the point `round` (from 0) of those in its mask.
+// One sample point of each of eight texels: number `round`, from 0, of the points in the texel's mask.
 struct TexelPoints8 {
     Float8 x, y; // -1 or 1: the side of the texel
     Int8 index;  // 0 .. 3

@@ -93,7 +93,7 @@ static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event,
 // Returns the row of an event, for keys.
 consteval float rowOf(EventId event) { return kEvents[event].row; }
 
-// The rows of the big hits. The half beat before each is silent.
+// The events of the big hits. The half beat before each is silent.
 inline constexpr EventId kHits[] = {kHallIsBlack, kDirectLight, kStrip1, kBall1};
 
 } // namespace odraz

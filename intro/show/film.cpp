@@ -5,9 +5,9 @@
 
 namespace odraz {
 
-// build/seen measured the penalties at `play` and near `film`; then they were adjusted by hand for the best
-// result on machines of 16 to 64 G instructions a second. tools/measure/seen/costs measures the savings of a
-// step of coarseness.
+// `.pace`: build/seen measured the penalties at quality `play` and near `film`; they were then adjusted by
+// hand for the best result on machines that execute 16 to 64 G instructions a second.
+// tools/measure/seen/costs measured `.halving`.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point",
      .pose = posePoint,

@@ -6,8 +6,9 @@ namespace odraz {
 
 namespace {
 
-// Strokes on a grid: baseline 0, lower-case height 8, digits and ascenders 12, descenders -4. kLine x0 y0 x1
-// y1. kArc cx cy r start sweep: angles in eighths of a turn, counter-clockwise from the right.
+// The letters as strokes on a grid: baseline 0, lower-case height 8, digits and ascenders 12, descenders -4.
+// A stroke is kLine x0 y0 x1 y1, or kArc cx cy r start sweep, with angles in eighths of a turn,
+// counter-clockwise from the right.
 enum : int8_t { kEnd = -100, kLine, kArc };
 #define L kLine,
 #define A kArc,

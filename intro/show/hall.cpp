@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kDust = 0.012f; // share of light that dust scatters per metre
 constexpr float kDoorLamp = 0.38f;
-constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // bounced light: the wall around the door stays dark and cold
+constexpr Rgb kBounced = {0.55f, 0.72f, 0.9f}; // factor: keeps the wall around the door dark and cold
 constexpr Rgb kLanternLight = Rgb{33, 28, 21};
 
 // Returns a strip's colour: from copper on the left, where the light entered, through white to sky blue.
@@ -22,7 +22,7 @@ Rgb stripLight(int i, float contrast) {
     return {fmadd(s, -1.1f, 1.5f), fmadd(s * s, -0.75f, 1.7f), fmadd(s, 1.2f, 1.6f)};
 }
 
-// Blends a material (grey 0) with the same grey for all (grey 1).
+// Blends a material (grey 0) with a grey that all materials share (grey 1).
 Material faded(Material m, float grey) {
     if (grey == 0) return m;
     m.diffuse = lerp(m.diffuse, 1.f, grey);
@@ -58,7 +58,8 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 }
 
 // Adds the visible beams of sun in the air. Windows are deep: light must pass both ends of the opening. The
-// columns at the far wall are left out, because their shadows are inside the near ones' or outside the hall.
+// columns at the far wall are left out, because their shadows fall outside the hall or within those of the
+// near columns.
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
     // Make them fainter as the sun sinks, because low beams would run along the view and hide the hall
@@ -86,8 +87,8 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
     now.sky.near = {}; // counts as part of the sun
     if (light.hour < (float)kNight)
         project(now.sky, v.bounced); // the night sky is visible but lights nothing, which is cheaper
-    // Interpolate the sun's light between two positions: bounced, and direct where the tracer does not draw
-    // it
+    // Interpolate the sun's light between two positions: the bounced light, and the share of the direct light
+    // that the tracer does not draw
     float at = clamp(light.hour * 4, 0.f, (float)(kSuns - 1));
     int before = min((int)at, kSuns - 2);
     for (int i = 0; i < 2; ++i) {
@@ -102,7 +103,7 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
         v.bounced[kFirstLantern + i] = emitted + light.extra.intensity * share;
         v.direct[kFirstLantern + i] = emitted * (1 - (drawn ? drawn[i] : 0));
     }
-    // Subtract what the tracer draws from the lightmap; in shadows the rest has the other side's colour
+    // Leave out most direct light that the tracer draws. The rest, seen in shadows, has its sides swapped
     for (int i = 0; i < kStrips; ++i) {
         v.bounced[kFirstStrip + i] = stripLight(i, 1) * kBounced * light.strips[i];
         v.direct[kFirstStrip + i] =
@@ -167,8 +168,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     if (light.door * maxComponent(burning) > 0)
         scene.add(Light{{x / on, 2.7f, -0.03f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
 
-    // Add what is outside until the door is lit: sand to the horizon, a hill (not a ball: balls cost more)
-    // and a pair of columns
+    // Until the door is lit, add the landscape outside: sand to the horizon, a hill (not a ball: balls cost
+    // more) and a pair of columns
     if (grey + light.door == 0) {
         scene.add(box({0, -0.2f, 159}, {999, 0.1f, 350}, kSand));
         Shape hill = cylinder({100, -388, 600}, 406, 100, kSand);

@@ -9,7 +9,7 @@
 namespace odraz {
 
 inline constexpr int kLanterns = 3, kStrips = 8;
-inline constexpr int kHallMaterials = 9 + kLanterns + kStrips; // added to a scene
+inline constexpr int kHallMaterials = 9 + kLanterns + kStrips; // the number of materials that poseHall() adds
 inline constexpr int kSuns = 28;                               // solved positions of the sun, four an hour
 // The skies are spherical harmonics; the lamps are the lanterns, then the strips
 inline constexpr BasisOrder kHallBases = {kSh, kSuns, kLanterns + kStrips};
@@ -38,7 +38,7 @@ LightVector lightVector(const HallLight &light, const float *drawn = nullptr);
 // Builds the hall's model and lights, and makes a finished scene of it, for solveRoom().
 void prepareHall(Hall &hall, Scene &scene);
 
-// The shipped settings, chosen by their error against rays and by their time.
+// The settings of the film, chosen by their error against a ray-traced solution and by their time.
 inline constexpr RadiositySettings kHallSettings = {.px = 16, .block = 2, .residual = 1e-2f};
 inline constexpr float kGlossExponent = 16; // exponent of the floor's gloss (see window())
 // Returns the settings for solveRoom() and a prepared hall: kHallSettings, the lobe of its gloss, the light

@@ -6,7 +6,7 @@ namespace odraz {
 
 namespace {
 
-constexpr float kDoor = 1.75f, kDoorHeight = 3; // half width
+constexpr float kDoor = 1.75f, kDoorHeight = 3; // half the door's width; its height
 constexpr float kBeam = 0.15f;                  // half a beam's width
 constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-kLanternSpacing, 0, kLanternSpacing};
 
@@ -102,7 +102,7 @@ void addLamps(Hall &hall) {
 void buildHall(Hall &hall) {
     build(hall);
     addLamps(hall);
-    // The sizes above are for patches; cells are half as large
+    // The sizes above are for patches, which are two cells wide and high: double the numbers of cells
     for (int i = 0; i < hall.model.chartCount; ++i)
         hall.model.charts[i].across *= 2, hall.model.charts[i].down *= 2;
 }

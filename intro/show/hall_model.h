@@ -29,7 +29,7 @@ inline constexpr float kColumnX = 2.25f, kColumnRadius = 0.32f,
                        kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f};
 inline constexpr float kLanternRadius = 0.15f, kLanternSpacing = 3.25f;
 
-// Fills the hall's empty model, stores the charts that Hall names, and adds the lamps: lanterns, then strips.
+// Fills the hall's empty model, sets `floor` and `vault`, and adds the lamps: lanterns, then strips.
 void buildHall(Hall &hall);
 
 } // namespace odraz

@@ -26,8 +26,8 @@ void drawHemicube(const Hall &hall, float rise, float open, const View &view, Fr
     const Patch &patch = m.patches[hall.visited];
     const Chart &c = m.charts[patch.chart];
     float h = (float)frame.height, size = h * kUnfolded;
-    // Compute the centre of the bottom and the half sides, over the patch and moved towards the cross by
-    // `open`. The lens is so long that parallel sides have equal lengths
+    // Compute the centre of the bottom and the half sides: over the patch (`on`), and moved towards the cross
+    // (`now`). The lens is so long that parallel sides have equal lengths
     float on[4][2], now[4][2] = {{view.width - 0.51f * h, 0.5f * h}, {-size, 0}, {0, size}, {0, 0}};
     const Vec3 sides[4] = {{}, c.u, c.v, c.n};
     for (int i = 0; i < 4; ++i) view.project(patch.p + sides[i] * (kHalfSide * rise), on[i][0], on[i][1]);
@@ -38,8 +38,8 @@ void drawHemicube(const Hall &hall, float rise, float open, const View &view, Fr
     line.x1 = now[0][0], line.y1 = now[0][1];
     drawStrokes(frame, &line, 1, h * 0.0012f, kEdge, 0.5f * open);
     for (const auto &f : kFaces) {
-        // Compute the corner of its first pixel and its sides along columns and rows. Unfolded, its lower
-        // edge is the outer one
+        // Compute the face's corner at its first pixel, and its sides along columns and rows. When it is
+        // unfolded, its lower edge is the outer one
         float o[2], a[2], b[2], limits[2] = {view.width, h};
         int from[2], to[2];
         for (int k = 0; k < 2; ++k) {

@@ -5,7 +5,7 @@
 
 namespace odraz {
 
-// Rounds a number to eight significant bits: more cannot be heard, and fewer bits pack better.
+// Rounds a number to eight significant bits: nobody hears more, and fewer bits pack better.
 static consteval float operator""_s(long double x) { return fromBits((bits((float)x) + 0x8000) & ~0xffff); }
 
 // clang-format off

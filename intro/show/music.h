@@ -7,8 +7,9 @@
 namespace odraz {
 
 // clang-format off
-// Scenes 4 and 5 share bars 32 to 64; the day begins at bar kDayBegins. Its music counts from its end, and from the
-// first strip of the door. (A test compares this with the film.)
+// Scenes 4 (patches) and 5 (the day) share bars 32 to 64 of the film: kLightless bars, then kDay bars from kDayBegins
+// on (a test compares it with the film). kLight: the bar of direct light, in scene 4. kDoor: the bar of the first
+// strip of the door, in scene 5. left(n): n bars before the day's end.
 static constexpr uint8_t kDayBegins = 46, kLightless = kDayBegins - 32, kDay = 64 - kDayBegins,
                          kLight = kEvents[kDirectLight].row / 16, kDoor = kEvents[kStrip1].row / 16;
 static consteval uint8_t left(int bars) { return (uint8_t)(kDay - bars); }

@@ -26,8 +26,8 @@ struct Articulation {
     InstrumentId instrument;
     int8_t octave; // 4 begins at d' = 293 Hz
 
-    // The number of tones at once: each is a third above the last, every second one and the fifth an octave
-    // higher. If there are several, each moves by octaves to be near the tones of other chords.
+    // The number of tones at once, in thirds. Two or more are shifted by octaves, so that successive chords
+    // are close: every second tone and the fifth go into the octave above.
     uint8_t stack;
     uint8_t room;     // per cent of the instrument's send to the room, and of its width
     uint8_t left = 0; // per cent to the left: 0 is in the middle

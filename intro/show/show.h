@@ -41,14 +41,14 @@ struct SceneEntry {
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
-// The data for making pictures: the scene, which is posed for each of them, and data that all share.
+// The data for making pictures: the scene, which is posed for each picture, and data that all pictures share.
 struct Film {
     Scene *scene;
     Hall *hall; // null if no scene needs it
     Facts facts;
 };
 
-// The posed scene of a time, with its shot and camera.
+// The result of poseAt(): the shot, the input with the camera, and the fade.
 struct Posed {
     const Shot *shot;
     SceneInput input;

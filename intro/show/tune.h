@@ -8,8 +8,9 @@ namespace odraz {
 inline constexpr char kTune[] = "D-aGa--GF-EDE---D-dcb--aGFECD---";
 inline constexpr int kAnswer = 16; // the beat at which its second half begins
 
-// Its mirror image about F, the second voice: leaps up become leaps down, descents climb. In the second bar C
-// replaces D, and in the sixth D replaces C, where the image would clash with the tune two bars later.
+// The second voice: the tune mirrored about F, so leaps up become leaps down, and descents become climbs. It
+// follows two bars after the tune. Two tones are changed where the exact image would clash with the tune: in
+// the second bar from D to C, and in the sixth from C to D.
 inline constexpr char kMirrored[] = "a-DEC--EF-GaG---a-ABD--DEFGba---";
 
 // The bass below the tune, a tone each half bar: roots, and tones that lead from one to the next.

@@ -16,12 +16,12 @@ struct Instrument {
     float noise = 0;   // 0: sines; else the width of the bands of noise, as a multiple of their pitch
     float level = 1;   // amplitude of the first partial at velocity 1; 1 is full scale
     float stretch = 1; // exponent
-    float scatter = 0; // maximal random offset of each partial, as a multiple of the pitch: 1 is noise
+    float scatter = 0; // maximal random offset of each partial, as a multiple of the pitch; 1: noise
     float tilt = 0;    // exponent at velocity 1
     float softer = 0;  // added to the exponent at velocity 0: soft notes are dark
     float decay = 1;   // seconds until the first partial has fallen by 60 dB
     float damp = 0;    // exponent
-    // Seconds. Below a block the note is struck: all partials begin together, so it is loudest at once
+    // Seconds. If below a block, the note is struck: all partials begin together, so it is loudest at once
     float attack = 0.001f;
     float release = 1;  // seconds from the note's end to silence
     float detune = 0;   // share by which a partial's left copy is sharp and its right copy flat

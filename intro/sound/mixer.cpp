@@ -17,8 +17,8 @@ void playNote(Mixer &m, const Note &note) {
     m.ducked = max(m.ducked, note.instrument->ducks);
 }
 
-// Adds every voice to the mix if `audible`, and drops those that end. If there are many, fades out the
-// quietest, to make room for the next row. `ducked`: m.ducked before this row.
+// Adds every voice to the mix if `audible`, and drops those that end. If fewer than kVoicesAtOnce voices are
+// free, fades out the quietest one. `ducked`: m.ducked before this row.
 static void mixVoices(Mixer &m, bool audible, float ducked) {
     int stolen = m.voiceCount > kVoices - kVoicesAtOnce ? m.quietest : -1;
     float least = kInfinity;

@@ -32,7 +32,7 @@ struct Mixer {
     Voice voices[kVoices];
     Reverb reverb;
     Echo echo;
-    // One voice; the sums of all voices: dry, and sent to the room and to the echo. Zero between blocks
+    // Buffers: one voice, and the sums of all voices: dry, for the room and for the echo. Zero between blocks
     Float8 voice[kBlock], dry[kBlock], wet[kBlock], echoed[kBlock];
 };
 
@@ -45,7 +45,7 @@ void playNote(Mixer &mixer, const Note &note);
 // rendering, at hardly any cost: voices are kept up to date, but room and echo are not.
 void renderBlock(Mixer &mixer, float *stereo);
 
-// Seeks a block. Room and echo contain only the last 8 seconds before it; all else is as after rendering.
+// Seeks a block. Then room and echo have only the last 8 seconds; all else is as if rendered from the start.
 void seekBlock(Mixer &mixer, int block);
 
 } // namespace odraz

@@ -102,7 +102,7 @@ void beginVoice(Voice &v, const Note &note, int block) {
         Int8 left = kLanes & 3;
         Float8 k = log2(toFloat(left + 4 * g + 1));
         uint32_t seed = (uint32_t)(block * 32 + g) * 3 + (uint32_t)(int)note.key * 1664525u;
-        // Random numbers make notes differ. Both copies of a partial share them, but for a part of the phase
+        // Random numbers make notes differ. Both copies of a partial share them, except for some of the phase
         Float8 random = randomLanes(seed), shared = (Float8)_mm256_permute2f128_ps(random, random, 0);
         Float8 side = select(kLanes < 4, 1.f, -1.f);
         Float8 ratio = exp2(k * i.stretch);

@@ -22,7 +22,7 @@ struct Note {
     float key;      // MIDI semitones: 69 is a' = 440 Hz; above 0, and below 20 kHz to be audible
     float velocity; // 0 .. 1, or a little above where a phrase swells
     float length;   // seconds until it is released
-    float room;     // 0 or more: factor of the instrument's send to the room; below 1 of its width as well
+    float room; // 0 or more: factor of the instrument's send to the room; below 1 it also narrows the note
     float left = 0; // 1: on the left only, 0: in the middle
 };
 
@@ -39,7 +39,7 @@ struct Voice {
     } group[8];
     Float8 band, low; // the filters' integrators
 
-    // The envelope, and the first partial's amplitude times it, `time` samples after the start; 0 at the end.
+    // The envelope, and its product with the first partial's amplitude, `time` samples after the start.
     float envelope(float time) const;
     float loudness(float time) const;
 };

@@ -4,7 +4,8 @@
 
 namespace odraz {
 
-// In samples. Not in small ratios, so that the lines' echoes seldom coincide. Left and right alternate.
+// The delay lines' lengths in samples: not in ratios of small integers, so that their echoes seldom coincide.
+// By length, left and right alternate.
 static constexpr Float8 kLengths = {1511, 2039, 2741, 3697, 1753, 2371, 3187, 4001};
 
 static constexpr int kDiffusers[] = {223, 467, 907}; // samples
@@ -17,7 +18,7 @@ static Float8 drifted(int block) {
 }
 
 void renderReverb(Reverb &reverb, int block, const Float8 *in, Float8 *out) {
-    // A line of n samples loses 60 n / decay dB; a one-pole low-pass makes that more for high frequencies
+    // A line of n samples loses 60 n / decay dB; a one-pole low-pass increases the loss at high frequencies
     constexpr float kRatio = kDecay / kDecayHigh;
     Float8 powers = kLengths * (-9.96578f / kSampleRate / kDecay); // log2 of the gain
     Float8 pole = powers * (0.173287f * (1 - kRatio * kRatio));

@@ -21,7 +21,7 @@ static float velocity(CameraPath path, int i, int channel) {
         if (h0 <= 0 || h1 <= 0) return 0; // two keys on one row: the path stops instead of jumping
         return (slope(i - 1) * h1 + slope(i) * h0) / (h0 + h1);
     }
-    // No acceleration at the first and the last key; a channel that does not change there rests
+    // No acceleration at the first and the last key; no velocity if the channel does not change there
     float end = slope(i ? last - 1 : 0);
     if (last == 1 || end == 0) return end;
     return end * 1.5f - velocity(path, i ? last - 1 : 1, channel) * 0.5f;

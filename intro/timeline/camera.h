@@ -1,10 +1,10 @@
 // A camera's path through a shot: keys joined by non-uniform cubic Hermite curves.
 //
 // The velocity at an inner key is the slope of the parabola through the key and its two neighbours in time,
-// so the path is C1 however unevenly the keys are spaced. The first and the last key have no acceleration:
-// shots begin and end in motion, but a value that is equal at the neighbouring key rests. Two keys on one row
-// make the velocity there 0: the camera eases to a stop. The pose holds before the first key and after the
-// last one. Two keys make a straight path at constant speed, one key a still.
+// so the path is C1 however unevenly the keys are spaced. The first and the last key have no acceleration, so
+// shots begin and end in motion; but a value that is the same at the neighbouring key has no velocity. Two
+// keys on one row make the velocity there 0: the camera eases to a stop. The pose holds before the first key
+// and after the last one. Two keys make a straight path at constant speed, one key a still.
 #pragma once
 
 #include "base/vec3.h"

@@ -1,5 +1,5 @@
-// Rounds the numbers of a key to fewer bits, so that they pack well. The eye sees whether a path is smooth,
-// not where its keys are to the millimetre.
+// Rounds the numbers of a key to fewer bits, so that they pack well. Viewers see whether a path is smooth,
+// but not whether a key is a millimetre off.
 #pragma once
 
 #include "base/float8.h"

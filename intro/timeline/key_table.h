@@ -16,7 +16,7 @@ struct KeyTable {
     const char *name, *file; // such as "kLamp" and "./intro/show/scenes/hall.keys"
     bool camera;             // true: its keys are `poses`; false: `keys`
     float start = 0;         // the scene's row from which a track's rows count
-    int bits = 24;           // per number of a path
+    int bits = 24;           // significant bits of each number of a path
     int count = 0;
     union {
         Key keys[kMostKeys];

@@ -33,7 +33,7 @@ using enum Interpolation;
 #define TRACK(name, ...) static KeyTable name = {#name, __FILE__, float{__VA_ARGS__}, {
 #define PATH(name, bits) static KeyTable name = {#name, __FILE__, bits, {
 #define END }};
-#define KEYED // precedes the type of data that refer to tables, which change here
+#define KEYED // for data that refer to tables, which are not constant here
 
 #else
 

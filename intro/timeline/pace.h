@@ -5,7 +5,7 @@
 
 namespace odraz {
 
-inline constexpr int kCadences = 5; // which the governor chooses from, in the order of its enum
+inline constexpr int kCadences = 5; // the governor chooses one of these, in the order of its enum
 
 struct Pace {
     int leastWidth = 640; // the smallest width traced, in pixels

@@ -1,8 +1,8 @@
-// A value over time, as keys, with those interpolations of GNU Rocket that the film uses.
+// A value over time, as keys. The interpolations are those of GNU Rocket that the film uses.
 //
 // Time is in rows, kRowsPerSecond a second and kRowsPerBar a bar: a row is a sixteenth note at 120 beats a
 // minute. Keys are in ascending order of rows. The first key's value holds before it, and the last key's
-// value after it. An empty track is 0. A key's interpolation applies up to the next key.
+// value after it. An empty track has the value 0. A key's interpolation applies up to the next key.
 #pragma once
 
 namespace odraz {

@@ -4,7 +4,7 @@
 // coefficients of the light that arrives from the upper half-space, in red, green and blue: light of skies
 // through the windows, light of suns and lamps after all bounces, and light of charts that are lamps. The
 // direct light of suns and balls is left out, because the tracer draws their highlights. For an eye the
-// coefficients are multiplied with the coefficients of a lobe around the mirrored direction and summed.
+// coefficients are multiplied by those of a lobe around the mirrored direction, and the products are summed.
 //
 // Source: Kautz, Sloan and Snyder, "Fast, Arbitrary BRDF Shading for Low-Frequency Lighting Using Spherical
 // Harmonics", Eurographics Workshop on Rendering 2002.

@@ -88,8 +88,8 @@ Rgb meanLight(const Room &room, int chart) {
     float sum[3] = {};
     for (int k = 0; k < 3; ++k)
         for (int i = 0; i < c.texels(); ++i) sum[k] += room.light[k][c.firstTexel + i];
-    float all = 1.f / (float)c.texels();
-    return {sum[0] * all, sum[1] * all, sum[2] * all};
+    float inverse = 1.f / (float)c.texels();
+    return {sum[0] * inverse, sum[1] * inverse, sum[2] * inverse};
 }
 
 void clearScratch(Room &room) {

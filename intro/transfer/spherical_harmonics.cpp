@@ -5,8 +5,8 @@
 namespace odraz {
 
 void evaluate(const Vec3x8 &d, Float8 *y) {
-    // Compute the polynomials of the pole's cosine, by order; then multiply by sines and cosines of the angle
-    // around the pole
+    // Compute the polynomials in the cosine of the angle to the pole, by order; then multiply by sines and
+    // cosines of the angle around the pole
     Float8 z = d.y, zz = z * z;
     const Float8 along[kBands][kBands] = {
         {broadcast(0.28209479f), z * 0.48860251f, fmadd(zz, 0.94617470f, -0.31539157f),

@@ -16,9 +16,9 @@ inline constexpr int kBands = 5, kSh = kBands * kBands;
 // Evaluates the 25 functions for unit directions d.
 void evaluate(const Vec3x8 &d, Float8 *y);
 
-// Returns the directions from index `first` of kDirections over the sphere, eight at a time, and the solid
-// angle of each. They are Gauss points along the pole's axis and evenly spaced around it. Exact for
-// polynomials up to degree 31.
+// Returns eight of kDirections directions over the sphere, from index `first` on, and the solid angle of
+// each. They are Gauss points along the pole's axis and evenly spaced around it. Exact for polynomials up to
+// degree 31.
 inline constexpr int kDirections = 1024;
 Vec3x8 direction(int first, float &solidAngle);
 

@@ -41,7 +41,7 @@ struct Scanner {
         if (error != std::errc() || !std::isfinite((float)number))
             throw std::runtime_error("expected a number at '" + std::string(at) + "'");
         at = end;
-        return (float)number; // from a double, as the compiler reads it
+        return (float)number; // rounded from a double, as the compiler does
     }
     void numbers(int count, KeyNumbers &to) {
         for (int i = 0; i < count; ++i) {
@@ -119,7 +119,7 @@ CameraKey cameraKeyOf(const KeyNumbers &k) {
 std::string written(float number) {
     char text[32];
     auto format = std::fabs(number) < 1e7f ? std::chars_format::general : std::chars_format::scientific;
-    std::string shortest(text, std::to_chars(text, text + sizeof text, number + 0.f, format).ptr); // -0 is 0
+    std::string shortest(text, std::to_chars(text, text + sizeof text, number + 0.f, format).ptr); // no -0
     return shortest;
 }
 
@@ -194,7 +194,7 @@ void KeyFile::set(size_t table, const std::vector<KeyNumbers> &keys) {
         if (lines[i].table == table) keyLines.push_back(i);
     std::vector<Line> now;
     size_t done = 0;
-    auto copyUpTo = [&](size_t end) { // copies lines, but of this table's keys only their comments
+    auto copyUpTo = [&](size_t end) { // copies lines, but only the comments of this table's keys
         for (; done < end; ++done) {
             const Line &line = lines[done];
             if (line.table != table)

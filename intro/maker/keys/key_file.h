@@ -10,7 +10,7 @@
 
 namespace odraz::maker {
 
-// The numbers of a key in their order: row, value, interpolation; or row, eye, target, roll, field of view.
+// A key's numbers in order: row, value, interpolation; for cameras row, eye, target, roll, field of view.
 using KeyNumbers = std::vector<float>;
 KeyNumbers numbersOf(const Key &key);
 KeyNumbers numbersOf(const CameraKey &key);
@@ -42,7 +42,7 @@ public:
 private:
     struct Line {
         std::string text;
-        size_t table = SIZE_MAX; // the table whose key the line is; SIZE_MAX: not a key
+        size_t table = SIZE_MAX; // the table whose key is on the line; SIZE_MAX: no key
         KeyNumbers numbers = {};
         std::string event = {};   // the event that its row counts from, if any
         std::string comment = {}; // with its slashes
@@ -54,10 +54,10 @@ private:
     std::vector<Table> all;
 };
 
-// A number as files have it: the shortest text that reads as the same float.
+// Returns a number as text for a file: the shortest text that reads as the same float.
 std::string written(float number);
 
-// A key as a line of a file.
+// Returns a key as a line for a file. `row`: the text of its row.
 std::string writtenKey(const KeyNumbers &key, const std::string &row);
 
 } // namespace odraz::maker

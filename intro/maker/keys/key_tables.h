@@ -11,7 +11,7 @@ struct EditedTable {
     std::string file;     // "scenes/hall.keys", below the show's folder
     KeyFile::Table saved; // as in the file
     std::vector<KeyNumbers> keys;
-    bool conflict = false; // the table was edited, and somebody else changed it in the file since
+    bool conflict = false; // edited here, and changed in the file since then
     bool edited() const { return keys != saved.keys; }
 };
 
@@ -29,15 +29,15 @@ public:
     int find(const std::string &file, const std::string &name) const;
     std::string problems() const; // one line: which files cannot be read, and why; empty: none
 
-    // Replaces a table's keys, as one step of undo. Sorts the keys by row and rounds them as the table does.
-    // There must be at least one.
+    // Replaces a table's keys, as one undo step. Sorts the keys by row and rounds them to the table's bits.
+    // There must be at least one key.
     void change(int table, std::vector<KeyNumbers> keys);
     bool undo(); // false: there is nothing to undo
     bool redo();
     int edited() const; // the number of edited tables
 
     // Writes the edited tables. Returns an empty string, or one line: what was not written, and why. `files`:
-    // the written ones. Steps can still be undone afterwards, and saved again.
+    // the files written. Steps can still be undone afterwards, and saved again.
     std::string save(std::set<std::string> &files);
 
 private:
@@ -46,7 +46,7 @@ private:
         std::vector<KeyNumbers> before, after;
     };
     struct File {
-        std::string text; // when it was read
+        std::string text; // when it was last read or written
         Events events;
         std::string problem;
     };

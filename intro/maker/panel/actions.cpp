@@ -28,9 +28,9 @@ void Panel::act(Action action) {
         help = !help;
         return;
     case Action::Heat:
-        return toggle(heated);
+        return toggle(heatShown);
     case Action::Costs:
-        return toggle(costly);
+        return toggle(costsShown);
     case Action::LoopShot: {
         const ShotInfo &shot = content.shotAt(time);
         stretch = stretch.on() ? Loop{} : loopBetween(shot.from, shot.to, content.end);

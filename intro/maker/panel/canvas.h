@@ -13,7 +13,7 @@ struct Colour {
 inline constexpr Colour kInk = {236, 232, 224}, kFaint = {150, 146, 140}, kGround = {14, 14, 17},
                         kWarm = {222, 130, 70}, kCold = {110, 160, 220};
 
-// A ramp of nine colours: the first at 0, the last at 1.
+// Returns a colour of a ramp: stops[0] at share 0, stops[8] at share 1.
 Colour colourAt(float share, const Colour (&stops)[9]);
 
 struct Rect {

@@ -57,8 +57,8 @@ Colour heatOf(float samples) {
 
 namespace {
 
-// A pixel's colour shows the mean of the smallest square around it, of 1, 2, 4 or 8 pixels a side, that has
-// two samples or more. Where only corners of larger squares were traced, it shows their spacing.
+// A pixel's colour shows the samples per pixel of the smallest square around it, of 1, 2, 4 or 8 pixels a
+// side, that has at least two samples: where few pixels were traced, it shows how far apart they are.
 struct HeatMap {
     const std::vector<uint32_t> &samples;
     int width, height;

@@ -35,7 +35,7 @@ struct Probe {
     int width = 0, height = 0;
 };
 
-// Sets the probe that measures pictures; null: none. Must not be called while one is made. In probe.cpp.
+// Sets the probe that measures pictures; null: none. Not to be called while a picture is made. In probe.cpp.
 void watchPictures(Probe *probe);
 
 struct Inspector {
@@ -43,7 +43,7 @@ struct Inspector {
     int (*shots)(ShotInfo *to, int most);
     int (*events)(EventInfo *to, int most);
     void (*watch)(Probe *probe); // watchPictures()
-    // Draws in the film's font, which in a shared object has the letters of compilers' messages, too.
+    // Draws in the film's font. In a shared object the font also has the characters of compilers' messages.
     decltype(&odraz::drawText) drawText;
 };
 

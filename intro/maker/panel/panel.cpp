@@ -33,7 +33,7 @@ Picture Panel::picture(Intro &intro, const PictureRequest &m) {
 Picture Panel::makePicture(Intro &intro, const PictureRequest &m) {
     std::fill(std::begin(probe.spent), std::end(probe.spent), 0);
     probe.samples = nullptr;
-    if (heated) {
+    if (heatShown) {
         heat.assign((size_t)width * (size_t)height, 0);
         probe.samples = heat.data();
         probe.width = width, probe.height = height;
@@ -50,11 +50,11 @@ Picture Panel::makePicture(Intro &intro, const PictureRequest &m) {
 }
 
 void Panel::draw(Canvas &canvas, double time) {
-    if (heated) drawHeat(canvas, heat);
+    if (heatShown) drawHeat(canvas, heat);
     int gap = (int)textSize(height), y = gap;
     bool room = strip.area.height > 0;
-    if (room && costly) y = drawCosts(canvas, gap, y, costs).bottom() + gap;
-    if (room && heated) drawHeatLegend(canvas, gap, y);
+    if (room && costsShown) y = drawCosts(canvas, gap, y, costs).bottom() + gap;
+    if (room && heatShown) drawHeatLegend(canvas, gap, y);
     strip.follow(time);
     double pointer = mouseX >= 0 && strip.area.holds(mouseX, mouseY) ? mouseX : -1;
     drawStrip(canvas, strip, content, stretch, time, pointer);

@@ -37,7 +37,7 @@ public:
     void steer(double &time, bool &paused, bool &sought);
     Picture picture(Intro &intro, const PictureRequest &request);
 
-    // To be called after the film's code was replaced: reads its content again.
+    // Reads the film's content again. Call this after its code was replaced.
     void renew();
 
     int pictureWidth() const { return width; }
@@ -65,7 +65,7 @@ private:
     Probe probe;
 
     // Visible parts
-    bool shown = false, help = false, heated = false, costly = true;
+    bool shown = false, help = false, heatShown = false, costsShown = true;
     std::vector<uint32_t> heat;
 
     // The state and last position of the mouse

@@ -25,7 +25,7 @@
 namespace odraz::maker::rocket {
 
 inline constexpr int kPort = 1338;
-inline constexpr uint32_t kMostRow = 1 << 24; // larger values are refused as garbage
+inline constexpr uint32_t kMostRow = 1 << 24; // larger rows are rejected as garbage
 
 class Client {
 public:
@@ -35,14 +35,14 @@ public:
     ~Client();
     Client(const Client &) = delete;
 
-    // To be called once a picture. Connects, trying again every second, and receives and sends messages.
+    // Call this once per picture. It connects, trying again every second, and receives and sends messages.
     // Never waits, except to look up a host's name. `now`: seconds of any clock that does not go back.
     void update(double now);
 
     bool connected() const { return state == State::Talking; }
     // One line: why there is no connection; empty while there is one.
     const std::string &problem() const { return wrong; }
-    // Changes whenever a key does.
+    // Increases whenever a key changes.
     uint64_t version() const { return changes; }
     const Track &track(size_t i) const { return keys[i]; }
 
@@ -69,7 +69,7 @@ private:
     std::vector<Track> keys;
     int socket = -1;
     State state = State::Closed;
-    size_t failures = 0; // failed connections: after each, the next of the host's addresses is tried first
+    size_t failures = 0; // failed connections; their number selects the host's address that is tried first
     double tried = -1e9; // when it last tried to connect
     std::string in, out, wrong;
     uint64_t changes = 0;

@@ -8,9 +8,9 @@
 
 namespace odraz::maker::rocket {
 
-// As the protocol numbers them.
+// Kinds of interpolation, numbered as in the protocol.
 enum class Interpolation : uint8_t {
-    Step,   // holds
+    Step,   // constant
     Linear, // straight
     Smooth, // t^2 (3 - 2t), flat at both keys
     Ramp,   // t^2, flat at the first
@@ -24,9 +24,9 @@ struct Key {
 
 using Track = std::map<uint32_t, Key>; // by row
 
-// Returns tracks as a document for GNU Rocket's editors: XML as the original editor writes it and emoon's
-// reads it. `rows`: the document's length. Names must not contain characters that XML reserves (the film's
-// have letters, digits, '.', '-' and ':').
+// Returns tracks as a document for editors of GNU Rocket: the XML that the original editor writes, which
+// emoon's editor also reads. `rows`: the document's length. Names must not contain characters that XML
+// reserves (the film's have letters, digits, '.', '-' and ':').
 std::string document(const std::vector<std::string> &names, const std::vector<Track> &tracks, int rows);
 
 } // namespace odraz::maker::rocket

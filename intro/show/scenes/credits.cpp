@@ -23,7 +23,7 @@ void poseCredits(const SceneInput &in, Scene &scene) {
     float shift = in.row * 0.03f;
     scene.add(Light{{shift - 2.4f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f});
     scene.add(Light{{2.6f, 1.7f, -2.6f + shift}, {3.2f, 4.4f, 6.8f}, 0.2f});
-    scene.add(Light{{0, 0.4f, 1.5f}, {0.3f, 0.14f, 0.06f}, 0.1f}); // the word's
+    scene.add(Light{{0, 0.4f, 1.5f}, {0.3f, 0.14f, 0.06f}, 0.1f}); // the light of the word
     // The shift keeps bright veins out of the word's reflection
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {-4, -2.75f, 5.5f};
     scene.add(sphere({-1.95f, 0.6f, -1.2f}, 0.6f, kSilver));

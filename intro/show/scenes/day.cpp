@@ -7,7 +7,7 @@ namespace odraz {
 
 #include "show/scenes/hall.keys"
 
-// Rows by lantern, from the door outwards
+// The rows on which the lanterns are turned on and off, beginning with the one nearest the door
 static constexpr float kOn[kLanterns] = {rowOf(kLamp3), rowOf(kLamp2), rowOf(kLamp1)},
                        kOff[kLanterns] = {rowOf(kLamp3Dies), rowOf(kLamp2Dies), rowOf(kLamp1Dies)};
 

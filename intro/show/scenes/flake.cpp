@@ -27,8 +27,8 @@ struct Flake {
 
     // Adds a ball and the balls on it: six around its equator and three above, all sixty degrees apart.
     void add(int level, const Vec3 &centre, float radius, const Mat3 &frame) {
-        // Choose detail by projected size: balls of a few pixels mirror nothing, smaller ones grow in
-        // proximity
+        // Choose detail by projected size: small balls mirror less or nothing, and the balls on a ball grow
+        // from nothing as it comes near
         float distance = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / distance * kPixelsPerUnit;
         int shade = clamp((int)(pixels * 0.04f) - level, 0, kShades - 1);

@@ -29,7 +29,7 @@ static constexpr struct {
 };
 static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
-static constexpr float kWave = 30; // metres per row: light has reached all patches on the row of the hit
+static constexpr float kWave = 30; // metres per row: light reaches all patches by the row of the hit
 static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {2.6f, 1.6f, 1.25f},
                      kSunlight = {1.2f, 0.8f, 0.5f};
 // The path of a photon from the sun: through a window, to floor, wall and column
@@ -60,7 +60,7 @@ static Rgb patchLight(const Hall &hall, int i, const LightStage &stage, float li
     const Model &m = hall.model;
     const Vec3 n = m.charts[m.patches[i].chart].n;
     Rgb dark = kDarkCopper * (0.006f + 0.0033f * n.y + 0.0024f * n.x - 0.0013f * n.z);
-    // Under the stair there is no light
+    // Patches under the stair get no light
     return stage.number < 0 || m.patches[i].share == 0 ? dark : dark * (1 - lit) + stage.light(hall, i) * lit;
 }
 
