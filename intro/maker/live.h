@@ -12,8 +12,8 @@ struct Live {
     ODRAZ_SEAM(FUNCTION, FUNCTION)
 #undef FUNCTION
     const Inspector &(*inspector)();
-    // Hashes the input of the hall's light: geometry, reflectance, lights, settings. Takes hallHashMemory
-    // bytes
+    // Hashes the input of the hall's light: geometry, reflectance, lights, settings. Needs hallHashMemory
+    // bytes of the arena
     uint64_t (*hallHash)(Arena &arena);
     size_t hallHashMemory;
     KeyTable *(*keyTables)(); // the head of the list of all tables

@@ -12,7 +12,7 @@ struct Hash {
     template <class T> void add(const T *data, int count = 1) {
         for (int i = 0; i < count; ++i) {
             T copy = data[i];
-            __builtin_clear_padding(&copy); // the copy's padding is whatever the stack had there
+            __builtin_clear_padding(&copy); // copying leaves garbage in the padding
             value = common::fnv1a({(const char *)&copy, sizeof copy}, value);
         }
     }

@@ -71,7 +71,7 @@ void Rebuilder::start() {
     int to = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(to, 1);
     dup2(to, 2);
-    // English messages have quotes that are in the font. (`cmake --build` would end before its children)
+    // LC_ALL=C: the font has the quotes of English messages. `cmake --build` would end before its children
     execlp("env", "env", "LC_ALL=C", buildTool.c_str(), "-C", build.c_str(), "live", nullptr);
     _exit(127);
 }

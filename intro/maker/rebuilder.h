@@ -34,7 +34,7 @@ public:
     std::string object() const { return build + "/live/live.so"; }
     // A hash of the code that solves the hall. When it changes, the hall must be solved again.
     uint64_t solverHash() const;
-    // Returns when the change that was built last was noticed, as a time of poll().
+    // Returns the time, as in poll(), at which the change that led to the last build was noticed.
     double saved() const { return savedAt; }
 
 private:

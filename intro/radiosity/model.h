@@ -1,9 +1,9 @@
 // The model for radiosity: one-sided polygons in planes, divided into patches and cells, the elements.
 //
-// A chart is a rectangle in a plane with a grid of cells. Its facets, rectangles or triangles, are its
-// existing parts (a wall with windows has several), so light is continuous over a whole wall. A patch is a
-// block of cells and has a hemicube. Light is stored at the corners of cells, the texels. World units as in
-// Scene, at any scale. Callers must not exceed kMaxCharts charts and kMaxFacets facets.
+// A chart is a rectangle in a plane with a grid of cells. Its facets, rectangles or triangles, are the
+// parts of it that exist (a wall with windows has several), so light is continuous over a whole wall. A
+// patch is a block of cells and has a hemicube. Light is stored at the corners of cells, the texels. World
+// units as in Scene, at any scale. Callers must not exceed kMaxCharts charts and kMaxFacets facets.
 #pragma once
 
 #include "base/arena.h"

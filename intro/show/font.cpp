@@ -6,9 +6,8 @@ namespace odraz {
 
 namespace {
 
-// The letters as strokes on a grid: baseline 0, lower-case height 8, digits and ascenders 12, descenders -4.
-// A stroke is kLine x0 y0 x1 y1, or kArc cx cy r start sweep, with angles in eighths of a turn,
-// counter-clockwise from the right.
+// Letters on a grid: baseline 0, lower-case height 8, digits and ascenders 12, descenders -4. Their strokes
+// are kLine x0 y0 x1 y1 and kArc cx cy r start sweep (eighths of a turn, counter-clockwise from the right).
 enum : int8_t { kEnd = -100, kLine, kArc };
 #define L kLine,
 #define A kArc,

@@ -1,12 +1,12 @@
 // The notation of the music (music.h): chords for each bar, parts that play them, and sounds of events.
 //
-// Bars and rows count from the start of a scene's story, so that music moves with its scene. A chord is five
-// tones of the scale, stacked in thirds on its root: A to G in D minor, d in D major. A is the dominant: in
-// it, C is C sharp. A part plays k strokes spread evenly over n rows (Toussaint, "The Euclidean algorithm
-// generates traditional musical rhythms", Bridges 2005), with the tones of its line in turn. Velocities are
-// phrased: bars are stressed, half bars less, and every four bars swell and fade (after Friberg, Bresin and
-// Sundberg, "Overview of the KTH rule system for musical performance", Advances in Cognitive Psychology 2,
-// 2006).
+// Bars and rows count from the start of a scene's story, so that music moves with its scene. A chord is the
+// letter of its root: A to G in D minor, d in D major. Its five tones are stacked in thirds. In A, the
+// dominant, C is C sharp. A part plays k strokes spread evenly over n rows (Toussaint, "The Euclidean
+// algorithm generates traditional musical rhythms", Bridges 2005), with the tones of its line in turn.
+// Velocities are phrased: bars are stressed, half bars less, and every four bars swell and fade (after
+// Friberg, Bresin and Sundberg, "Overview of the KTH rule system for musical performance", Advances in
+// Cognitive Psychology 2, 2006).
 #pragma once
 
 #include "show/events.h"

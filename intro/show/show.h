@@ -1,5 +1,5 @@
-// The film's content as the engine uses it: a list of shots, and the functions that pose and letter each
-// scene.
+// The film's content as the engine uses it: a list of shots, and the functions that pose each scene and draw
+// its text.
 //
 // Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is pure: no state.
 #pragma once

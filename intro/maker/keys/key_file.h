@@ -24,7 +24,7 @@ public:
     struct Table {
         std::string name; // "kSink"
         bool camera;
-        int bits = 24; // per number of a path
+        int bits = 24; // significant bits of a path's numbers
         std::vector<KeyNumbers> keys = {};
 
         KeyNumbers rounded(const KeyNumbers &key) const; // as the program stores it
@@ -34,7 +34,7 @@ public:
     KeyFile(const std::string &name, const std::string &text, const Events &events);
 
     const std::vector<Table> &tables() const { return all; }
-    // Replaces a table's keys by at least one, in ascending order of rows. A key that moves keeps its comment
+    // Replaces a table's keys by one or more, in ascending order of rows. A key that moves keeps its comment
     // and the event that its row counts from. The comment of a removed key stays.
     void set(size_t table, const std::vector<KeyNumbers> &keys);
     std::string text() const;

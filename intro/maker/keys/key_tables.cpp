@@ -14,7 +14,7 @@ void KeyTables::read(const std::set<std::string> &names, const Events &events) {
             std::string text = common::readWhole(folder + "/" + name);
             KeyFile lines(name, text, events);
             for (EditedTable &table : all)
-                if (table.file == name) table.conflict = table.edited(); // for tables that it no longer has
+                if (table.file == name) table.conflict = table.edited(); // stays so if the file lacks it
             for (const KeyFile::Table &now : lines.tables()) {
                 int i = find(name, now.name);
                 if (i < 0) {
@@ -84,7 +84,7 @@ int KeyTables::edited() const {
     return (int)std::count_if(all.begin(), all.end(), [](const EditedTable &t) { return t.edited(); });
 }
 
-// Writes the edited tables of a file. Throws std::runtime_error: why it did not.
+// Writes the edited tables of a file. Throws std::runtime_error with the reason if it cannot.
 void KeyTables::saveFile(const std::string &name) {
     File &file = files[name];
     if (common::readWhole(folder + "/" + name) != file.text)

@@ -92,7 +92,7 @@ struct HeatMap {
 void drawHeat(Canvas &canvas, const std::vector<uint32_t> &samples) {
     int width = canvas.width(), height = canvas.height();
     if (samples.size() != (size_t)width * (size_t)height) return;
-    constexpr int kOpacity = 184; // of 256
+    constexpr int kOpacity = 184; // in 256ths
     HeatMap map = {samples, width, height};
     for (int top = 0; top < height; top += 8)
         for (int left = 0; left < width; left += 8) {

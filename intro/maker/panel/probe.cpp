@@ -13,7 +13,7 @@ namespace {
 
 Probe *theProbe; // used by the wrapped functions
 
-// Adds its lifetime to the time of a part.
+// Adds the duration of its lifetime to a part's time.
 struct Timed {
     Probe *probe = theProbe;
     int64_t begin = probe ? probe->clock() : 0;
@@ -28,8 +28,7 @@ struct Timed {
 
 void watchPictures(Probe *probe) { theProbe = probe; }
 
-// For a wrapped function, calls go to __wrap_ plus its mangled name; the original is __real_ plus its mangled
-// name.
+// Calls of a wrapped function go to __wrap_NAME; the original is __real_NAME, where NAME is its mangled name.
 // clang-format off
 #define ODRAZ_WRAPPED(type, name, mangled, ...) \
     type name##Itself(__VA_ARGS__) asm("__real_" mangled); \
