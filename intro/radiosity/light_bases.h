@@ -30,7 +30,7 @@ struct Lamp {
     int chart;
 };
 
-// Bases are white; each picture multiplies in their colours. Callers that set the counts must check fit().
+// Bases are white; pictures multiply them by their colours. Callers that set the counts must check fit().
 struct LightBases : BasisOrder {
     // Skies shine through all windows. They are functions of the unit direction and may be negative, except
     // the first, whose light limits the extrapolation of the others (spread.h)

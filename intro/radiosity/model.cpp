@@ -69,7 +69,7 @@ static void placePatch(const Model &model, int index, Patch &patch) {
     float least = kInfinity;
     forPoints([&](Vec3 p) {
         float distance = length(p - centroid);
-        if (distance >= least * 0.999f) return; // keep the first of equals: rounding does not matter
+        if (distance >= least * 0.999f) return; // keep the first of equals, despite rounding
         least = distance;
         patch.p = p;
     });

@@ -58,8 +58,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 }
 
 // Adds the visible beams of sun in the air. Windows are deep: light must pass both ends of the opening. The
-// columns at the far wall are left out, because their shadows fall outside the hall or within those of the
-// near columns.
+// far columns are left out: their shadows fall outside the hall or within those of the near columns.
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
     // Make them fainter as the sun sinks, because low beams would run along the view and hide the hall
@@ -103,7 +102,8 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
         v.bounced[kFirstLantern + i] = emitted + light.extra.intensity * share;
         v.direct[kFirstLantern + i] = emitted * (1 - (drawn ? drawn[i] : 0));
     }
-    // Leave out most direct light that the tracer draws. The rest, seen in shadows, has its sides swapped
+    // Leave out most of the direct light of strips that the tracer draws as a lamp. The rest, seen in
+    // shadows, swaps the colours of left and right
     for (int i = 0; i < kStrips; ++i) {
         v.bounced[kFirstStrip + i] = stripLight(i, 1) * kBounced * light.strips[i];
         v.direct[kFirstStrip + i] =

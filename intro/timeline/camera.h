@@ -14,7 +14,7 @@ namespace odraz {
 struct CameraKey {
     float row;
     Vec3 eye, target; // world units
-    float roll;       // degrees, clockwise as the viewer sees the camera turn
+    float roll;       // degrees; the viewer sees the camera turn clockwise
     float fov;        // vertical field of view in degrees, (0, 170]
 };
 

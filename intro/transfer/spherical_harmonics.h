@@ -2,9 +2,9 @@
 //
 // Coefficient l (l + 1) + m is for band l and order m, -l .. l. The pole is the world's y. Orders m > 0 have
 // the cosine of the angle from z towards x. The basis is orthonormal over the sphere, with the
-// Condon-Shortley phase, as in Sloan, "Stupid Spherical Harmonics (SH) Tricks" (2008), with the axes
-// renamed. Detail finer than band 4 is blurred to about 45 degrees. Functions with steps overshoot (ring)
-// unless they are windowed.
+// Condon-Shortley phase, as in Sloan, "Stupid Spherical Harmonics (SH) Tricks" (2008), with the axes renamed.
+// Detail finer than band 4, about 45 degrees, is lost. Functions with steps overshoot (ring) unless they are
+// windowed.
 #pragma once
 
 #include "trace/scene/sky.h"
