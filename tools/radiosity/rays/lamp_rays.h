@@ -18,6 +18,8 @@ inline constexpr double kLargeLamps = 0.25;
 
 class LampRays {
 public:
+    // Up to kFewLamps emitting triangles are used whole, more than kMostWhole are always used in parts. The
+    // points of a site share at most kMostRays rays to parts, rounded up to one ray each.
     static constexpr int kMostRays = 128, kFewLamps = 32, kMostWhole = 256;
 
     // Divides the largest emitting polygon into about `samples` parts.

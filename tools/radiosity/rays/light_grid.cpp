@@ -36,7 +36,7 @@ LightGrid::LightGrid(Regions &regions, const RayTree &tree, Workers &workers, in
 void LightGrid::divide(int block) {
     size_t cellCount = 0, texelCount = 0;
     int patchCount = 0;
-    // A chart has whole patches: choose the nearest number of patches, and of cells that fill them
+    // Choose the nearest whole number of patches, then the nearest number of cells that fills them
     auto whole = [&](int16_t &count, int16_t &patches) {
         int blocks = std::max((count + block / 2) / block, 1);
         patches = (int16_t)blocks;

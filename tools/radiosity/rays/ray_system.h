@@ -28,9 +28,9 @@ inline constexpr float kShared = 0.2f;
 
 class RaySystem {
 public:
-    static constexpr uint32_t kDark = 0xffffffff; // the ray hits the sky, a back, or no site
-    static constexpr uint16_t kLeastRays = 32, kMostRays = 512;
-    static constexpr double kAllRays = 24e6;
+    static constexpr uint32_t kDark = 0xffffffff;               // the ray hits the sky, a back, or no site
+    static constexpr uint16_t kLeastRays = 32, kMostRays = 512; // of one site
+    static constexpr double kAllRays = 24e6;                    // of all sites
 
     RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
               const Surroundings &surroundings);

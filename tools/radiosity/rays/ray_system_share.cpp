@@ -82,7 +82,7 @@ std::vector<uint16_t> RaySystem::raysFor(const std::vector<Rgb> &direct, const s
                 sum += w, square += w * w;
             });
             float sharers = square > 0 ? sum * sum / square : 1, least = error * light / weights;
-            // The error of a spiral falls faster than that of random rays
+            // With more rays the error of a spiral falls faster than the error of random rays
             if (least > 0) wanted[i] = std::pow(all / weights / (sharers * least * least), 1 / 1.4f);
         }
     });

@@ -44,7 +44,7 @@ private:
     NotedKinds &kinds;
     std::vector<std::string> &notes;
     std::map<std::string, int> names; // names so far, each with its number of uses
-    std::string name;                 // the current material's
+    std::string name;                 // name of the current material
 
     void note(const std::string &what) { kinds[what].push_back("material " + name); }
 

@@ -21,7 +21,7 @@ Transform transformOf(const double *matrix); // 4 x 4, by columns
 
 struct GltfNodes {
     std::vector<int> order;            // parents before their children
-    std::vector<Transform> transforms; // each node's; not set outside the scene
+    std::vector<Transform> transforms; // for each node; not set outside the scene
 };
 
 // The nodes of the default scene, else of the first scene; all nodes if there is no scene. Throws Refused.

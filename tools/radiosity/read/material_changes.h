@@ -16,7 +16,7 @@ inline constexpr double kMostPower = pictures::kMostLight; // the largest --powe
 
 // The value of `--reflectance` or `--power`: [NAME=]R,G,B or [NAME=]FACTOR.
 struct MaterialChange {
-    std::string option, text; // as they were given
+    std::string option, text; // the option and its value, as given
     bool power;               // true: emission (--power); false: reflectance
     std::string name;         // empty: all materials, or with --power all that emit
     bool factor;              // true: multiplies the three values; false: replaces them

@@ -177,7 +177,7 @@ private:
         const int materials = (int)mesh.materials.size();
         bool plain = false; // whether a triangle has no material
         Triangulator triangulator;
-        std::vector<Polygons::Corner> corners; // the polygon's, without repetitions
+        std::vector<Polygons::Corner> corners; // corners of the polygon, without repetitions
         std::vector<Vec3d> points;
         for (size_t i = 0; i < given.polygons.size(); ++i) {
             const Polygons::Polygon &p = given.polygons[i];

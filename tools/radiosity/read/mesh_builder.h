@@ -17,7 +17,7 @@ struct Polygons {
     struct Polygon {
         size_t firstCorner; // its corners end where the next polygon's begin
         int material;       // -1: none
-        int line;           // in the file, or this polygon's number; see `unit`
+        int line;           // line in the file, or number of the polygon; see `unit`
     };
     std::vector<Vec3d> points;
     std::vector<std::array<float, 2>> coordinates; // on the material's pictures
@@ -59,10 +59,10 @@ void divideByEmission(Mesh &mesh, std::vector<std::string> &notes);
 using PolygonPair = std::pair<int, int>; // the one in front, the one behind
 
 // Cuts polygons that overlap in one plane and face the same way. Which of them a ray hits would depend on
-// rounding, so the first one in the file is in front: the others lose what it covers. Returns the pairs that
-// overlapped. `polygonOf` has the polygon of each triangle, and is changed with the triangles; triangles of
-// one polygon are not compared unless its number is negative. Distances below `tiny` count as zero. The time
-// for N triangles, P pairs of which overlap, is about N log N + P.
+// rounding, so the first one in the file is in front: the others lose the part that it covers. Returns the
+// pairs that overlapped. `polygonOf` has the polygon of each triangle, and is changed with the triangles;
+// triangles of one polygon are not compared unless its number is negative. Distances below `tiny` count as
+// zero. The time for N triangles, P pairs of which overlap, is about N log N + P.
 std::set<PolygonPair> cutOverlaps(Mesh &mesh, std::vector<int> &polygonOf, double tiny);
 
 // Read glTF 2.0 (.gltf, .glb) or Wavefront OBJ with its materials, as readModel() in mesh.h.

@@ -22,7 +22,7 @@ public:
     // picture repeats, or with `clamp` its border does. Large polygons use a coarser level, so that a mean
     // reads a few hundred texels at most.
     Rgb mean(const std::vector<TexturePoint> &polygon, bool clamp) const;
-    Rgb mean() const; // the whole picture's
+    Rgb mean() const; // mean of the whole picture
 
 private:
     struct Level {
