@@ -87,8 +87,8 @@ void checkProperty(const std::string &holder, const std::string &name, const jso
 }
 
 void check(const json &all) {
-    std::vector<std::pair<const json *, std::string>> open = {
-        {&all, ""}}; // values to check, with their names
+    // The values to check, with their names
+    std::vector<std::pair<const json *, std::string>> open = {{&all, ""}};
     while (!open.empty()) {
         const auto [object, holder] = open.back();
         open.pop_back();

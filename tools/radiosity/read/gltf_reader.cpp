@@ -36,8 +36,7 @@ public:
     void readScene() {
         nodes = findTransforms(model);
         if (model.scenes.size() > 1)
-            notes.push_back(path + ": only one of " + std::to_string(model.scenes.size()) +
-                            " scenes is read");
+            notes.push_back(path + ": one of its " + std::to_string(model.scenes.size()) + " scenes is read");
         for (int i : nodes.order) {
             const tinygltf::Node &n = model.nodes[(size_t)i];
             if (n.mesh >= 0) readMesh(n, i);

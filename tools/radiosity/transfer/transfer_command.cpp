@@ -43,8 +43,7 @@ void readTransferJob(common::CommandLine &line, TransferJob &job) {
                 "clusters of the compressed rows; by default 4 for each function of the bands");
     line.option("--rank", "R", s.rank, {1, kMostRank},
                 "axes of each cluster; by default 8 to 32, depending on the bands");
-    line.option("--glossy", "MATERIAL", s.glossy,
-                "polish the planes of MATERIAL: they mirror the room, blurred");
+    line.option("--glossy", "MATERIAL", s.glossy, "polish planes of MATERIAL: they mirror the room, blurred");
     line.option(
         "--gloss", "R,E", [&s](const std::string &text) { readGloss(text, s); },
         "the polish: its reflectance seen from above, and the exponent of its lobe, 1 to 1000 "

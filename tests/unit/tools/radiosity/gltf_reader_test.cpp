@@ -154,7 +154,7 @@ TEST(GltfReader, PlacesNodes) {
     auto [lo, hi] = boxOf(r.mesh.points);
     expectNear(lo + toDouble(r.mesh.origin), {12, 2, 2}, 1e-5);
     expectNear(hi + toDouble(r.mesh.origin), {14, 2, 5}, 1e-5);
-    EXPECT_EQ(r.notes, Lines{"m.gltf: only one of 2 scenes is read"});
+    EXPECT_EQ(r.notes, Lines{"m.gltf: one of its 2 scenes is read"});
     // Matrices are stored by columns. A mirrored triangle still faces the same side
     const Read placed(square("'nodes':[{'mesh':0,'matrix':[-2,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}]," + kMesh));
     expectNear(placed.facing(), {0, 0, 2});
