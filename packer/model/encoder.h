@@ -65,8 +65,8 @@ inline double cost(uint32_t bit, uint32_t share) {
     return -std::log2((bit ? share : kAll - share) / kAll);
 }
 
-// The inverse of Decoder. `low` is the start of the range, without the bytes already written. It may carry
-// into these.
+// The inverse of Decoder. `low` is the start of the range, without the bytes already written. A carry from
+// `low` changes these bytes.
 struct Encoder {
     KnownBits known;
     Encoded &to;

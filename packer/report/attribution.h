@@ -8,9 +8,9 @@
 namespace pack {
 
 inline constexpr char kNothingNamed[] = "(nothing named)";
-inline constexpr char kWholeProgram[] = "(optimised as a whole)"; // the one object that LTO makes of all
+inline constexpr char kWholeProgram[] = "(optimised as a whole)"; // the single object that LTO makes
 
-// Whether an object in a map is the one that LTO makes. Its name differs at every link.
+// Whether an object in a map is the single one that LTO makes. Its name differs at every link.
 inline bool isWholeProgram(const std::string &object) { return object.find(".ltrans") != std::string::npos; }
 
 // Adjacent bytes of a program that belong to the same parts.

@@ -74,8 +74,8 @@ void arrange(Report &before, const Report &now);
 
 // Returns Markdown for a comment on a change, which is also readable as plain text: the total, its change,
 // the bytes left of the budget (a negative budget means none), and the ten parts that changed most. Without
-// an earlier report it lists the ten parts that cost most. Parts are symbols. If one
-// report has no symbols, parts are objects or sections.
+// an earlier report it lists the ten parts that cost most. The parts are symbols or, if one of the reports
+// has no symbols, objects or sections.
 std::string printMarkdown(const std::string &name, const Report &report, const Report *before, long budget);
 
 } // namespace pack

@@ -1,4 +1,4 @@
-// Two reports as text: the costs of the parts, and a summary of a change: the total and the largest changes.
+// Two reports as text: the costs of the parts, and a summary of a change (the total and the largest changes).
 #include "packer/report/report.h"
 #include "tools/common/text.h"
 

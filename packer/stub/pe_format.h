@@ -9,10 +9,10 @@
 //     PayloadHeader, masks, payload, zeros up to a multiple of 512 less four bytes, check
 //
 // IN MEMORY the headers take a page at the image's base. The first section follows; it is R-X and extends to
-// the program. The second section is the program; it is RW and has no bytes in the file. The check makes the
-// checksum() of the first section, from the end of the slots on, 0. PayloadHeader::words is the number of
-// words that it covers. The stub computes this number from the section's size instead, which the loader has
-// checked.
+// the program. The second section is the program; it is RW and has no bytes in the file. The check is chosen
+// so that checksum() over the first section, from the end of the slots on, is 0. PayloadHeader::words is the
+// number of words that the checksum covers. The stub computes this number from the section's size instead,
+// which the loader has checked.
 //
 // START. The loader writes the addresses of the imported functions into the slots, and calls the stub's first
 // byte in Microsoft's convention. The first two slots are for LoadLibraryA and GetProcAddress, in the
@@ -82,7 +82,7 @@ struct PeSection {
 static_assert(sizeof(PeSection) == 40);
 
 struct PeImports {
-    uint32_t names; // address of the table of imported names; 0: the slots are this table until filled
+    uint32_t names; // address of the table of imported names; 0: the slots hold it until they are filled
     uint32_t time, forwarder, library, slots;
 };
 static_assert(sizeof(PeImports) == 20);

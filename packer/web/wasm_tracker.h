@@ -87,7 +87,7 @@ struct WasmParser {
     uint32_t depth, locals;       // nesting depth of blocks; the state of kHead
     bool table;                   // at the first number of a br_table, which is the count of the others
     uint32_t unread[kUnreads], stack[64], height;
-    uint32_t follows[kTables], offsetOf[kTables], last[kTables]; // by local, by local, by opcode
+    uint32_t follows[kTables], offsetOf[kTables], last[kTables]; // by local; `last` by opcode
 
     // Adds a byte to a number (LEB128). Returns whether it is the last one.
     bool number(uint32_t byte) {

@@ -101,7 +101,7 @@ PeStart makeStart(const Program &program) {
             if (!std::strcmp(functions[k], functions[i])) s.slots[i] = s.slots[k];
         if (s.slots[i]) continue;
         s.slots[i] = at(offsetof(PeStart, names) + end);
-        std::strcpy(s.names + end + 2, functions[i]); // a hint of two bytes precedes it; it may be wrong
+        std::strcpy(s.names + end + 2, functions[i]); // after a hint of two bytes, which may be wrong
         end += 2 + std::strlen(functions[i]) + 1;
     }
     std::strcpy(s.libraryName, kWindows.library);
@@ -187,7 +187,7 @@ Bytes writePlain(const Program &program) {
     h.directories[kPeImports] = {kFirst, sizeof(PeImports) * 2};
     h.directories[kPeImportSlots] = {codeAt + slots, 16};
     Imports imports = makeImports(kFirst, codeAt + slots, first);
-    std::memcpy(image.data() + slots, imports.names, 16); // loaders expect a copy of the names' table
+    std::memcpy(image.data() + slots, imports.names, 16); // loaders expect a copy of the table of names
     uint32_t codeFile = kPeFileAlign + fileWhole(sizeof imports), dataFile = codeFile + program.readOnly;
     PeSection sections[3] = {
         {".idata", codeAt - kFirst, kFirst, fileWhole(sizeof imports), kPeFileAlign, {}, kPeConst},
