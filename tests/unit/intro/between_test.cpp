@@ -169,7 +169,7 @@ TEST(Between, StaysInItsBuffer) {
 }
 
 // Next to a cut an in-between shows its own shot, and is made only from the picture of that shot.
-TEST(Between, NextToACutIsOfItsOwnShot) {
+TEST(Between, ShowsItsOwnShotNextToACut) {
     Intro &intro = film();
     double cut = kFilm.shots[4].row / kRowsPerSecond; // to another scene
     picture(intro, 0, cut - 2.5 * kStep, named(QualityName::Play));
@@ -186,7 +186,7 @@ TEST(Between, NextToACutIsOfItsOwnShot) {
 
 // Slots belong to the caller: either slot may hold the earlier picture, and making an in-between changes
 // neither.
-TEST(Between, IsOfTheSlotsThatAreNamed) {
+TEST(Between, UsesTheSlotsThatAreNamed) {
     Intro &intro = film();
     auto trace = [&](int slot, double seconds) { picture(intro, slot, seconds, named(QualityName::Play)); };
     trace(0, 30 - kStep);

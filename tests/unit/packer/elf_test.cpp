@@ -99,7 +99,7 @@ TEST(Reader, TakesAProgramAsWeLinkIt) {
     EXPECT_EQ(p.bytes, Bytes{0}); // it had only the loader's tables, which are zeroed
 }
 
-TEST(Reader, ThrowsWhatIsUnsuitable) {
+TEST(Reader, RefusesWhatIsUnsuitable) {
     EXPECT_EQ(complaint(Bytes{}), "not an ELF file");
     EXPECT_EQ(complaint(Bytes(5000, 'x')), "not an ELF file");
     expectRefused("32-bit", [](Example &e) { e.image.header.e_ident[EI_CLASS] = ELFCLASS32; });
@@ -312,7 +312,7 @@ TEST(Loader, FindsWhatWasMadeForPacking) {
 
 static void expectAnyRefused(const char *text, Edit edit) { expectRefused(text, edit, true); }
 
-TEST(Loader, ThrowsWhatIsUnsuitable) {
+TEST(Loader, RefusesWhatIsUnsuitable) {
     EXPECT_NO_THROW(readAnyProgram(Example().file()));
     expectAnyRefused("names no interpreter", [](Example &e) { e.image.segments[0].p_type = PT_NULL; });
     expectAnyRefused("no entry point", [](Example &e) { e.image.header.e_entry = Example::kData; });

@@ -28,7 +28,7 @@ struct Machine {
     double cores, noise = 0; // noise: share by which times vary, in both directions
     unsigned seed = 1;
     double hiccupAt = -1;         // the first picture from this time of the film on takes one second longer
-    bool hiccupInBetween = false; // an in-between takes it, not a traced picture
+    bool hiccupInBetween = false; // that picture is an in-between, not a traced one
     int width = 0, height = 0;    // the screen's size, if fewer pixels may be traced
 };
 Machine withScreen(double cores, double noise = 0) {
@@ -151,7 +151,7 @@ Summary seen(const std::vector<Decision> &all, double from, double to) {
 
 } // namespace
 
-// This holds even if times vary by 30 %.
+// The cadence settles even if times vary by 30 %.
 TEST(Governor, SettlesSoonAndNeverSwings) {
     for (int cores = 1; cores <= 16; ++cores)
         for (unsigned seed = 0; seed <= 10; ++seed) {

@@ -19,7 +19,7 @@ struct Device {
     int64_t holds = kSoundRate / 20; // frames that its buffer holds
     int64_t behind = 0;              // additional delay of the sound in frames, which it reports as queued
     double speed = 1;
-    int64_t stops = -1, goesOn = -1, dies = -1, returns = -1; // moments
+    int64_t stops = -1, goesOn = -1, dies = -1, returns = -1; // times; -1: never
     bool there = true, swallows = false; // swallows: accepts everything, and plays nothing
     int64_t error = 0;                   // frames that it adds to its reported delay
 

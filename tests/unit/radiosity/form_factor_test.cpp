@@ -100,7 +100,7 @@ TEST(FormFactor, CoaxialDiscs) {
     b.scene->finish(); // nothing is hidden
     b.divide(1);
     b.hemicube = std::make_unique<SingleHemicube>(64);
-    // The rim cuts patches: weight each by its existing share
+    // The rim cuts patches: weight each by the share of it that is inside
     const Model &m = *b.model;
     double area = 0, sum = 0;
     for (int i = 0; i < m.patchCount / 2; ++i) {

@@ -85,7 +85,7 @@ TEST(Score, StaysInItsScale) {
 TEST(Score, HasAChordForEveryBarOfEveryScene) {
     for (int scene = 0; scene < kSceneCount; ++scene) {
         EXPECT_GT(barsOf(scene), 0) << kScenes[scene].name << " is in no shot";
-        // Scene 4 may end earlier; then the day, whose chords count from its end, begins earlier
+        // kPatches may end earlier: then the day begins earlier, and its chords count from its end
         int bars = (int)std::strlen(kChords[scene]);
         EXPECT_GE(bars, barsOf(scene)) << kScenes[scene].name;
         EXPECT_TRUE(bars == barsOf(scene) || scene == kPatches)

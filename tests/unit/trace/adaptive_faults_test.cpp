@@ -8,8 +8,8 @@
 
 using namespace odraz;
 
-// Flicker is an error that changes: if a camera moves by a quarter of a pixel a picture, the error must
-// hardly change between pictures.
+// Flicker is an error that changes: if a camera moves by a quarter of a pixel per picture, the error
+// must hardly change between pictures.
 TEST(AdaptiveFaults, DoesNotFlicker) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     constexpr int kWidth = 320, kHeight = 180, kPictures = 8;

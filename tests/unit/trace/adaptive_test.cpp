@@ -171,8 +171,8 @@ TEST(Adaptive, AbortLeavesAtOnce) {
     EXPECT_EQ(tracedSamples(tracer), 0);
 }
 
-// A mirrored texture divides squares by its brightness in the picture, not by the strength of the mirror
-// alone.
+// Whether a mirrored texture splits squares depends on its brightness in the picture, not on the strength of
+// the mirror alone.
 TEST(Adaptive, TakesFewSamplesWhereMirroredTexturesAreDark) {
     auto samples = [](float strength) {
         auto s = emptyScene();

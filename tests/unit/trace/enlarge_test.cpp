@@ -95,7 +95,7 @@ TEST(Enlarge, IsTheCubic) {
     }
 }
 
-TEST(Enlarge, LeavesAsManyPixelsAsTheyAre) {
+TEST(Enlarge, LeavesAPictureOfTheSameSizeUnchanged) {
     Pixels from = noisy(1000, 77), to = made(from, 1000, 77);
     for (int y = 1; y < 75; ++y)
         for (int x = 1; x < 998; ++x) ASSERT_EQ(from.at(x, y, x % 4), to.at(x, y, x % 4)) << x << ' ' << y;

@@ -117,9 +117,9 @@ TEST(Develop, WritesEveryPixelOfOddSizes) {
     }
 }
 
-// A pixel that is brighter than all its neighbours shows the brightest of these; lines, corners and pairs
-// stay. The test tries every pixel of a picture of odd size, so also the edges, where there are fewer
-// neighbours.
+// A pixel that is brighter than all its neighbours gets the value of the brightest neighbour; lines, corners
+// and pairs stay. The test tries every pixel of a picture of odd size, including the edges, where there are
+// fewer neighbours.
 TEST(Develop, ShowsNoSparks) {
     constexpr int kWidth = 21, kHeight = 9;
     for (int at = 0; at < kWidth * kHeight; ++at) {
@@ -209,7 +209,7 @@ TEST(Develop, NoiseMovesWithTheFilm) {
     float exposure = film.intro->film.scene->exposure;
     int still = 0, moved = 0;
     for (size_t i = 0; i < red.size(); ++i) {
-        double light = exact(red[i] * exposure); // in steps of 255
+        double light = exact(red[i] * exposure); // 0 .. 255
         if (light < 1 || light > 254 || std::fabs(exact(next[i] * exposure) - light) > 0.02) continue;
         ++still;
         moved += first[4 * i] != then[4 * i];

@@ -34,8 +34,8 @@ struct Glaring {
         for (int c = 0; c < 3; ++c)
             std::fill_n(frame.plane[c], (size_t)frame.stride * (size_t)frame.height, colour[c]);
     }
-    // Returns the spread light, row by row, with `ends` more pixels, which are repeated, at both ends of a
-    // row.
+    // Returns the spread light, row by row, with `ends` more pixels at both ends of each row, which repeat
+    // the border.
     std::vector<float> spreadLight(int c, int ends = 0) const {
         std::vector<float> all;
         const Glare::Level &l = glare.level[1];

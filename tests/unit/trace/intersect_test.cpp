@@ -292,7 +292,7 @@ TEST(Surface, OffsetOriginsLieOnTheirSide) {
             }
 }
 
-TEST(Surface, NamesFacesApart) {
+TEST(Surface, GivesEachFaceItsOwnNumber) {
     Shape s = box({0, 0, 0}, {1, 1, 1}, 0), c = cylinder({0, 0, 0}, 1, 1, 0);
     auto face = [](const Shape &s, Vec3 o) {
         Ray8 r = ray(o, -o);

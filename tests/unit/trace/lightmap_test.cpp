@@ -15,7 +15,7 @@ struct Sheet {
     Chart chart = {};
     std::vector<float> texels, patches;
     Lightmap map = {};
-    // 6 x 4 cells over 3 x 1, upright, away from the origin; each corner has value(i, j)
+    // An upright chart of size 3 x 1 with 6 x 4 cells, away from the origin; each corner has value(i, j)
     template <class Value> explicit Sheet(Value value) {
         chart.corner = {1, 2, -3};
         chart.u = {0, 0, 1}, chart.v = {0, 1, 0}, chart.n = {-1, 0, 0};
@@ -56,7 +56,7 @@ TEST(Lightmap, IsBilinearBetweenCorners) {
     EXPECT_FLOAT_EQ(sheet.at(std::nanf(""), 0.5f), sheet.at(0, 0)); // NaN gives a number
 }
 
-TEST(Lightmap, OverItThePatchesAreAMosaic) {
+TEST(Lightmap, LaysPatchesOverItAsAMosaic) {
     Sheet sheet([](int, int) { return 7.f; });
     sheet.map.mosaic = 1;
     sheet.map.sharpness = kFlat;
@@ -88,8 +88,8 @@ TEST(Lightmap, FindsPatchesAndTheLinesBetweenThem) {
     EXPECT_LT(patchAndClear(1.5f, 0.25f, 0.5f).second, 1);
 }
 
-// A line between patches looks like the mean of many narrow samples over twice the width, seen straight or at
-// an angle.
+// A line between patches, seen straight or at an angle, looks like the mean of many narrow samples over twice
+// the width of the sample.
 TEST(Lightmap, LinesAreFilteredLikeManySamples) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;

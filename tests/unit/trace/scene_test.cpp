@@ -63,7 +63,7 @@ TEST(Shapes, HaveTheirTraits) {
     }
 }
 
-// Two neighbouring shapes continue each other's texture, or do not.
+// Neighbouring shapes continue each other's texture if their kind has the trait `joins`.
 TEST(Shapes, JoinTheirTexturesOrNot) {
     Texture cloud = {.pattern = Pattern::Plaster, .scale = 1, .palette = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}};
     for (const ShapeTraits &traits : kShapeTraits) {

@@ -68,7 +68,7 @@ TEST(SoftShadow, HidesWhatTheDiscsShare) {
     }
 }
 
-TEST(SoftShadow, IsOfWhatStandsBetweenAlone) {
+TEST(SoftShadow, IsCastOnlyByObjectsInBetween) {
     Eclipse e(0.5f, 0.5f, 0);
     EXPECT_EQ(e.blockers.count, 1);
     auto at = [&](float y, int own = -1) { return e.at(broadcast(Vec3{0, y, 0}), own).x[0]; };
@@ -100,7 +100,7 @@ static double withinByRays(double z, double within, double n) {
     return sum;
 }
 
-TEST(SoftShadow, OfGlassGathersWhatItTakes) {
+TEST(SoftShadow, OfGlassGathersTheLightThatItTakes) {
     std::printf("share within .1, .2, .4, .8 radii: shaded / by rays\n");
     for (float behind : {1.05f, 1.25f, 1.5f, 2.f, 3.f}) {
         constexpr float kRadius = 0.5f;

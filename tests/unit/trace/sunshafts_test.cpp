@@ -32,8 +32,8 @@ bool lit(const Sunshafts &s, Vec3 p) {
     bool open = false;
     for (int i = 0; i < s.openings; ++i) open |= at.z > s.from[i] && at.z < s.to[i];
     if (!open || at.y < s.low || at.y > s.high) return false;
-    for (int k = 0; k < s.pillars;
-         ++k) { // the distance of its axis from the line to the sun, seen from above
+    for (int k = 0; k < s.pillars; ++k) {
+        // `off`: the distance of the pillar's axis from the line to the sun, seen from above
         float x = s.pillarX[k] - p.x, z = s.pillarZ[k] - p.z;
         float off = (x * s.sun.z - z * s.sun.x) / std::hypot(s.sun.x, s.sun.z);
         if (x < 0 && std::fabs(off) < s.pillarRadius) return false;

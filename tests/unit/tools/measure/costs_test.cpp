@@ -58,7 +58,7 @@ TEST(PictureCosts, AreInterpolated) {
 }
 
 // The cost of an in-between depends on its gap.
-TEST(PictureCosts, OfInBetweensGoByTheirGap) {
+TEST(PictureCosts, OfInBetweensDependOnTheirGap) {
     PictureCosts costs = sample();
     auto parallel = [&](double gap) { return costs.of({4, 1, kSmall, gap}).parallel; };
     EXPECT_NEAR(parallel(2), 40e6, 1);

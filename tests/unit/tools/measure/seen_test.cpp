@@ -14,7 +14,7 @@ namespace {
 constexpr char kShownHead[] = "at,time,kind,level,width,height\n";
 
 // The list of a player that is never late: `rate` pictures a second from one moment to another, each shown
-// from its own time until the next one. One picture of `every` is traced, the others are in-betweens.
+// from its own time until the next one. One picture in `every` is traced, the others are in-betweens.
 std::vector<ShownPicture> steady(double from, double to, double rate, int every, float level, int width,
                                  int height) {
     std::vector<ShownPicture> list;
@@ -86,7 +86,7 @@ SeenErrors seenOf(Viewer &viewer, const std::vector<ShownPicture> &list, double 
 }
 
 // The moment is in the flake's flight, where everything moves.
-TEST(Viewer, SeesWhatCostsWhat) {
+TEST(Viewer, RanksRatesGapsAndSizes) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     constexpr double kFrom = 52.5, kTo = 52.7;
     Viewer viewer(320, 180, kFrom, kTo);

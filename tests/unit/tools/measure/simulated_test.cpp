@@ -54,8 +54,8 @@ TEST(Simulated, ThePageListsAreWellFormed) {
     }
 }
 
-// The number of in-betweens by gap (in sixtieths of a second), where the penalties of all other cadences are
-// high.
+// The number of in-betweens by gap (in sixtieths of a second), if all cadences but `cadence` have a high
+// penalty.
 struct Charged {
     std::map<long, int> making, summed; // counted while they are made, and by the summary
 };
@@ -95,7 +95,7 @@ TEST(Simulated, InBetweensAreChargedAtTheirGap) {
 
 // An in-between next to a cut, which is made from only one picture, has the cost of its cadence's gap too.
 // There is a cut at 40 s.
-TEST(Simulated, InBetweensBesideACutAreNotTraced) {
+TEST(Simulated, InBetweensNextToACutAreNotTraced) {
     EXPECT_GT(charged(Governor::kSixes, 39, 41).making[6], 80);
 }
 

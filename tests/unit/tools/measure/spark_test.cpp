@@ -18,7 +18,7 @@ struct ThreePictures {
     Grey before, now, after;
 };
 
-// Bars, discs and a checker over a slope, with noise, moving by a pixel a picture.
+// Bars, discs and a checker over a slope, with noise, moving by a pixel per picture.
 ThreePictures drawn(uint32_t seed) {
     auto at = [&](int shift) {
         Grey g = {200, 120, std::vector<uint8_t>(200 * 120)};

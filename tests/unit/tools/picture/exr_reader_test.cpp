@@ -26,8 +26,8 @@ float valueAt(int x, int y, char channel) {
                             : (float)x + (float)y / 2;
 }
 
-// Checks every pixel. The picture begins at the pixel x, y of the files' picture. Pixels outside of that are
-// 0.
+// Checks every pixel. All files have the same picture; p begins at its pixel x, y. Pixels of p outside of it
+// are 0.
 void expectValues(const Picture &p, const std::string &channels, int x, int y) {
     ASSERT_EQ(p.channels, (int)channels.size());
     ASSERT_EQ(p.light.size(), p.pixels() * channels.size());

@@ -39,7 +39,7 @@ struct Expected {
     double mean, first, middle, last; // FLIP: its mean, and its values at 0,0, at 37,21 and at 71,47
 };
 
-TEST(Flip, IsThatOfDenseFiltersInDouble) {
+TEST(Flip, AgreesWithDenseFiltersInDouble) {
     const Expected all[] = {
         {"moved", picture([](int x, int y, int c) { return checks(x + 1, y, c); }), 0.134411, 0.033976,
          0.135680, 0.663682},

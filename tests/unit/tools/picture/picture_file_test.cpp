@@ -70,7 +70,7 @@ TEST(Pnm, ScalesByItsLargestValue) {
     EXPECT_EQ(read("P6\n1 1\n15\n\x0f\x00\x05"s).encoded, (Encoded{65535, 0, 21845}));
     EXPECT_EQ(read("P5\n2 1\n1\n\x01\x00"s).encoded, (Encoded{65535, 0}));
     EXPECT_EQ(read("P5\n1 1\n1023\n\x03\xff"s).encoded, (Encoded{65535}));
-    EXPECT_EQ(read("P5\n1 1\n256\n\x00\x80"s).encoded, (Encoded{32768})); // two bytes from 256 on
+    EXPECT_EQ(read("P5\n1 1\n256\n\x00\x80"s).encoded, (Encoded{32768})); // above 255: two bytes a value
     expectRefused("P5\n1 1\n15\n\x10", "a pixel above its largest value");
     expectRefused("P5\n1 1\n1023\n\x04\x00"s, "a pixel above its largest value");
 }
@@ -242,7 +242,7 @@ TEST(Picture, HasStepsAndLinearLight) {
     EXPECT_THROW(linearToImage(light, 2), common::Refused);
 }
 
-// Tests all values of 16 bits, alone and averaged over 4 x 4 pixels. Results are rounded to the nearest.
+// Tests all values of 16 bits, alone and averaged over 4 x 4 pixels. Results are rounded to nearest.
 TEST(Picture, LinearLightBecomesSrgb) {
     Picture all = {256, 256, 1, 16, {}};
     for (int i = 0; i < 65536; ++i) all.encoded.push_back((uint16_t)i);

@@ -16,7 +16,7 @@ using namespace odraz::radiosity;
 
 namespace {
 
-// A room of the thesis with scattered triangles.
+// The generated room `cube` with scattered triangles.
 Solution solved() {
     Mesh mesh = generatedMesh("cube");
     std::mt19937 random(7);
@@ -65,10 +65,10 @@ float most(const Rgb &c) { return std::max({std::fabs(c.x), std::fabs(c.y), std:
 
 // Differences between exported pages and the solution, in the middles of elements. `worst`: the largest
 // difference from the solution's light, as a share of the largest of red, green and blue, because a page
-// stores eight bits. `squareOfTable`: the rms difference from the means in the CSV.
+// stores eight bits. `rmsOfTable`: the rms difference from the means in the CSV.
 struct Difference {
     float worst = 0;
-    double squareOfTable = 0;
+    double rmsOfTable = 0;
     int count = 0, lost = 0;
 };
 Difference compare(const Solution &b, const Exported &out) {
@@ -88,10 +88,10 @@ Difference compare(const Solution &b, const Exported &out) {
             b.lightIn(e.cell, dot(p, c.u), dot(p, c.v)) * b.reflectsOf(e.cell) + b.emits[(size_t)e.chart];
         float share = most(shown - e.radiosity) / (most(e.radiosity) + 0.02f * mean);
         d.worst = std::max(d.worst, most(shown - exact) / (most(exact) + 1e-4f * mean));
-        d.squareOfTable += (double)(share * share);
+        d.rmsOfTable += (double)(share * share);
         ++d.count;
     }
-    d.squareOfTable = std::sqrt(d.squareOfTable / d.count);
+    d.rmsOfTable = std::sqrt(d.rmsOfTable / d.count);
     return d;
 }
 
@@ -114,7 +114,7 @@ TEST(Atlas, ShowsTheSolution) {
         EXPECT_GT(d.count, 2000);
         EXPECT_LT(d.lost, d.count / 100);
         EXPECT_LT(d.worst, 1 / 150.f); // more than one 8-bit step, because light is redder than surfaces
-        EXPECT_LT(d.squareOfTable, 0.01);
+        EXPECT_LT(d.rmsOfTable, 0.01);
     }
 }
 
@@ -135,8 +135,8 @@ TEST(Atlas, HasFewerTexelsOnDemand) {
     out.mustHaveGap(4);
     Difference d = compare(room(), out);
     EXPECT_EQ(d.lost, 0);
-    EXPECT_LT(d.squareOfTable, 0.1); // coarse, but nothing is black or far off
-    EXPECT_GT(d.squareOfTable, 0.01);
+    EXPECT_LT(d.rmsOfTable, 0.1); // coarse, but nothing is black or far off
+    EXPECT_GT(d.rmsOfTable, 0.01);
 }
 
 // The texels around a chart repeat its border. Pages of eight bits agree with pages of floats.

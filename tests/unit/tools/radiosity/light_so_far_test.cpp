@@ -16,7 +16,7 @@ double sumOf(const std::vector<Rgb> &light) {
     return sum;
 }
 
-// The largest difference between channels, as a share of the brightest channel of b.
+// The largest difference of a channel between a and b, as a share of the brightest channel of b.
 double largestDifference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     EXPECT_EQ(a.size(), b.size());
     float most = 0, off = 0;

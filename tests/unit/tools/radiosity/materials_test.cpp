@@ -83,7 +83,7 @@ TEST(Materials, ReflectAllLightAtMost) {
     EXPECT_EQ(refusal("--power", "lamp=1e12"), "--power lamp=1e12: lamp would emit 2e+13; the most is 1e12");
 }
 
-TEST(Materials, AreNamedWhereAnotherIsAskedFor) {
+TEST(Materials, AreListedIfTheNameIsUnknown) {
     EXPECT_EQ(
         refusal("--reflectance", "grey=1"),
         "--reflectance grey=1: no polygon has this material; the materials are white, lamp, cloth, a=b");

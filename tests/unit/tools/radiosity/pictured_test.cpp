@@ -70,7 +70,7 @@ TEST(ReflectancePicture, HasTheSameMeanInAllItsSizes) {
 // part of the picture.
 TEST(ElementReflectance, ElementsHaveTheirPartOfThePicture) {
     common::TemporaryFolder folder;
-    // Brightness falls from left to right, by 128 columns
+    // Red rises from left to right, in 128 columns
     pictures::Image picture = {128, 4, {}};
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 128; ++i)

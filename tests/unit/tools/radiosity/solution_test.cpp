@@ -76,7 +76,7 @@ TEST_F(SolutionFile, IsNotWrittenIfItCannotBeRead) {
     EXPECT_THROW(common::readWhole(folder / "b.rad"), common::Refused);
 }
 
-TEST_F(SolutionFile, OfOthersIsRefused) {
+TEST_F(SolutionFile, IsRefusedIfItIsInconsistent) {
     using Spoil = void (*)(Solution &);
     const Spoil spoils[] = {
         [](Solution &b) { b.charts.clear(); },

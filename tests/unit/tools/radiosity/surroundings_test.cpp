@@ -147,7 +147,7 @@ TEST(Sky, CutsWideLightIntoSuns) {
     std::printf("24 suns of %.2f to %.2f\n", least, most);
 }
 
-TEST(Sky, StandsWhereItIsAsked) {
+TEST(Sky, PutsSunsWhereAsked) {
     auto near = [](const Vec3 &a, const Vec3 &b) { return dot(a, b) > 0.999999f; };
     EXPECT_TRUE(near(sunTowards(0, 0, false), {0, 0, -1}));
     EXPECT_TRUE(near(sunTowards(0, 90, false), {1, 0, 0}));

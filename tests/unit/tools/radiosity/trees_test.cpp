@@ -24,8 +24,8 @@ std::vector<Obstacles::Triangle> inDouble(const std::vector<Corners> &all) {
 
 struct Solvers {
     static constexpr double kOff = 1e-5;
-    static constexpr int kDiffer =
-        2; // wrong hits among 2,000, by rounding at edges and where triangles cross
+    // The most wrong hits among 2,000, caused by rounding at edges and where triangles cross
+    static constexpr int kDiffer = 2;
     RayTree tree;
     explicit Solvers(const std::vector<Corners> &all) : tree(all) {}
     Hit nearest(Vec3 o, Vec3 d) const {

@@ -211,7 +211,7 @@ TEST(Triangulator, NotesCrossings) {
     }
 }
 
-// A polygon of N corners takes about N log N: a comb of many teeth.
+// The time for a polygon of N corners grows about as N log N. This polygon is a comb of many teeth.
 TEST(Triangulator, DividesLargePolygons) {
     Loop comb = {{0, -1e4}};
     const int teeth = 20000;
