@@ -1,4 +1,4 @@
-// Checks whether this machine has all that the film needs. If a viewer has a problem, ask for its output.
+// --doctor: checks whether this machine has all that the film needs. Ask a viewer with a problem to run it.
 #pragma once
 
 namespace odraz {

@@ -60,7 +60,7 @@ inline constexpr int kHeaderRoom = 64;
 inline constexpr int kSlots = 2;          // slots for traced pictures, 0 and 1
 inline constexpr int kBetweenBuffers = 5; // buffers for in-betweens
 
-// The size at which a picture is traced, in pixels; 0: its own size.
+// The size at which a picture is traced, in pixels; 0: the size at which it is shown.
 struct TracedSize {
     int width, height;
 };

@@ -4,7 +4,7 @@
 //   W A S D      fly; Q and E down and up   mouse         look around, with the left button held
 //   R            back to the scripted camera   C          print the camera as a line of a file of keys
 //   K            set a key of the camera's path here (with shift: remove it)
-//   Ctrl Z       undo (with shift: do again)  Ctrl S      save what was edited to the files of keys
+//   Ctrl Z       undo (with shift: redo)      Ctrl S      save what was edited to the files of keys
 //   X            write the tracks for an editor of GNU Rocket
 //   1 2 3        draft, play, film          ESC           leave
 //   TAB          the panel, H: its keys (maker/panel/keys.h)

@@ -1,8 +1,8 @@
 // The instructions of x86-64-v3 that we use, and no others.
 //
 // GCC's <immintrin.h> also includes AVX-512 and AMX, which take 0.7 s of the second that a small file takes
-// to compile. Its parts refuse to be included alone, so its guard is defined while they are. It can still be
-// included afterwards, because each part has its own guard.
+// to compile. Its parts refuse to be included alone, so its guard is defined while we include them. It can
+// still be included afterwards, because each part has its own guard.
 #pragma once
 
 #ifdef __wasm__

@@ -5,11 +5,11 @@
 
 namespace odraz {
 
-// Functions that return a text return null, or what went wrong ("no space left on the device").
+// Returned texts are null on success, else they say what went wrong ("no space left on the device").
 const char *writeAll(int descriptor, const void *data, size_t size);
 
 // Writes a file next to `path`, under an unused name (path + ".NUMBER.part"), and then renames it to `path`.
-// If that fails, the file is removed. A pipe or a device is written to directly.
+// If that fails, it removes the new file. A pipe or a device is written to directly.
 const char *writeFile(const char *path, const void *data, size_t size);
 
 const char *makeDirectory(const char *path); // no error if it exists already

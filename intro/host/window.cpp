@@ -33,7 +33,7 @@ void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     }
     gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 
-    // Clear the border, and turn the picture over: its first row is the top
+    // Clear the border, and flip the picture: its first row is the top, but OpenGL's is the bottom
     Viewport to = viewportOf(window, width, height);
     if (to.width < window.width || to.height < window.height) gl.glClear(GL_COLOR_BUFFER_BIT);
     gl.glBlitFramebuffer(0, 0, width, height, to.x, to.y + to.height, to.x + to.width, to.y,

@@ -23,7 +23,7 @@ struct FilmWindow {
 // most a tenth of a second later. Returns null, or a line that says what is missing and what to do.
 const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave);
 
-// Releases the context from this thread, so that the thread can use another one.
+// Releases the context from this thread, so that the thread can use another context.
 void leaveContext(FilmWindow &window);
 
 // Shows the back buffer, at the display's next vertical sync.

@@ -5,7 +5,7 @@
 
 namespace odraz {
 
-// A worker's turn: it runs pieces until none is left, so a quick worker runs more of them.
+// In its turn a worker runs pieces until none is left, so a quick worker runs more of them.
 struct Work {
     void (*body)(const void *, int, int, int);
     const void *context;

@@ -38,7 +38,7 @@ int writeWav(const Options &o, bool stdoutClosed) {
     uint8_t *first = arena.take<uint8_t>(kSlack + size) + kSlack;
 
     // Render from the film's start, and keep the part to write. Its first block may begin before it, and its
-    // last block may end after it, in kSlack
+    // last block may end after it: kSlack is the room for that
     for (int at = 0; at < to; at += kSoundBlock) {
         float block[2 * kSoundBlock];
         soundBlock(*sound, block);

@@ -156,8 +156,8 @@ template <bool kBetweens> struct GovernorOf {
     // second one. One of several `workers` takes `workers` times longer than all of them together.
     double next(double time, double now, int workers = 1) const {
         int count = kInBetweens[cadence];
-        // Seconds that the picture must be ahead, for its first in-between and for its last one to be in
-        // time; for the picture itself if there are none
+        // Seconds by which the picture must be ahead of the film, so that its first in-between is in time,
+        // and so that its last one is. Without in-betweens both are for the picture itself
         float first = tracing * (float)workers, last = work();
         float interval = (float)(spacing() * kSixtieth);
         if (count) first += making + (float)count * interval, last += interval;

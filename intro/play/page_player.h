@@ -38,7 +38,7 @@ template <class Film> struct PagePlayer {
     Film *film;
     Queue *queue;
     int workers;
-    unsigned most = 0; // most pictures that are finished or being traced
+    unsigned most = 0; // limit on the pictures that are finished or being traced
     GovernorOf<false> governor = {};
     double time = 0;                 // time of the next picture to trace if `planned`, else of the last one
     bool planned = false;            // whether the next picture's time is decided

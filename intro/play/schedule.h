@@ -61,7 +61,7 @@ struct Queue {
     }
 };
 
-// Prepares the governor for the scene of a picture to trace. `film` is a player as below.
+// Prepares the governor for the scene of a picture to trace. `film` is a player as described below.
 template <class Film, class G> void enter(const Film &film, G &governor, double time) {
     int scene = film.sceneOf(time);
     governor.enter(scene, film.paceOf(scene));

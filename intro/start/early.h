@@ -20,7 +20,7 @@ constexpr float kEarlyShare = 0.4f; // the decoding's share of all loading
 
 } // namespace odraz
 
-// The packer's stub calls it as soon as this function and all that it uses (listed in early.ld) are decoded,
+// The packer's stub calls this function as soon as it and all that it uses (listed in early.ld) are decoded,
 // and then every few milliseconds. `stack` is the kernel's: argc, then argv. `done` of `size` bytes are
 // decoded.
 extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size);

@@ -27,7 +27,7 @@ struct WindowState {
     Xlib x;
     Glx glx;
     Display *drawing; // used by the thread that traces and draws
-    // Used by the thread that listens. The window is made through it, for the close button's message
+    // Used by the thread that listens, which gets the window's events because the window is made through it
     Display *events;
     Window window;
     Atom closeRequest;

@@ -31,7 +31,7 @@ const makeGl = (gl, memory) => {
       for (let i = 0; i < w * h; ++i) out[i] = four[4 * i]
     },
   }
-  // The other functions take numbers (n), and names of objects (o)
+  // The other functions take numbers (n) or names of objects (o)
   const names = { BindFramebuffer: 'no', BindRenderbuffer: 'no', FramebufferRenderbuffer: 'nnno', CompileShader: 'o',
     AttachShader: 'oo', LinkProgram: 'o', UseProgram: 'o', BindVertexArray: 'o', BindBuffer: 'no' }
   return new Proxy(f, {

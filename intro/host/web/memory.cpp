@@ -4,14 +4,14 @@
 
 extern "C" {
 
-// Single instructions of WebAssembly
+// Each of these is a single instruction of WebAssembly
 void *memcpy(void *__restrict to, const void *__restrict from, size_t n) {
     return __builtin_memcpy(to, from, n);
 }
 void *memmove(void *to, const void *from, size_t n) { return __builtin_memmove(to, from, n); }
 void *memset(void *to, int value, size_t n) { return __builtin_memset(to, value, n); }
 
-// Shifts of 128 bits, which sets of lights use
+// 128-bit shifts, which are used for sets of lights
 __int128 __ashlti3(__int128 x, int by) {
     uint64_t low = (uint64_t)x, high = (uint64_t)((unsigned __int128)x >> 64);
     if (by >= 64)

@@ -1,8 +1,8 @@
 // Music: a worker composes it ten seconds ahead, so that it plays on even if the machine is busy.
 const kChunk = 100, chunkSeconds = () => kChunk * x.block() / x.rate() // a chunk of music: 100 blocks
 const kComposed = 10, kFirst = 2 // seconds to compose ahead, and before the click
-// zero: when the music begins, on the clock of `audio`; asked, scheduled: numbers of chunks; settled: until this
-// moment, in milliseconds, the film's clock is set to what is heard, later only corrected; waiting: chunks to schedule
+// zero: when the music begins, on the clock of `audio`; asked, scheduled: numbers of chunks; waiting: chunks to
+// schedule; settled: before this moment (milliseconds) the sound sets the film's clock, later it only corrects it
 let composer, audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0, waiting = []
 const startComposer = () => composer = startWorker(d => {
   if (d.turn == turn) waiting.push(d), schedule()

@@ -27,7 +27,7 @@ const hold = why => {
 }
 const release = why => {
   if (!holds.delete(why) || holds.size) return
-  navigator.wakeLock?.request('screen').catch(() => {}) // phones would sleep
+  navigator.wakeLock?.request('screen').catch(() => {}) // or phones would sleep
   if (!begun && !silent) zero = audio.currentTime + 0.1, schedule()
   begun = 1
   audio?.resume(), check()
@@ -77,7 +77,7 @@ const end = () => {
 
 // --- The viewer ---
 const fullScreen = () => full && document.documentElement.requestFullscreen?.()
-  .then(() => screen.orientation.lock('landscape')).catch(() => {}) // phones turn the page
+  .then(() => screen.orientation.lock('landscape')).catch(() => {}) // phones rotate the page; other devices refuse
 const play = () => {
   if (over) return
   if (playing) return pause()

@@ -14,7 +14,7 @@ const startWorker = (receive, ...first) => {
 }
 const paint = rgba => draw.putImageData(new ImageData(new Uint8ClampedArray(rgba.buffer), w, h), 0, 0)
 const forget = (time, rgba) => { spare.push(rgba), pictures.delete(time) }
-// Plans pictures from `from` on, and forgets all older ones
+// Plans pictures from `from` on, and forgets all that were planned before
 const beginPictures = () => {
   pictures.forEach((rgba, time) => forget(time, rgba))
   x.begin(from, w, h, count)
@@ -56,7 +56,7 @@ const showDue = (film, t) => {
     if (time <= due) skipped += time < due, forget(time, rgba)
 }
 // Starts the workers. Pictures have the screen's size, which is known before the click, so the workers start early. In
-// a page that does not fill the screen they have the page's size. If it has changed at the click, they start again
+// a page that does not fill the screen, pictures have the page's size; if it has changed at the click, workers restart
 const prepare = () => {
   const dpr = devicePixelRatio || 1, most = cores > 4 ? 1920 : 1280
   const [across, down] = (full ? [screen.width, screen.height] : [innerWidth || 1280, innerHeight || 720])

@@ -20,8 +20,8 @@ struct Surface {
     Handle opened = nullptr; // a semaphore, released once the window is open or has failed to open
 };
 
-// Opens the window and listens, on a new thread. Returns null, or what is missing; even after null, `window`
-// may be null. The Surface must not move afterwards.
+// Opens the window and listens, on a new thread. Returns null, or what is missing. If it returns null,
+// `window` may still be null. The Surface must stay at its address afterwards.
 const char *openSurface(Surface &);
 
 // Returns a function of OpenGL or WGL, or null; a context must be current.

@@ -13,8 +13,8 @@ constexpr int kLongest = 4096; // units of UTF-16 in a path, at most
 constexpr uint32_t kWrite = 0x40000000, kShare = 7, kNew = 1, kExisting = 3, kDisk = 1 /* GetFileType */,
                    kDirectory = 16;
 
-// Returns the reason of the last error. `size`: the path's size in units of UTF-16, with its zero; 0 if it
-// did not fit, 1 if it does not matter.
+// Returns the reason of the last error. `size`: the path's size in units of UTF-16, including its zero; 0 if
+// it did not fit, 1 if it does not matter.
 const char *reason(int size = 1) {
     const char *tooLong = "the name is too long";
     switch (GetLastError()) {
@@ -50,7 +50,7 @@ const char *reason(int size = 1) {
 // A path in UTF-16.
 struct WidePath {
     WCHAR units[kLongest];
-    int size; // with the zero; 0: it is too long
+    int size; // including the zero; 0: it is too long
     WidePath(const char *path) {
         size = MultiByteToWideChar(kUtf8, 0, path, -1, units, kLongest);
         if (!size) *units = 0;

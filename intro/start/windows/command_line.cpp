@@ -43,7 +43,7 @@ Arguments &arguments() {
 
 } // namespace odraz
 
-// The packer's stub calls it instead of odrazEarly(), which expects argc and argv as on Linux's stack.
+// The packer's stub calls this instead of odrazEarly(), which expects argc and argv as on Linux's stack.
 extern "C" void odrazEarlyWindows(void **, uint32_t done, uint32_t size) {
     odrazEarly((void **)&odraz::arguments(), done, size);
 }

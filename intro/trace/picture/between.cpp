@@ -18,7 +18,7 @@ namespace {
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // a tile with a border of one pixel; rows are padded
 constexpr int kRowStep = 8;                         // rows at this distance are always traced; a power of two
 constexpr int kBlock = 8; // side of the blocks of pixels that are carried by their corners
-// Tolerated difference at a gap of 2/60 s, in proportion to the gap; and its limit in flat mirrors.
+// Tolerated difference at a gap of 2/60 s (it is proportional to the gap), and its limit in flat mirrors.
 constexpr float kTolerance = 0.06f, kMirrorTolerance = 0.09f;
 // Distances by which reflections move across a ball between the pictures, in radians as seen from the eye.
 // Beyond kTorn, parts of the ball that only one picture shows do not count. Beyond kGhosts the tolerance
@@ -253,7 +253,7 @@ ODRAZ_INLINE bool isPlain(const int32_t *shape) {
 struct BlockCorners {
     float x[8], y[8];
 
-    // The coordinates of a row of the block, from those of its four corners; `down` is 0 .. 1.
+    // Interpolates the coordinates of a row of the block from its four corners; `down` is 0 .. 1.
     ODRAZ_INLINE static Float8 row(const float *v, float down) {
         float left = v[0] + (v[2] - v[0]) * down, right = v[1] + (v[3] - v[1]) * down;
         return fmadd(toFloat(kLanes), (right - left) * (1.f / (kBlock - 1)), broadcast(left));

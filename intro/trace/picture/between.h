@@ -34,7 +34,7 @@ struct Between {
     int workers;
 };
 
-extern const size_t kBetweenBytes; // most bytes that makeBetween() takes from the arena
+extern const size_t kBetweenBytes; // makeBetween() takes at most this from the arena
 // Returns false if the arena is full.
 bool makeBetween(Between &between, Arena &arena, int workers);
 
@@ -45,7 +45,7 @@ struct Neighbours {
     float gap;   // time between them, in sixtieths of a second
 };
 
-// Fills the frame of `now`, whose scene and view are those of its moment. Pixels that must be traced have
+// Fills the frame of `now`, whose scene and view belong to its moment. Pixels that must be traced have
 // `quality`, but twice its thresholds, squares of up to 8 pixels and at most three samples inside a pixel.
 // The result does not depend on the number of workers.
 void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neighbours &n, Traced &now,

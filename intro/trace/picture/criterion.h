@@ -115,7 +115,7 @@ ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float 
     return differs(1, 0) || differs(0, 1) || differs(2, 1) || differs(1, 2);
 }
 
-// In `draft`, shadow edges with a greater difference of intensity split: they would show stairs.
+// In `draft`, shadow edges split if the intensity differs by more than this: they would show stairs.
 inline constexpr float kHardShadow = 0.35f;
 
 // Whether a pixel splits: by intensities and hidden shapes alone. A texture has a filter of its own.

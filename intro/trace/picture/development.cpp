@@ -128,7 +128,7 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
             Float8 across = toFloat(kLanes) + (0.5f - midX);
             for (ptrdiff_t x = 0; x < f.width; x += 8) {
                 Uint8 noise = pcg(pixel ^ salts);
-                // Grain: the sum of two random numbers of 16 bits with sign
+                // Grain: the sum of two random signed 16-bit numbers
                 Int8 grain = (Int8)_mm256_madd_epi16((__m256i)((Int8)pcg(noise) ^ signs), (__m256i)amplitude);
                 grain += half;
                 Float8 gain = fmadd(across * across, fall, rest);

@@ -66,7 +66,7 @@ void enlarge(const uint8_t *from, int width, int height, uint8_t *to, int toWidt
         int top = tapsOf(broadcast(begin), down, height).first[0],
             bottom = tapsOf(broadcast(end - 1), down, height).first[0] + 3;
         for (int x = 0; x < toWidth; x += 8) {
-            // Since `from` has no more pixels than `to`, eight of them contain the first taps of eight values
+            // `from` is no wider than `to`, so the first taps of eight values are within eight of its pixels
             Taps taps = tapsOf(kLanes + x, across, width);
             int first = taps.first[0];
             for (int y = top; y <= bottom; ++y)

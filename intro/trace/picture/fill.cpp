@@ -47,7 +47,7 @@ struct Bilinear {
 };
 
 // The colour of a pixel in a square whose corners show several shapes. Eight rays count how much of the pixel
-// each shape covers. They are not shaded: a shape has its corners' colour. Rays that miss have the mean.
+// each shape covers. They are not shaded: a shape has its corners' colour; rays that hit none get the mean.
 [[gnu::noinline, gnu::cold]] static __m128 colourByCoverage(const Tile &t, int x, int y, const uint32_t *c,
                                                             const __m128 *colour, __m128 mean) {
     Ray8 ray = {broadcast(t.view.eye),
@@ -57,7 +57,7 @@ struct Bilinear {
     int shape[6] = {-1, -1}; // -1: the sky
     for (int k = 0; k < 4; ++k) {
         int id = shape[k + 2] = shapeOrSky(t.s.corners[c[k]]);
-        // Intersect a shape once if two corners in a row show it, as most do
+        // Intersect a shape only once if consecutive corners show it, as most do
         if (id >= 0 && id != shape[k] && id != shape[k + 1])
             updateNearest(hit, distance(t.scene.shapes[id], ray), id);
     }

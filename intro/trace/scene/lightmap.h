@@ -13,7 +13,7 @@ struct Chart {
     Vec3 corner;                        // world; where u = v = 0
     Vec3 u, v, n;                       // unit and orthogonal; n points to the side that is lit and seen
     float width, height;                // world units along u and v
-    int16_t across, down;               // cells along u and v, 1 ..
+    int16_t across, down;               // cells along u and v, at least 1
     int16_t patchesAcross, patchesDown; // patches along u and v, each of whole cells
     uint16_t material;
     bool open;                   // a window: hemicubes see it, rays pass through it
@@ -39,7 +39,7 @@ struct Lightmap {
     float mosaic;
     const float *patch[3];
     float sharpness;
-    // The chart with gloss, or null, and its gloss towards the eye, in squares, in rows of glossAcross
+    // The chart with gloss, or null; its gloss towards the eye, for squares in rows of glossAcross
     const Chart *glossy;
     int glossAcross, glossDown;
     const float *gloss[3];

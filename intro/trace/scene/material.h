@@ -11,7 +11,7 @@ namespace odraz {
 
 struct Material {
     Texture texture = {}; // the diffuse colour
-    Texture other = {};   // the same in every second cell of a checker in local x and z
+    Texture other = {};   // with a checker (in local x and z): the colour of every second cell
     float cell = 0;       // side of a checker's cell, world units; 0: no checker
     float diffuse = 0;    // r_d, weight of the diffuse colour
     float specular = 0;   // r_s, weight of Phong's highlight

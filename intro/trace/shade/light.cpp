@@ -40,7 +40,7 @@ struct Occluders {
             Vec3x8 to = {scene.occluder[0][k] - p.x, scene.occluder[1][k] - p.y, scene.occluder[2][k] - p.z};
             Float8 distance2 = max(dot(to, to), 1e-12f), facing = dot(n, to);
             Int8 counts = (facing > -r) & (distance2 < square * (1 / kLeast));
-            if (shape.isBall()) counts &= distance2 > square * 1.0001f; // not itself
+            if (shape.isBall()) counts &= distance2 > square * 1.0001f; // not the point's own ball
             if (!any(counts)) continue;
             // Use the exact formula for the few balls that the horizon cuts. Most others touch a floor:
             // 0.9999 keeps rounding errors from deciding about these

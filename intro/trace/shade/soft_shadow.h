@@ -5,7 +5,7 @@
 //
 // A glass ball focuses the light that it blocks. Rays near the axis meet n / (2 (n - 1)) radii beyond its
 // centre, other rays sooner. So before that focus the rays overlap inside a horn, whose radius shrinks to a
-// cusp, as the distance to the focus to the power of 3/2. Its rim has the 1 / sqrt singularity of a fold
+// cusp, like the 3/2 power of the distance to the focus. Its rim has the 1 / sqrt singularity of a fold
 // caustic. For u = (distance from the axis)^2 and h = (the horn's radius)^2, the density of light is the real
 // part of 1 / sqrt(h - u + bi): a fold blurred by b, or a core with soft edges where h = 0. It is divided by
 // its integral, so that it holds the light that passes the ball, weakened by the tint. At all distances
