@@ -100,7 +100,7 @@ TEST(Frames, AreCountedExactly) {
     EXPECT_EQ(first("0.04", "25"), 1);
     EXPECT_EQ(first("0.040001", "25"), 2);
     EXPECT_EQ(first("0.1", "10"), 1);
-    EXPECT_EQ(first("0.3", "10"), 3); // 0.3 * 10 is more than 3 in binary
+    EXPECT_EQ(first("0.3", "10"), 3); // binary numbers cannot represent 0.3
     EXPECT_EQ(first("1.001", "30000/1001"), 30);
     EXPECT_EQ(first("163.999999", "1000"), 164000);
     EXPECT_EQ(first("10", "23.976"), 240);

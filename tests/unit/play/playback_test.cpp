@@ -216,7 +216,7 @@ TEST(Playback, AStoppedFilmGoesOnWhereItStopped) {
     EXPECT_NEAR(p.film.back(), 16, 0.2);
 }
 
-TEST(Playback, StandsWhileTheViewerPauses) {
+TEST(Playback, StopsWhileTheViewerPauses) {
     Play p;
     p.pauses = 5 * kSecond;
     p.goesOn = 9 * kSecond;

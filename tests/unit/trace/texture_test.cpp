@@ -59,7 +59,7 @@ template <class ColourAt> Vec3d meanColourAt(Dice &dice, int packets, ColourAt c
 
 } // namespace
 
-TEST(Noise, AgreesWithItsPlainStatement) {
+TEST(Noise, AgreesWithThePlainImplementation) {
     Dice dice(3);
     for (int i = 0; i < 20000; ++i) {
         Vec3 p = dice.point(200);

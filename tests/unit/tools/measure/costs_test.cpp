@@ -36,7 +36,7 @@ std::string momentAt(double seconds, int unit) {
 PictureCosts sample() { return PictureCosts(kHead + momentAt(4, 1) + momentAt(12, 2) + momentAt(20, 7)); }
 constexpr double kSmall = 640 * 360, kLarge = 1280 * 720;
 
-TEST(PictureCosts, AreThoseCounted) {
+TEST(PictureCosts, AreTheCountedOnes) {
     PictureCosts costs = sample();
     EXPECT_NEAR(costs.of({4, 1, kSmall, 0}).parallel, 100e6, 1);
     EXPECT_NEAR(costs.of({4, 1, kLarge, 0}).parallel, 300e6, 1);

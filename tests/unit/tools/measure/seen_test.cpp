@@ -124,7 +124,7 @@ TEST(Viewer, RefusesWhatCannotBeShown) {
 }
 
 // Errors do not depend on earlier comparisons, though the viewer keeps pictures.
-TEST(Viewer, SeesTheSameWithAndWithoutWhatItKeeps) {
+TEST(Viewer, ErrorsDoNotDependOnKeptPictures) {
     constexpr double kFrom = 30, kTo = 30.2;
     auto seenBy = [&](Viewer &viewer, std::vector<std::vector<uint8_t>> &all) {
         SeenErrors seen;

@@ -148,7 +148,7 @@ struct Tiles {
     std::set<std::array<int, 2>> taken = {};
     Loop outline = {};
 
-    void add(int x, int y, size_t from) { // next to the square in this direction
+    void add(int x, int y, size_t from) { // `from`: direction of the square that it joins
         taken.insert({x, y});
         for (size_t k = from + 1; k < from + 5; ++k) {
             const int dx[4] = {1, 0, -1, 0}, dy[4] = {0, 1, 0, -1};
