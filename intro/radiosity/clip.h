@@ -1,6 +1,6 @@
 // Clips facets to the faces of a hemicube, in its frame, where z is the surface's normal.
 //
-// A face has four borders: x + w, w - x, y + w (y on the four half faces) and w - y must not be negative.
+// Within a face's four borders, x + w, w - x, y + w (y on the four half faces) and w - y are 0 or more.
 #pragma once
 
 #include "base/vec3.h"

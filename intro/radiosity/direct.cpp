@@ -21,8 +21,8 @@ struct SourcePart {
     int round; // the round of receivers that sample it from a distance
 };
 
-// Returns a part's form factor by Lambert's formula, a sum over the edges. Area below the horizon counts as
-// negative, so little of the part should be there.
+// Returns a part's form factor by Lambert's formula, a sum over the edges. Area below the receiver's horizon
+// counts as negative, so the factor is too small if much of the part is there.
 Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const SourcePart &part) {
     Float8 sum = {};
     Vec3x8 a = normalize(part.corner[3] - p);

@@ -1,11 +1,11 @@
-// Direct light on texels, from the sky through windows, the suns and the lamps. The tracer traces the shadow
-// rays.
+// Direct light on texels, from skies through windows, suns and lamps. The tracer traces the shadow rays.
 //
 // Each texel is sampled at its visible points, up to four. Light sources with an area are divided into parts.
-// Far from a source, each point uses every fourth part, so penumbrae are even without random numbers, and a
-// part counts as a disc, cos cos' A / (pi r^2 + A) (Wallace, Elmquist and Haines, "A Ray Tracing Algorithm
-// for Progressive Radiosity", SIGGRAPH 1989). Near a source, each point uses all parts, by Lambert's exact
-// formula. Balls count by their exact form factor. One shadow ray to each part or ball decides visibility.
+// Far from a source, each point uses every fourth part, and the four points together use all: penumbrae are
+// smooth, and no random numbers are needed. There a part counts as a disc, cos cos' A / (pi r^2 + A)
+// (Wallace, Elmquist and Haines, "A Ray Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989). Near a
+// source, each point uses all parts, by Lambert's exact formula. Balls have an exact form factor. One shadow
+// ray to each part or ball decides visibility.
 #pragma once
 
 #include "base/parallel.h"

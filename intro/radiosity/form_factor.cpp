@@ -4,10 +4,10 @@
 
 namespace odraz {
 
-// A pixel's form factor is the integral of 1 / (pi (1 + a^2 + b^2)^2) over the pixel on the top face. On a
-// side face it is b times this. Gauss's rule with 2 x 2 points integrates squares, 64 or more along a face.
+// A pixel's form factor integrates 1 / (pi (1 + a^2 + b^2)^2) over the pixel; on a side face, b times that.
+// Each pixel is divided into squares, which are integrated by Gauss's rule with 2 x 2 points.
 void deltaFormFactors(int px, float *delta) {
-    int squares = 64 / px + 1; // along a pixel's side
+    int squares = 64 / px + 1; // along a pixel's side; more than 64 along a face's
     float size = 2 / (float)(px * squares);
     auto at = [&](int pixel, int k) {
         return ((float)(pixel * squares + k / 2) + (k % 2 ? 0.78867513f : 0.21132487f)) * size;

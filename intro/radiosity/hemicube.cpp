@@ -44,7 +44,7 @@ struct AtlasFace {
     float x, y;
 };
 
-// Lays out one facet on one face, cut at the borders that it crosses. `grid`: data for vertices.
+// Lays out a facet on a face, cut at the borders that it crosses. `grid`: a vertex's last two numbers.
 void layOut(VertexWriter &out, const FaceCorner (&corners)[4], uint32_t crossed, const AtlasFace &face,
             const uint32_t (&grid)[2]) {
     FaceCorner buffers[2][8];

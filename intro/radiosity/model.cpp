@@ -78,7 +78,7 @@ static void placePatch(const Model &model, int index, Patch &patch) {
 bool Model::divide(Arena &arena, int block) {
     texelCount = cellCount = patchCount = 0;
     for (int i = 0; i < chartCount; ++i) {
-        // Choose the number of patches nearest to the requested size, and the number of cells that fills them
+        // Round to patches of about `block` cells, and to the same number of cells in each patch
         Chart &c = charts[i];
         auto divideSide = [&](int16_t &cells, int16_t &patches) {
             int blocks = max((cells + block / 2) / block, 1);

@@ -23,7 +23,7 @@ struct System {
     float *indirect;      // [patches][columns], F B, from findIndirect(); solve() uses it as scratch memory
 };
 
-// Takes the memory, all zero. Returns false if the arena is full.
+// Allocates the arrays, all zero. Returns false if the arena is full.
 bool makeSystem(System &system, Arena &arena, const FormFactors &factors, int patches, int unknowns);
 
 // Solves in at most `most` sweeps.

@@ -16,7 +16,7 @@ void meansOfPatches(const Model &m, const float *plane, float *mean, int stride)
 }
 
 void addToTexels(const Model &m, const float *values, int columns, float *const *planes, int count,
-                 Workers &workers, int tied) {
+                 Workers &workers, int coupled) {
     parallelRanges(workers, m.texelCount, 1024, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const Texel &t = m.texels[i];
@@ -43,11 +43,11 @@ void addToTexels(const Model &m, const float *values, int columns, float *const 
                     return fmadd(lower - upper, y, upper);
                 };
                 Float8 v = between(x, y), least = min(min(a, b), min(d, e)) * 0.5f;
-                if (k < tied) {
+                if (k < coupled) {
                     Float8 inside = between(saturate(x), saturate(y));
                     if (k == 0 && v[0] < least[0]) share = (inside[0] - least[0]) / (inside[0] - v[0]);
-                    least = select(kLanes < tied - k, inside + (v - inside) * share, least);
-                    v = select(kLanes < tied - k, least, v);
+                    least = select(kLanes < coupled - k, inside + (v - inside) * share, least);
+                    v = select(kLanes < coupled - k, least, v);
                 }
                 v = max(v, least);
                 for (int j = 0; j < min(count - k, 8); ++j) planes[k + j][i] += v[j];

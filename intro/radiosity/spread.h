@@ -10,9 +10,9 @@ void meansOfPatches(const Model &model, const float *plane, float *mean, int str
 
 // Adds values of patches ([patches][columns], `columns` a multiple of 8) to the texels. They are interpolated
 // bilinearly between the four nearest centres of patches, and extrapolated outside, but not below half the
-// least of the four. Column k is added to planes[k], for `count` columns. The first `tied` columns may be
+// least of the four. Column k is added to planes[k], for `count` columns. The first `coupled` columns may be
 // negative, and must keep their ratios: all are extrapolated as far as the limit allows for the first.
 void addToTexels(const Model &model, const float *values, int columns, float *const *planes, int count,
-                 Workers &workers, int tied = 0);
+                 Workers &workers, int coupled = 0);
 
 } // namespace odraz
