@@ -81,8 +81,8 @@ std::string Edits::writeDocument(const std::string &file) {
     std::string message = std::to_string(all.size()) + " tracks in " + file;
     if (off)
         message += "; " + std::to_string(off) +
-                   " keys (between rows, below row 0, second on a row) were moved to the nearest row or left "
-                   "out";
+                   " keys (between rows, below row 0, or second on a row) were moved to the nearest row or "
+                   "left out";
     return message;
 }
 

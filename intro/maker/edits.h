@@ -15,7 +15,7 @@ public:
     // editor is; empty: none.
     Edits(const Stage &stage, std::string show, std::string host = "", int port = rocket::kPort);
 
-    // Reads the tracks of a new film. Call this whenever the film was replaced.
+    // Reads the tracks of a new film. Call this whenever the film has been replaced.
     void renew();
 
     struct Requests {              // from the editor

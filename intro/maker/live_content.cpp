@@ -18,8 +18,8 @@ struct Hash {
     }
 };
 
-// Hashes the used elements of the arrays, but no addresses, which differ from object to object. A film's hall
-// may have nothing to solve
+// Hashes the used elements of the arrays, but no addresses, which differ from object to object. Adds nothing
+// if the film's hall has nothing to solve
 template <class AnyHall> void add(Hash &hash, const AnyHall &hall, const Scene &scene) {
     if constexpr (requires { hall.radiosity.bases; }) {
         hash.add(hall.model.charts, hall.model.chartCount);
@@ -48,7 +48,7 @@ KeyTable *keyTables() { return KeyTable::newest; }
 void setKeys(KeyTable &table, const void *keys, int count) {
     __builtin_memcpy(table.keys, keys, (size_t)count * (table.camera ? sizeof(CameraKey) : sizeof(Key)));
     table.count = count;
-    // Shots have copies of the count. In the shared object shots are not constants (KEYED in timeline/keys.h)
+    // Update the shots' copies of the count. Shots are not constant in the shared object (KEYED, in keys.h)
     for (int i = 0; i < kFilm.count; ++i)
         if (auto &shot = const_cast<Shot &>(kFilm.shots[i]); shot.path.keys == table.poses)
             shot.path.count = count;

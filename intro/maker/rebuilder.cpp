@@ -71,7 +71,7 @@ void Rebuilder::start() {
     int to = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     dup2(to, 1);
     dup2(to, 2);
-    // LC_ALL=C: the font has the quotes of English messages. `cmake --build` would end before its children
+    // Ask for English messages, whose quotes the font has. `cmake --build` would end before its children
     execlp("env", "env", "LC_ALL=C", buildTool.c_str(), "-C", build.c_str(), "live", nullptr);
     _exit(127);
 }
@@ -135,7 +135,7 @@ Rebuilder::Event Rebuilder::poll(double now) {
     return compiling > 0 ? Event::Building : Event::Failed;
 }
 
-// Returns the object files below intro/maker. The target `live` has those of the engine there, too.
+// Returns the object files below intro/maker. The target `live` has its copies of the engine's there, too.
 std::vector<std::string> Rebuilder::objects() const {
     std::vector<std::string> files;
     std::error_code ignored;

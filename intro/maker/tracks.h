@@ -5,7 +5,7 @@
 // and its name there. Rows count from the film's start.
 //
 // Rocket has no Hermite curves: a camera's path keeps its own, and Rocket's documents say "smooth". Rocket
-// has no fractional and no negative rows: it gets a key on the nearest row, or not at all if that is
+// has no fractional and no negative rows: a key is sent on the nearest row, or left out if that row is
 // negative. In the film the key keeps its row.
 #pragma once
 
@@ -47,7 +47,7 @@ public:
     // Describes a row that rowOfView() returned, as a row of its scene and of the film. Warns if another key
     // is within a beat, because the path may swing.
     std::string rowInWords(uint32_t row) const;
-    // Rounds a row of the film to the nearest whole row, or down if that one shows another path (at a cut).
+    // Rounds a row of the film to the nearest whole row, or down if the nearest shows another path (a cut).
     uint32_t rowOfView(double row) const;
     bool undo() { return files.undo(); } // one manual edit
     bool redo() { return files.redo(); }

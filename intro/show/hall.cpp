@@ -58,7 +58,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 }
 
 // Adds the visible beams of sun in the air. Windows are deep: light must pass both ends of the opening. The
-// far columns are left out: their shadows fall outside the hall or within those of the near columns.
+// far columns are left out: their shadows fall outside the hall or within the near columns' shadows.
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
     // Make them fainter as the sun sinks, because low beams would run along the view and hide the hall
@@ -102,8 +102,8 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
         v.bounced[kFirstLantern + i] = emitted + light.extra.intensity * share;
         v.direct[kFirstLantern + i] = emitted * (1 - (drawn ? drawn[i] : 0));
     }
-    // Leave out most of the direct light of strips that the tracer draws as a lamp. The rest, seen in
-    // shadows, swaps the colours of left and right
+    // Leave out most of the direct light of strips that the tracer draws as a lamp. The rest, visible
+    // in the lamp's shadows, has the colours of left and right swapped
     for (int i = 0; i < kStrips; ++i) {
         v.bounced[kFirstStrip + i] = stripLight(i, 1) * kBounced * light.strips[i];
         v.direct[kFirstStrip + i] =
@@ -154,8 +154,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     }
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
-    // Add the strips' lamp. It is behind the centre of the lit strips, so that shadows turn with the tune,
-    // and its copper falls to the left and its blue to the right. It is behind the wall, so that it lights
+    // Add the strips' lamp. It is behind the centre of the lit strips, so that shadows turn with the tune.
+    // Copper light falls on the left, blue light on the right. The lamp is behind the wall, so that it lights
     // neither wall nor strips, and shines through the wall. If it were more than 0.3 m behind the wall, its
     // light on the side walls would end at a strip on one side and at a gap on the other
     Rgb burning = {};

@@ -31,8 +31,8 @@ struct HallLight {
     Light extra = {}; // added by the scene: traced, and bounced like the light of the nearest lanterns
 };
 
-// Returns the amount of each basis. `drawn`: the shares of the lanterns' direct light that the tracer draws;
-// null: none.
+// Returns the strength of each basis. `drawn`: the shares of the lanterns' direct light that the tracer
+// draws; null: none.
 LightVector lightVector(const HallLight &light, const float *drawn = nullptr);
 
 // Builds the hall's model and lights, and makes a finished scene of it, for solveRoom().

@@ -6,7 +6,7 @@ namespace odraz {
 
 namespace {
 
-constexpr float kDoor = 1.75f, kDoorHeight = 3; // half the door's width; its height
+constexpr float kDoor = 1.75f, kDoorHeight = 3; // half the door's width; the door's height
 constexpr float kBeam = 0.15f;                  // half a beam's width
 constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-kLanternSpacing, 0, kLanternSpacing};
 

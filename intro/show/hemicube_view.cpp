@@ -26,8 +26,8 @@ void drawHemicube(const Hall &hall, float rise, float open, const View &view, Fr
     const Patch &patch = m.patches[hall.visited];
     const Chart &c = m.charts[patch.chart];
     float h = (float)frame.height, size = h * kUnfolded;
-    // Compute the centre of the bottom and the half sides: over the patch (`on`), and moved towards the cross
-    // (`now`). The lens is so long that parallel sides have equal lengths
+    // Compute the bottom's centre and half sides: over the patch (`on`), and on the way to the cross (`now`).
+    // The lens is so long that parallel sides have equal lengths
     float on[4][2], now[4][2] = {{view.width - 0.51f * h, 0.5f * h}, {-size, 0}, {0, size}, {0, 0}};
     const Vec3 sides[4] = {{}, c.u, c.v, c.n};
     for (int i = 0; i < 4; ++i) view.project(patch.p + sides[i] * (kHalfSide * rise), on[i][0], on[i][1]);

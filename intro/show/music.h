@@ -185,7 +185,7 @@ static constexpr EventSound kEventSounds[] = {
 };
 // clang-format on
 
-// The share of each channel that the other gets, per cent: narrow before direct light, widest in the finale.
+// Returns the crossfeed in per cent (mixer.h). The sound is narrow before direct light, widest in the finale.
 static int crossfeedAt(int scene, int bar) {
     static constexpr int8_t kCrossfeed[kSceneCount] = {
         [kPoint] = 15, [kTable] = 25, [kFlake] = 12,  [kPatches] = 16,

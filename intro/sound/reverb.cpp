@@ -5,7 +5,7 @@
 namespace odraz {
 
 // The delay lines' lengths in samples: not in ratios of small integers, so that their echoes seldom coincide.
-// By length, left and right alternate.
+// In the order of their lengths, the lines are on the left and the right in turn.
 static constexpr Float8 kLengths = {1511, 2039, 2741, 3697, 1753, 2371, 3187, 4001};
 
 static constexpr int kDiffusers[] = {223, 467, 907}; // samples

@@ -24,7 +24,7 @@ struct Room {
     Glossy gloss;
     Lightmap map;            // for the tracer: points to the planes below and to the gloss
     float *light[3];         // planes of texels for this picture: irradiance / pi
-    float *mosaic[3];        // colours of patches, for pictures that show these instead
+    float *mosaic[3];        // colours of patches, for pictures that show patches
     Rgb mean[kMaxMaterials]; // each material's reflectance
     // Irradiance / pi on every patch after each bounce of the followed light; [0] is direct light
     Rgb *bounce[kBounces + 1];

@@ -14,7 +14,7 @@ void KeyTables::read(const std::set<std::string> &names, const Events &events) {
             std::string text = common::readWhole(folder + "/" + name);
             KeyFile lines(name, text, events);
             for (EditedTable &table : all)
-                if (table.file == name) table.conflict = table.edited(); // stays so if the file lacks it
+                if (table.file == name) table.conflict = table.edited(); // stays if the file lacks the table
             for (const KeyFile::Table &now : lines.tables()) {
                 int i = find(name, now.name);
                 if (i < 0) {

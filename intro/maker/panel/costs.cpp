@@ -58,7 +58,7 @@ Colour heatOf(float samples) {
 namespace {
 
 // A pixel's colour shows the samples per pixel of the smallest square around it, of 1, 2, 4 or 8 pixels a
-// side, that has at least two samples: where few pixels were traced, it shows how far apart they are.
+// side, that has at least two samples. So it shows the density where few pixels are traced.
 struct HeatMap {
     const std::vector<uint32_t> &samples;
     int width, height;

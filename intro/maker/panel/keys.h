@@ -38,7 +38,7 @@ inline constexpr KeyRow kKeys[] = {
     {Action::Count, 0, false, "right mouse", "on the time line: drag a loop"},
     {Action::Count, 0, false, "wheel", "zoom the time line"},
     {Action::Count, 0, false, "", "the camera"},
-    {Action::Count, 0, false, "W A S D Q E", "fly, drag with the left mouse: look"},
+    {Action::Count, 0, false, "W A S D Q E", "fly, drag with the left button: look"},
     {Action::Count, 0, false, "R", "back to the scripted camera"},
     {Action::Count, 0, false, "K", "set a camera key, with shift: remove it"},
     {Action::Count, 0, false, "ctrl Z", "undo, with shift: redo"},

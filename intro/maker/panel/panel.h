@@ -37,7 +37,7 @@ public:
     void steer(double &time, bool &paused, bool &sought);
     Picture picture(Intro &intro, const PictureRequest &request);
 
-    // Reads the film's content again. Call this after its code was replaced.
+    // Reads the film's content again. Call this after its code has been replaced.
     void renew();
 
     int pictureWidth() const { return width; }

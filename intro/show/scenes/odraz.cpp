@@ -20,8 +20,8 @@ static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 constexpr float kGlow = 2.8f; // the strips' total light; a tone adds to one of them
 constexpr int kCanon = 8;     // the beat at which the mirrored voice begins in music.h
 
-// Balls in three lanes: the one that stays and three behind it, and six on either side. The first to come is
-// in front and goes last, so that no ball passes another.
+// Balls in three lanes: the one that stays, with three behind it, and six on either side. A lane's front ball
+// comes first and goes last, so that no ball passes another.
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
 constexpr float kFrontZ = -5, kHiddenZ = -11.4f; // z of the front ball when it stops; z behind the door
 constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
@@ -69,13 +69,13 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
                           value(track(kStripsGo), in.row - (float)(kBeat * i));
         burn += light.strips[i] / kStrips;
     }
-    // Light the word when it is large enough to be read; it lights the hall
+    // Light the word when it is large enough to be read: it lights the hall, too
     float since = in.row - rowOf(kWordIsFound);
     Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.1f * since - 1.3f);
     light.extra = {{0, 1.3f, kFrontZ + 5.5f}, glows * Rgb{0.8f, 0.95f, 1.2f}, 0.3f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
     scene.exposure = value(track(kExposure), in.row);
-    // Dim the night outside with the door, or the entrance would outshine the word in front of it
+    // Dim the night outside together with the door, or the entrance would outshine the word in front of it
     scene.sky.low = Rgb{0.004f, 0.006f, 0.01f} * min(0.3f + burn, 1.f);
     scene.sky.cover = 0;
     // As the door goes out, fade in a cold light behind it: the last ball keeps its outline and its shadow

@@ -47,9 +47,8 @@ constexpr struct {
 };
 constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians per row
 constexpr Light kFill = {{6, 5, -4}, {9, 14, 24}};
-// The sun, and the sun of the second shot, a close-up of glass balls: so high that the balls focus it on the
-// board
-constexpr float kMacroFrom = 64, kMacroTo = 128; // rows
+constexpr float kMacroFrom = 64, kMacroTo = 128; // rows of the second shot, a close-up of glass balls
+// The sun; then a higher sun for the second shot, which the balls focus on the board
 constexpr Light kKeyLights[] = {
     {kDuskSun, {620, 390, 210}, 0.6f},
     {{-13.7f, 10.5f, 10.6f}, {620, 390, 210}, 0.6f},
@@ -83,7 +82,7 @@ void poseTable(const SceneInput &in, Scene &scene) {
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky(in.row);
-    if (in.row < kMacroFrom) scene.sky.cloudScale = 0.5f; // clouds fill half of the picture there
+    if (in.row < kMacroFrom) scene.sky.cloudScale = 0.5f; // clouds fill half of the first shot's picture
     scene.exposure = 0.93f;
 }
 
