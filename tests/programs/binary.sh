@@ -18,7 +18,7 @@ readelf -SW "$BUILD/odraz.elf" >"$WORK/sections"
 check "no constructors" lacks 'init_array|ctors' "$WORK/sections"
 check "no path of the build machine" lacks "$(sed 's/[.+*[^$()|]/\\&/g' <<<"$SOURCE")" "$BUILD/odraz-safe"
 
-# Approximations differ between processor makers; pictures must not
+# Approximate instructions give other results on other makers' processors, and pictures must not differ
 objdump -d --no-show-raw-insn "$BUILD/odraz.elf" >"$WORK/code"
 check "no approximate reciprocals" lacks 'v?(rcp|rsqrt)[0-9]*[ps]s' "$WORK/code"
 check "(the search would find them)" grep -qE 'v?(sqrt|div)ps' "$WORK/code"

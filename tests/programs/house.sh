@@ -1,5 +1,5 @@
-# Code includes and links only rooms that its own room knows (tools/build/rooms.cmake), and no room knows itself by a
-# circle.
+# Code includes and links only rooms that its own room knows (tools/build/rooms.cmake), and no room knows itself
+# through others.
 . "$(dirname "$0")/common.sh"
 
 house() { perl "$SOURCE/tests/programs/house.pl" "$SOURCE" "$@"; }

@@ -1,5 +1,5 @@
 # Sourced by tests of the program $odraz: checks how much memory it takes for a picture of the hall.
-# The picture does not fit into the pipe, so the film waits while it writes it. By then it has reached its peak
+# The picture does not fit into the pipe, so the film waits while writing. By then its memory has reached its peak
 exec 8< <(exec "$odraz" --dump - --from 100 --to 100.04 --size 1280x720)
 pid=$!
 LC_ALL=C IFS= read -r -N 2 -u 8 magic

@@ -20,7 +20,7 @@ not_copied() { # not_copied FOLDER: prints headers of tools and tests that the c
     cd "$1" && grep -rhoE '^#include "(tools|tests)/[^"]*"' intro packer tools tests/unit | cut -d'"' -f2 | sort -u |
         while read -r header; do [ -e "$header" ] || echo "$header"; done
 }
-interrupted() { # sends a signal to its process group while it builds, after all was copied
+interrupted() { # interrupted FOLDER: starts a new film there, and interrupts its process group while it builds
     setsid "$new" "$1" mira >/dev/null 2>&1 &
     local pid=$!
     await test -e "$1/build/build.log" && missing=$(not_copied "$1") && kill -TERM -- -$pid 2>/dev/null

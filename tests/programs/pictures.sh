@@ -70,7 +70,7 @@ check "a name like an option" refuses 2 "unknown option '-dash.png'; if it is a 
 check "contact_sheet does not write over its film" refuses 2 "would be overwritten" "$BUILD/contact_sheet" "$WORK/a.ppm" "$WORK/a.ppm"
 
 # All channels, all bits and all pictures of a file count
-differ() { # differ PATTERN COMMAND...: exit status 1, and prints what matches
+differ() { # differ PATTERN COMMAND...: succeeds if the command exits with 1 and prints a line that matches
     "${@:2}" >"$WORK/printed"
     [ $? = 1 ] && grep -qE -- "$1" "$WORK/printed"
 }

@@ -35,7 +35,7 @@ for tone in log film; do
     check "render, tone $tone" bash -c "'$radiosity' render cube.rad -o $tone.png --eye 0,5,4.9 --at 0,4,-5 --size 160x90 --tone $tone && [ \$(od -An -tx1 -j16 -N8 $tone.png | tr -d ' ') = 000000a00000005a ]"
 done
 
-# --- Closed forms: for two example models, against the mean that solve prints; then for small models ---
+# --- Closed forms: first against the means that solve prints for two example models, then for small models ---
 check "polygons have the name of their material" grep -qE '^0,-.*,floor$' cube.csv
 mean() { # mean KIND MATERIAL LEAST MOST OPTION...: succeeds if the material's mean is within these limits
     "$radiosity" generate $1 -o known.obj >/dev/null && "$radiosity" solve known.obj -o known.rad --element 0.004 "${@:5}" >means 2>/dev/null &&

@@ -1,4 +1,4 @@
-# radiosity reads glTF: a file by Blender, lights with closed forms, and lightmaps that it exported itself.
+# radiosity reads glTF: a file by Blender, lights whose irradiance has a closed form, and its own lightmaps.
 . "$(dirname "$0")/radiosity_program.sh"
 skip_unless perl
 # near A B WITHIN: succeeds if A and B differ by less than that share

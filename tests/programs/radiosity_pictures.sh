@@ -22,7 +22,7 @@ floor() { # floor MTL-LINES: solves the floor, and writes floor.csv
     printf "newmtl m\nKd 1 1 1\n$1" >sub/floor.mtl
     solved floor floor.obj --element 0.0016 --rays 16 --sky 1,1,1
 }
-shows() { # shows RED BLUE: the colours are conditions on X and Y, -1 .. 1, Y upwards. Skips points within 0.04 of a border
+shows() { # shows RED BLUE: what is red and what is blue, by X and Y (-1 .. 1, Y up). Skips 0.04 around borders
     table floor.csv "X = \$2; Y = -\$4; if (X * X > 0.0016 && Y * Y > 0.0016 && (X - 0.5) ^ 2 > 0.0016 && (X + 0.5) ^ 2 > 0.0016 && (Y - 0.5) ^ 2 > 0.0016 && (Y + 0.5) ^ 2 > 0.0016) {
         ++n; off += \$9 < ($1) - 0.005 || \$9 > ($1) + 0.005 || \$11 < ($2) - 0.005 || \$11 > ($2) + 0.005 || \$10 > 0.005 }" 'n > 1000 && off == 0'
 }

@@ -1,4 +1,4 @@
-# Sourced by tests of the film's sound. WORK/film has its music. Recordings have 48 kHz, 16 bits, stereo.
+# Sourced by tests of the film's sound. WORK/film has its music. Recordings are in stereo, with 48 kHz and 16 bits.
 loud_from() { od -An -v -td2 -w4 "$1" | awk '$1 > 100 || $1 < -100 { from = 1 } from'; } # prints "left right" for each frame
 # is_music RECORDING SECONDS MOST [LOST]: succeeds if the recording, from its first loud frame on, is the film's music
 # for SECONDS, with differences of at most MOST a sample. A server may lose up to LOST frames, by default a second,

@@ -1,4 +1,4 @@
-# odraz-debug with a stand-in for the editor of GNU Rocket, which takes orders (rocket/editor.pl).
+# odraz-debug with a stand-in for the editor of GNU Rocket (rocket/editor.pl), which this test gives orders.
 . "$(dirname "$0")/display.sh"
 needs_built "$FILM-debug"
 skip_unless openbox xmllint perl

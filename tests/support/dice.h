@@ -15,7 +15,7 @@ struct Dice {
 
     explicit Dice(unsigned seed) : engine(seed) {}
     float operator()(float lo, float hi) { return std::uniform_real_distribution<float>(lo, hi)(engine); }
-    // A point in a cube with sides of 2 `size`, centred at the origin.
+    // A point in the cube from -size to size on every axis.
     Vec3 point(float size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
     Vec3 direction() {
         for (;;) {

@@ -5,7 +5,7 @@
 
 namespace common {
 
-// format() prints into a new string, append() at the end of a string. Any length.
+// format() prints into a new string, append() at the end of a string. The text may have any length.
 [[gnu::format(printf, 1, 2)]] std::string format(const char *format, ...);
 [[gnu::format(printf, 2, 3)]] void append(std::string &to, const char *format, ...);
 

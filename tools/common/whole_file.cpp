@@ -58,7 +58,7 @@ std::string readStart(const std::string &path, size_t size) {
 
 std::string readWhole(const std::string &path) { return std::string(readWholeFile(path).view()); }
 
-// The target of a path, to which symbolic links lead.
+// What a path names, after following symbolic links.
 struct Target {
     std::string path;
     bool direct = false; // a device, a pipe or a descriptor, which is written to directly; else a file
@@ -98,7 +98,7 @@ void checkWritable(const std::string &given) {
 
 static constexpr char kReplaced[] = " would be overwritten: give another name";
 static std::mutex theLock;
-static int theStandardOutput = -1; // a copy of it, if it is an output; then stdout prints to standard error
+static int theStandardOutput = -1; // its copy if it is an output: stdout then prints to standard error
 static std::map<std::string, std::string> theInputs, theOutputs; // names, keyed by identityOf()
 
 // Returns device and inode of a regular file, or the path of a missing file. Empty for devices and pipes.

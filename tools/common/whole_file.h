@@ -13,7 +13,7 @@ namespace common {
 // Reads a regular file of at most 4 GB. Throws Refused (command_line.h) with the file's name and the reason.
 std::string readWhole(const std::string &path);
 
-// Reads such a file without a copy. The bytes are aligned like memory from new.
+// The same without copying the bytes into a string. They are aligned like memory from new.
 struct WholeFile {
     std::unique_ptr<char[]> bytes;
     size_t size = 0;
@@ -24,7 +24,7 @@ WholeFile readWholeFile(const std::string &path);
 // Reads the first `size` bytes of a file, or all if it has fewer.
 std::string readStart(const std::string &path, size_t size);
 
-// Calls `body`. If it throws Refused, puts the file's name in front of the error, unless it is there.
+// Calls `body`. If it throws Refused, puts the file's name in front of the error, unless it is there already.
 template <class Body> auto inFile(const std::string &path, Body body) {
     try {
         return body();

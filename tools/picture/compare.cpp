@@ -19,7 +19,7 @@ struct Difference {
     size_t values = 0;               // number of compared values: pixels times channels
     size_t pixels = 0;               // number of pixels that differ
     size_t pixelsInAlpha = 0;        // number of pixels that differ in alpha
-    Image amplified;                 // eight times
+    Image amplified;                 // the differences, times eight
 };
 
 Difference differenceOf(const Picture &a, const Picture &b) {

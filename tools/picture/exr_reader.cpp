@@ -24,7 +24,7 @@ constexpr uint32_t kTiled = 0x200, kLongNames = 0x400, kDeep = 0x800, kParts = 0
 constexpr const char *kCompressions[] = {"none",  "RLE", "ZIPS", "ZIP",  "PIZ",
                                          "PXR24", "B44", "B44A", "DWAA", "DWAB"};
 constexpr int kLinesOfChunk[] = {1, 1, 1, 16, 32}; // for the first five compressions, the readable ones
-constexpr int64_t kMostCompressed = 1100;          // the largest ratio of any of them, zlib's
+constexpr int64_t kMostCompressed = 1100;          // the highest ratio that any of these reaches: zlib's
 constexpr uint32_t kHuffmanCodes = (1 << 16) + 1;
 
 struct Window { // both ends included

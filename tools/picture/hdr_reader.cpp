@@ -78,7 +78,7 @@ private:
                 readOther(line);
     }
 
-    // Notes a line that changes the light. Usual primaries are sRGB's, and Radiance's default.
+    // Notes a line that changes the light, unless its values are usual (sRGB's, or Radiance's defaults).
     void readOther(const std::string &line) {
         static const std::map<std::string, std::vector<double>> kUsual = {
             {"PRIMARIES", {.64, .33, .295, .6, .15, .06, .323, .331}}, {"GAMMA", {1}}, {"PIXASPECT", {1}}};

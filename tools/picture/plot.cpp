@@ -103,7 +103,7 @@ private:
     Axis x, y;
     std::string out;
 
-    // The least value of an axis; with a sign of -1, minus the greatest value.
+    // The least value on an axis; if the sign is -1, the greatest value, negated.
     double least(int axis, double sign = 1) const {
         double v = 1e300;
         for (const PlotPoint &p : plot.points) v = std::min(v, sign * (axis ? p.y : p.x));
@@ -141,7 +141,7 @@ private:
         }
     }
 
-    // The points that no other point of the series beats; -1: of all series
+    // The points of a series that none of its other points beats. -1: takes all series as one
     std::vector<PlotPoint> front(int series) const {
         double signX = plot.lessIsBetterX ? 1 : -1, signY = plot.lessIsBetterY ? 1 : -1;
         auto counts = [&](const PlotPoint &p) { return series < 0 || p.series == series; };

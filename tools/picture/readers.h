@@ -11,7 +11,7 @@ namespace pictures {
 
 // PNM (netpbm's pgm(5) and ppm(5)): grey and RGB, as text or bytes: P2, P3, P5 and P6. Values are scaled, so
 // that the largest value, up to 65535, becomes 65535. Larger values than the header allows are refused, and
-// so are bytes after the picture that are no PNM.
+// so are bytes after the picture that are not another PNM.
 bool isPnm(std::string_view file);
 Picture takePnm(std::string_view &file);
 
@@ -37,7 +37,7 @@ inline bool isExr(std::string_view file) { return file.starts_with("\x76\x2f\x31
 Picture readExr(std::string_view file);
 
 // PNG, JPEG, TGA and BMP by stb_image: up to 2^26 pixels and 256 MB, with 16 bits if the file has them. Alpha
-// is dropped if a TGA has no alpha bits, or if a BMP has neither an alpha mask nor a later header.
+// is dropped if a TGA has no alpha bits, or if a BMP has neither an alpha mask nor a header above 40 bytes.
 Picture takeByStb(std::string_view &file);
 
 } // namespace pictures

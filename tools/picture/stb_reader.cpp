@@ -79,8 +79,8 @@ void leaveExif(Picture &p, std::string_view exif) {
 }
 
 // Returns whether a JPEG has Huffman tables and quantisation tables before its pixels, with at most 256 codes
-// in each Huffman table, as stb_image expects. Skips pixels and bytes between segments; in these 255 is
-// followed by 0 or by a restart marker. Notes unused statements in `p`.
+// in each Huffman table, as stb_image expects. Skips pixels and bytes between segments, where
+// a byte of 255 is followed by 0 or by a restart marker. Notes unused statements in `p`.
 bool hasTables(std::string_view jpeg, Picture &p) {
     auto byte = [&](size_t at) { return at < jpeg.size() ? (uint8_t)jpeg[at] : 0; };
     bool huffman = false, quantisation = false;
@@ -120,7 +120,7 @@ constexpr std::string_view kPng = "\x89PNG\r\n\x1a\n";
 // Returns the size of a PNG. Checks the checksums of its chunks, which stb_image ignores. Notes unused
 // statements in `p`.
 size_t checkedSize(std::string_view png, Picture &p) {
-    // The values of sRGB. Profiles have no usual value; cICP's is below
+    // sRGB's values in these chunks. No profile (iCCP) is usual; cICP is compared below
     static const std::map<std::string, std::vector<uint32_t>> kUsual = {
         {"gAMA", {45455}},
         {"cHRM", {31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000}},
@@ -189,7 +189,7 @@ Picture takeByStb(std::string_view &rest) {
                     ? read<stbi__uint16>(file, stbi__load_and_postprocess_16bit)
                     : read<stbi_uc>(file, stbi__load_and_postprocess_8bit);
     if (isTga && file[17] & 0x10) mirror(p);
-    // Alpha exists only in a TGA with alpha bits, and in a BMP with an alpha mask or a later header
+    // Alpha exists only in a TGA with alpha bits, and in a BMP with an alpha mask or a header above 40 bytes
     if (p.hasAlpha() && (isTga ? !(file[17] & 15) : file.starts_with("BM") && file[14] == 40 && !file[30]))
         dropAlpha(p);
     p.unused.merge(head.unused);

@@ -2,7 +2,7 @@
 
 write_manifest() {
     local name
-    # Without the division into shards, which changes nothing
+    # Leave out the division into shards, which does not change the frames
     sed -n '/^shards of /,$ !s/^/# /p' "$parts/plan"
     while read -r _ _ name; do grep 'frame-' "$parts/$name.sums"; done <"$parts/shards"
 }

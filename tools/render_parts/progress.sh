@@ -1,12 +1,12 @@
 # Sourced by tools/render: prints progress on stderr, as a bar on a terminal, otherwise as a line every 30 seconds.
 
-# frames_done: counts the frames of all shards, with unfinished shards
+# frames_done: counts the frames of all shards, including unfinished ones
 frames_done() {
     find "$parts" -maxdepth 1 \( -name '*.sums' -o -name '*.sums.part' -o -name '*.hashes.part' \) -exec cat {} + 2>/dev/null |
         awk '/frame-|^0,/ { ++n } END { print n + 0 }'
 }
 
-clock() { # clock SECONDS
+clock() { # clock SECONDS: prints [HOURS:]MINUTES:SECONDS
     if [ "$1" -ge 3600 ]; then printf '%d:%02d:%02d' $(($1 / 3600)) $(($1 / 60 % 60)) $(($1 % 60)); else printf '%d:%02d' $(($1 / 60)) $(($1 % 60)); fi
 }
 

@@ -26,7 +26,7 @@ same() {
     head -c 300 err >&2
     return 1
 }
-# limited OPTION VALUE COMMAND...: runs the command under a limit (ulimit). under OPTION VALUE: sets UNDER to do so
+# limited OPTION VALUE COMMAND...: runs the command under a limit (ulimit). under OPTION VALUE: sets UNDER to the same
 limited() { local limit="ulimit $1 $2"; shift 2; bash -c "$limit"' && exec "$@"' limited "$@"; }
 export -f limited
 under() { local limit="ulimit $1 $2"; shift 2; UNDER=(bash -c "$limit"' && exec "$@"' under); }

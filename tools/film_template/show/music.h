@@ -11,7 +11,7 @@ constexpr const char *const kChords[] = {
     [kStage] = "DBADD",
 };
 
-// .bars: from, to. .sound: instrument, octave, tones at once, room, per cent to the left. .strokes: number, rows.
+// .bars: from, to. .sound: instrument, octave, tones at once, reverberation in per cent. .strokes: number, rows.
 // .velocity: at the start, at the end.
 static constexpr Part kParts[] = {
     {.scene = kStage, .bars = {0, 4}, .sound = {kPad, 3, 4, 100}, .strokes = {1, 16}, .velocity = {70, 90}, .line = "0"},
@@ -27,7 +27,7 @@ static constexpr EventSound kEventSounds[] = {
 };
 // clang-format on
 
-// Returns the share of each channel that the other gets, per cent: less is wider.
+// Returns the share of each channel that the other gets, in per cent. A smaller share sounds wider.
 static int crossfeedAt(int, int) { return 12; }
 
 } // namespace odraz

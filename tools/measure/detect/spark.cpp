@@ -11,8 +11,8 @@ Grey greyOf(int width, int height, const uint8_t *rgba) {
     return g;
 }
 
-// Calls f(i, j) for the pixels more than `inner` and at most `reach` away from (x, y), by the larger of both
-// coordinates' differences.
+// Calls f(i, j) for the pixels whose distance from (x, y) is more than `inner` and at most `reach`. The
+// distance is the larger one of the differences in x and in y.
 template <class F> static void around(const Grey &g, int x, int y, int inner, int reach, F &&f) {
     for (int j = std::max(y - reach, 0); j <= std::min(y + reach, g.height - 1); ++j)
         for (int i = std::max(x - reach, 0); i <= std::min(x + reach, g.width - 1); ++i)
@@ -51,7 +51,7 @@ static bool isMissing(const Spark &s, const Grey &neighbour, int reach) {
     return !found;
 }
 
-// Whether the mean difference is so small that both pictures are of one shot.
+// Whether the pictures differ so little, in the mean, that they must be from one shot.
 static bool areOfOneShot(const Grey &a, const Grey &b) {
     if (a.width != b.width || a.height != b.height) return false;
     int64_t sum = 0;

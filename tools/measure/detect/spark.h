@@ -27,8 +27,8 @@ struct Spark {
 // most three pixels within that distance are above half of this height. The outermost pixels are left out.
 std::vector<Spark> pointsOf(const Grey &picture, int least);
 
-// The points of a picture that the picture before or after lacks: it shows nothing of at least half the
-// height within `reach` pixels. A neighbour that is null, or of another shot, does not count.
+// The points of a picture that the picture before or after lacks: within `reach` pixels that picture has no
+// pixel of at least half the height. A picture that is null, or of another shot, does not count.
 std::vector<Spark> sparksOf(const std::vector<Spark> &points, const Grey &picture, const Grey *before,
                             const Grey *after, int reach);
 

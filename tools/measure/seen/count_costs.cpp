@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-// Instructions so far. tools/measure/seen/counting/as adds to the first 16 in turn, since one counter would
-// have to wait for its last sum
+// Instructions so far. The code of tools/measure/seen/counting/as uses the first 16 counters in turn: each
+// addition to a single counter would have to wait for the one before
 extern "C" {
 volatile uint64_t odraz_counted[17];
 }

@@ -39,7 +39,7 @@ public:
     }
 
 protected:
-    // Shows the picture with this number in the queue. May advance `looked` by the time that takes.
+    // Shows the picture with this number in the queue. May advance `looked` by the time that this takes.
     virtual void show(unsigned) {}
 
     void showUntil(int64_t until) {
@@ -88,7 +88,7 @@ template <class Film> void playPage(PagePlayer<Film> &player, double from, doubl
             busy.push_back({m, moment, moment + player.film->tracing(m)});
         }
         if (busy.empty() && begin < 0)
-            begin = moment; // fewer pictures than the player makes before it starts
+            begin = moment; // the whole film has fewer pictures than are made before the start
         if (busy.empty() && !player.waiting()) return;
         auto first = std::min_element(busy.begin(), busy.end(),
                                       [](const Busy &a, const Busy &b) { return a.end < b.end; });
