@@ -60,7 +60,7 @@ inline TracedPicture traced(Scene &posed, const CameraKey &camera, const Quality
     return p;
 }
 
-// Returns the film's camera of a scene at a row. Scenes choose their detail by it.
+// Returns the film's camera of a scene at a row. Scenes need it to choose their detail.
 inline CameraKey scripted(int scene, float row) {
     const Shot *shot = kFilm.shots;
     while (shot->scene != scene) ++shot;

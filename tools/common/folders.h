@@ -9,7 +9,7 @@ namespace common {
 // renames it.
 class NewFolder {
 public:
-    // Throws Refused if the path exists, unless it is an empty folder, or if it cannot be written.
+    // Throws Refused if the path cannot be written, or exists and is not an empty folder.
     explicit NewFolder(std::string path);
     NewFolder(const NewFolder &) = delete;
     ~NewFolder(); // removes an unfinished folder with its files

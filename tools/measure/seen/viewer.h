@@ -16,7 +16,7 @@ struct SeenErrors {
     int sixtieths = 0;
     int fresh = 0; // sixtieths with a new picture
     double flip = 0;
-    double linear = 0, srgb = 0; // mean squares of each picture, 0 .. 255^2
+    double linear = 0, srgb = 0; // mean squared difference of each picture, 0 .. 255^2
 
     void add(const SeenErrors &more) {
         sixtieths += more.sixtieths, fresh += more.fresh;
