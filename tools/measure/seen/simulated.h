@@ -1,4 +1,4 @@
-// The film's player, or the page's, on a simulated machine. Both run the film's own decisions
+// The film's player, or the page's, on a simulated machine. Both use the film's own decisions
 // (play/schedule.h, play/governor.h, play/page_player.h); counted instructions advance the clock. There is no
 // noise, so results are the same everywhere.
 #pragma once
