@@ -210,7 +210,7 @@ private:
         for (size_t k = 0; k < light.color.size(); ++k) colour[k] = light.color[k];
         colour = colour * light.intensity;
         for (size_t k = 0; k < 3; ++k)
-            need(colour[k] >= 0 && colour[k] <= kMostPower, "a light must lie between 0 and 1e12");
+            need(colour[k] >= 0 && colour[k] <= kMostPower, "a light's intensity must be 0 to 1e12");
         if (colour == Vec3d{}) return;
         if (light.type == "directional") {
             // It shines along -z; lux over pi is the radiance of a white surface

@@ -102,14 +102,14 @@ private:
     Mesh mesh;
     double grid = 0;            // points closer than this are merged
     std::vector<int> number;    // for each point of the file: its point in the mesh
-    std::vector<int> polygonOf; // of each triangle; negative for a polygon that crosses itself
+    std::vector<int> polygonOf; // for each triangle; ~polygon if its own triangles may overlap
     std::vector<int> crossing;  // polygons that cross themselves
     std::set<PolygonPair> overlaps;
     std::set<int> unplaced; // materials of polygons that lack texture coordinates
-    int shortPolygons = 0;  // with fewer than three points
+    int shortPolygons = 0;  // polygons with fewer than three points
     bool pictured = false;  // a material has a picture, so texture coordinates are kept
 
-    // The size and the first corner of a small polygon: the 1/16 quantile of up to 4096 of them.
+    // The size and the first corner of a small polygon: the 1/16 quantile by size of up to 4096 polygons.
     std::pair<double, size_t> smallPolygon() const {
         std::vector<std::pair<double, size_t>> sizes = {{HUGE_VAL, 0}};
         const auto &all = given.polygons;
@@ -285,7 +285,7 @@ private:
         lines.clear();
         for (int m : unplaced)
             if (mesh.materials[(size_t)m].hasPicture()) lines.push_back(mesh.materials[(size_t)m].name);
-        noteLines("coordinates of pictures are missing, and their means are used: ", lines);
+        noteLines("coordinates of pictures are missing, so their mean colours are used: ", lines);
         lines.clear();
         for (auto [front, behind] : overlaps)
             if (front != behind) lines.push_back(lineOf(behind) + " behind " + lineOf(front));

@@ -24,7 +24,7 @@ std::vector<ViewKey> viewKeys(bool room) {
                                  {"[ ]", "bands"},
                                  {"P", "exact rows, or clusters"},
                                  {"- =", "axes of the clusters"},
-                                 {", .", "half and twice as many clusters"},
+                                 {", .", "halve or double the clusters"},
                                  {"F2 .. F5", "patches, elements, wireframe, hemicube"}});
     else
         keys.insert(

@@ -161,7 +161,7 @@ TEST(ObjReader, NotesWhatIsNotUsed) {
                "m.obj: bump is not used: material a", "m.obj: map_Kd's -boost is not used: material a",
                "m.obj: map_Kd's -mm is not used: material a", "m.obj: map_Ke's -mm is not used: material b",
                "m.obj: opacity is not used, so all surfaces are opaque: material a and 1 more",
-               "m.obj: coordinates of pictures are missing, and their means are used: a"}));
+               "m.obj: coordinates of pictures are missing, so their mean colours are used: a"}));
 }
 
 TEST(ObjReader, TakesColours) {
