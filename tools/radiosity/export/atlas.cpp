@@ -166,8 +166,8 @@ private:
         return {};
     }
 
-    // Finds a texel's value: the mean over the part of its area that lies in occupied cells. If texels are as
-    // fine as elements, it is the mean of these cells' values at its middle. Returns false if there are none.
+    // Finds a texel's value: the mean over the occupied cells in its area or, if texels are as fine as
+    // elements, the mean of these cells' values at the texel's middle. Returns false if none is occupied.
     bool find(int i, int j, Rgb &to) const {
         float u = place.uOf(c, (float)i + 0.5f), v = place.vOf(c, (float)j + 0.5f);
         float width = place.uOf(c, 1) - place.uOf(c, 0), height = place.vOf(c, 1) - place.vOf(c, 0);
@@ -189,7 +189,7 @@ private:
         return found;
     }
 
-    // Gives unpainted texels the mean of their painted neighbours. Returns false if there are none.
+    // Gives unpainted texels the mean of their painted neighbours. Returns false if no texel has any.
     bool spread() {
         std::vector<uint8_t> before = painted;
         bool more = false;

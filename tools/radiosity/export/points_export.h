@@ -1,4 +1,4 @@
-// Exports a solution for spreadsheets, and for viewers of points and polygons. Each function writes a whole
+// Exports a solution for spreadsheets, and for viewers of points and polygons. Each export writes a whole
 // file or none, and throws std::runtime_error.
 #pragma once
 

@@ -24,8 +24,8 @@ struct PatchSystem {
     // The radiosity of patches by direct light alone.
     std::vector<Rgb> reflectDirect() const;
     // A sweep over all patches: B = rho (D + F B). With `atOnce` new values are used in the same sweep
-    // (Gauss-Seidel); otherwise it is one bounce. Returns the residual: the sum of changes as a share of the
-    // sum of reflectDirect(), for the colour with the largest share.
+    // (Gauss-Seidel); otherwise a sweep is one bounce. Returns the residual: the sum of changes as a share of
+    // the sum of reflectDirect(), for the colour with the largest share.
     float sweep(std::vector<Rgb> &radiosity, bool atOnce) const;
 };
 

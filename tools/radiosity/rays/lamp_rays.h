@@ -1,10 +1,10 @@
 // Direct light on a mesh by shadow rays: from triangles that emit, from balls and from suns. The rays for
 // indirect light find the sky's light (ray_system.h).
 //
-// If at most 256 triangles emit, the unshadowed light of each is given by its form factor: by Lambert's
-// formula or, from afar, as a disc. Shadow rays to points on it, at least one, give the visible share.
+// If few triangles emit, the unshadowed light of each is given by its form factor: by Lambert's formula or,
+// from afar, as a disc. Shadow rays to points on it, at least one, give the visible share.
 //
-// If more emit, they are divided into parts. Each sample point of a texel casts rays to some of the parts,
+// If many emit, they are divided into parts. Each sample point of a texel casts rays to some of the parts,
 // chosen by power and spread over space. The points of one texel, or of a small polygon, share the rays.
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace odraz::radiosity {
 
-// If more than this share of a model's area emits, rays find that light, and no shadow rays are sent to it.
+// If more than this share of a model's area emits, the rays for indirect light find its light.
 inline constexpr double kLargeLamps = 0.25;
 
 class LampRays {
 public:
-    // Up to kFewLamps emitting triangles are used whole, more than kMostWhole are always used in parts. The
-    // points of a site share at most kMostRays rays to parts, rounded up to one ray each.
+    // Up to kFewLamps emitting triangles are used whole, more than kMostWhole always in parts; between these,
+    // the number of rays decides. A site's points share up to kMostRays rays to parts, at least one each.
     static constexpr int kMostRays = 128, kFewLamps = 32, kMostWhole = 256;
 
     // Divides the largest emitting polygon into about `samples` parts.
@@ -33,7 +33,7 @@ public:
         Vec3 p[4], n;
         int count;     // points, 1 .. 4
         uint32_t seed; // different for each texel
-        int sharers;   // points that share the rays: one for each part, at most kMostRays
+        int sharers;   // points of the site, which share its rays to parts
         float shift;   // selects this texel's share of them, 0 .. 1
     };
     // The mean light at the points of a texel, as irradiance / pi.

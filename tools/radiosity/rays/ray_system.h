@@ -29,8 +29,8 @@ inline constexpr float kShared = 0.2f;
 class RaySystem {
 public:
     static constexpr uint32_t kDark = 0xffffffff;               // the ray hits the sky, a back, or no site
-    static constexpr uint16_t kLeastRays = 32, kMostRays = 512; // of one site
-    static constexpr double kAllRays = 24e6;                    // of all sites
+    static constexpr uint16_t kLeastRays = 32, kMostRays = 512; // rays of one site
+    static constexpr double kAllRays = 24e6;                    // rays of all sites
 
     RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
               const Surroundings &surroundings);
@@ -89,8 +89,8 @@ public:
     std::vector<float> skySquare;  // for each site: mean squared luminance of the sky along its rays
     std::vector<float> reach;      // for each site: harmonic mean of the distances that its rays travel
     // For each site: a bit for each sample point, set if the point does not count. Many rays of such a point
-    // hit backs while hardly any ray of another point does: it lies behind or under something thin that cuts
-    // through the surface.
+    // hit backs, and hardly any rays of the site's other points do: the point lies behind or under something
+    // thin that cuts through the surface.
     std::vector<uint16_t> excluded;
 
 private:

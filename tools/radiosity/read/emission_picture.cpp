@@ -72,7 +72,7 @@ private:
         return entry->second;
     }
 
-    // Adds a triangle if it has one colour, otherwise divides it in four.
+    // Adds a triangle if it has one colour, otherwise divides it into four.
     void divide(const std::array<int, 3> &c, const std::array<float, 6> &at, int depth) {
         auto half = [&](size_t a, size_t b) {
             return std::array<float, 2>{(at[2 * a] + at[2 * b]) / 2, (at[2 * a + 1] + at[2 * b + 1]) / 2};

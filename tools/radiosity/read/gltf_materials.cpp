@@ -88,7 +88,7 @@ private:
         setColours(to.mesh, reflects, emits, {"baseColorFactor", "emission"}, path, notes);
         readPicture(to, base, to.mesh.picture, to.mesh.reflects);
         const bool pictured = !to.mesh.picture.path.empty();
-        // Reflectance where the picture is missing
+        // This reflectance is used if the picture cannot be read
         for (size_t k = 0; k < 3 && pictured; ++k) to.mesh.reflects[k] *= 0.7f;
         GltfMaterial emission = to;
         MeshPicture &picture = to.mesh.emissionPicture;

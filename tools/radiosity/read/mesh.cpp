@@ -58,7 +58,7 @@ Vec3d Mesh::middle() const {
 namespace {
 
 struct Format {
-    std::vector<const char *> endings; // of file names, in lower case
+    std::vector<const char *> endings; // ends of file names, in lower case
     bool (*begins)(std::string_view start);
     bool sure; // no other format begins like this
     decltype(&readModel) read;

@@ -53,7 +53,7 @@ struct MtlReader {
     }
 
     // Reads three numbers, one number for all three, or CIE XYZ, which becomes linear sRGB. Returns false if
-    // there is no colour, or a spectrum, which adds a note.
+    // the line has no colour, or gives a spectrum, which adds a note.
     bool readColour(const TextLines &line, Colour &c) {
         std::string_view rest = line.rest.substr(0, line.rest.find('#')), word = rest;
         const std::string_view kind = takeWord(word);
@@ -172,7 +172,7 @@ struct MtlReader {
             default:
                 if (isMap(lines.word) && !rest.empty())
                     note(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
-                // In some files a Tr of 1 is transparent, in others opaque
+                // In some files a Tr of 1 means transparent, in others opaque
                 const bool isD = lines.word == "d";
                 if (isD && lines.rest.starts_with("-halo")) takeWord(lines.rest);
                 if (double x;

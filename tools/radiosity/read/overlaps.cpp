@@ -51,7 +51,7 @@ private:
     std::vector<TriangleBox> boxes;
     std::map<int, std::vector<int>> found;
 
-    // Divides a set of triangles in two, until it is small or no axis separates them; triangles that cross
+    // Divides a set of triangles into two, until it is small or no axis separates them; triangles that cross
     // the middle are in both halves. Then tests all pairs.
     void find(std::vector<TriangleBox> &some, int depth) {
         constexpr size_t kSmall = 200;

@@ -22,7 +22,7 @@ double totalOf(const Rgb &c) { return (double)c.x + (double)c.y + (double)c.z; }
 
 struct Glint {      // the part of a pixel's light above the limit
     double x, y, z; // direction
-    Rgb light;      // times its solid angle over pi
+    Rgb light;      // radiance times solid angle over pi
 };
 
 // Makes at most `parts` suns from glints: divides them repeatedly, across their largest extent, into two
@@ -118,7 +118,7 @@ private:
     pictures::Picture given;
     int width, height;
     SkyPicture sky;
-    std::vector<double> weight; // covered area so far of each pixel of `sky`
+    std::vector<double> weight; // for each pixel of `sky`: the area covered so far
     std::vector<Glint> glints;
 
     Rgb pixel(int i, int j) const {

@@ -50,7 +50,7 @@ std::string fromUtf16(std::string_view s, size_t high) {
 std::string decoded(std::string text, const std::string &path) {
     auto begins = [&](std::string_view mark) { return text.compare(0, mark.size(), mark) == 0; };
     // Without a byte order mark, the zero bytes of ASCII characters decide
-    int zero = 0; // a bit for each of the first four bytes, the first byte's highest
+    int zero = 0; // a bit for each of the first four bytes; the first byte has the highest
     for (size_t i = 0; i < 4; ++i) zero = zero << 1 | (i < text.size() && text[i] == 0);
     const bool little = begins("\xff\xfe");
     if (zero == 0b1110 || zero == 0b0111 || (little && zero == 0b0011) || begins({"\0\0\xfe\xff", 4}))

@@ -24,7 +24,7 @@ void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes);
 
 // Traces two sets of side x side paths from every probe. Directions are cosine-distributed, the first ones
 // stratified; shadow rays sample the lamps; Russian roulette ends the paths. Drops the probes inside closed
-// bodies. Balls emit and block nothing, as in solutions. If `stop` becomes nonzero, other probes stay black.
+// bodies. Balls emit and block nothing, as in solutions. Once `stop` is nonzero, remaining probes stay black.
 void tracePaths(const Mesh &mesh, const Surroundings &surroundings, std::vector<MeshProbe> &probes, int side,
                 Workers &workers, const int *stop = nullptr);
 

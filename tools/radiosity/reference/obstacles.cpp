@@ -34,7 +34,7 @@ struct Obstacles::Builder {
     };
     struct Range {
         size_t begin, end;
-        double cost; // expected, to test all of its triangles; 0: it is a leaf
+        double cost; // expected cost of testing all of its triangles; 0: it is a leaf
     };
     const std::vector<Triangle> &triangles;
     Obstacles &tree;

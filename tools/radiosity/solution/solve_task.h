@@ -35,7 +35,7 @@ struct SolveTask {
     const Mesh &mesh;
     SolveSettings settings; // the positions of its lamps are relative to Mesh::origin
     Workers &workers;       // must not watch an abort flag
-    const int *stop;        // a value other than 0 ends the solving early, with the light found so far
+    const int *stop;        // a value other than 0 ends the run early, with the light found so far
     const SolveProgress &progress;
 
     Regions regions;             // the mesh as charts, divided into cells of cellSide()

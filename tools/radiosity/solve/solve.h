@@ -14,7 +14,7 @@ struct Solved {
 };
 
 // Solves a model. Only hemicubes use OpenGL. Workers must not watch an abort flag. A value other than 0 in
-// `stop` ends the solving early, with the light found so far. Throws ModelError or std::runtime_error.
+// `stop` ends the run early, with the light found so far. Throws ModelError or std::runtime_error.
 Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl, Workers &workers,
                   const int *stop, const SolveProgress &progress);
 

@@ -1,5 +1,5 @@
-// One gather of known light by hemicubes at some patches of a model. It measures the effect of rasters,
-// anti-aliasing and hemicubes at corners alone.
+// One gather of known light by hemicubes at some patches of a model. It isolates the effect of rasters,
+// anti-aliasing and hemicubes at corners.
 #pragma once
 
 #include "tools/picture/picture.h"

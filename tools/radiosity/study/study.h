@@ -80,7 +80,7 @@ public:
     // The errors of a solution against the reference.
     MeshErrors errorsOf(const Solution &solution) const;
     // Solves and adds to `measured`. `options`: the options of `radiosity solve` for this solution. Its name
-    // is the number of patches if their hemicubes see the lamps, or else of elements, followed by `kind`.
+    // is the number of patches if hemicubes see the lamps, else the number of elements, then `kind`.
     Solved measure(const std::string &kind, const std::string &options, const SolveSettings &s);
     // Measures thesis(patches, px).
     Solved gather(int patches, int px);

@@ -1,7 +1,7 @@
 // Finds the transfer of a model: solves it by rays for each function of the bands and for each lamp.
 //
 // A lamp is all triangles of one emitting material, a ball, or a sun of the settings. If there are more than
-// kMaxLamps lamps, the last one combines all others.
+// kMaxLamps lamps, the last one combines the rest.
 #pragma once
 
 #include "tools/radiosity/solution/solve_settings.h"
