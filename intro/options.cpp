@@ -150,7 +150,7 @@ bool parseOptions(int argc, const char *const *argv, double duration, Options &o
     if (to > duration)
         (wrong << "--to is beyond the film's end at ").decimal(duration, 1) << " s";
     else if (from > to)
-        (wrong << "--from must not be after ").decimal(to, 1) << " s, where the film or --to ends";
+        (wrong << "--from must not be after the film's end or --to, ").decimal(to, 1) << " s";
     else if ((o.dump || o.wav) && (o.window || o.mute || o.stats))
         wrong << (o.window ? "--window"
                   : o.mute ? "--mute"

@@ -20,7 +20,7 @@ if has_mdwe; then
     check "where written memory may not be executed, odraz-safe draws scenes without the hall" \
         "${MDWE[@]}" "$BUILD/odraz-safe" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36
     check "... and reports why it cannot draw the hall" \
-        refuses 1 "SELinux forbids what software OpenGL does: allow it" "${MDWE[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
+        refuses 1 "SELinux forbids code that OpenGL generates: allow it" "${MDWE[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
 fi
 
 # dumped FILE COMMAND...: succeeds if the command writes a picture of 64x36, which goes into the file

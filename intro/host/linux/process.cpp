@@ -22,7 +22,7 @@ static bool mayMap(size_t bytes, sys::Protection protection) {
 const char *jitForbidden() {
     return mayMap(4096, sys::kReadWriteExecute)
                ? nullptr
-               : "MemoryDenyWriteExecute or SELinux forbids what software OpenGL does: allow it";
+               : "MemoryDenyWriteExecute or SELinux forbids code that OpenGL generates: allow it";
 }
 
 bool couldAddress(size_t bytes) { return mayMap(bytes, sys::kNothing); }

@@ -29,8 +29,8 @@ void *takeMemory(size_t bytes) { return VirtualAlloc(nullptr, bytes, kReserve | 
 const char *jitForbidden() {
     return mayTake(4096, kReserve | kCommit, kReadWriteExecute)
                ? nullptr
-               : "arbitrary code guard forbids what software OpenGL does: allow it, or dump what needs no "
-                 "hall";
+               : "arbitrary code guard forbids code that OpenGL generates: allow it, or dump a scene without "
+                 "the hall";
 }
 
 bool couldAddress(size_t bytes) { return mayTake(bytes, kReserve, kNothing); }

@@ -98,7 +98,7 @@ void timeRelighting(SolvedHall &solved, Workers &workers) {
 }
 
 void printDayErrors(const Gl &gl, Workers &workers) {
-    std::printf("\n| hour | | rms of what comes by the lightmap, %% | rms of all light, %% |\n"
+    std::printf("\n| hour | | rms error of the light from the lightmap, %% | rms error of all light, %% |\n"
                 "|---|---|---|---|\n");
     std::vector<float> all;
     for (int i = 0; i < 2 * kNight - 1; ++i) all.push_back((float)i * 0.5f + (i % 2 ? 0.125f : 0));
