@@ -100,7 +100,7 @@ private:
     Vec3d reflected(size_t i, Vec3d p) const {
         const MeshMaterial &m = mesh.materials[(size_t)mesh.triangles[i].material];
         auto picture = pictures.find(m.picture.path);
-        if (picture == pictures.end() || std::isnan(mesh.coordinates[i][0])) return colour(m.reflects);
+        if (picture == pictures.end()) return colour(m.reflects);
         const Obstacles::Triangle &t = triangles[i];
         Vec3d n = cross(t[1] - t[0], t[2] - t[0]);
         double share[3], area = dot(n, n), at[2] = {};
