@@ -16,7 +16,7 @@ enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Plaster, 
 struct PatternTraits {
     Pattern pattern;
     bool faint = false; // so fine or pale that samples and mirrors may show its mean: see Quality::faint
-    float shares[4];    // each palette colour's share of space, measured
+    float shares[4];    // each palette colour's share of space, measured by texture_test
 };
 
 inline constexpr PatternTraits kPatterns[] = {

@@ -20,7 +20,7 @@ namespace {
 using Colour = std::array<double, 3>;
 
 constexpr const char *kMaterialWords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke"};
-enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap };
+enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap }; // in their order
 
 // Whether a keyword names a picture.
 bool isMap(std::string_view word) {

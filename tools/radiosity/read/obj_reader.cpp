@@ -16,7 +16,7 @@ namespace odraz::radiosity {
 namespace {
 
 constexpr const char *kKeywords[] = {"v", "vt", "f", "fo", "usemtl", "mtllib"};
-enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary };
+enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary }; // in their order
 // Notes on lines that are left out, by keyword
 const std::map<std::string_view, const char *> kLeftOut = {
     {"p", "points and lines are left out"},     {"l", "points and lines are left out"},
