@@ -3,6 +3,8 @@ import csv
 import re
 import textwrap
 
+from machine import Failed
+
 
 def rows(text):
     """The rows of a CSV as dictionaries, keyed by the column titles."""
@@ -22,7 +24,10 @@ def table(source, columns):
     keys, heads = [key.strip() for key, _, _ in pairs], [(head or key).strip() for key, _, head in pairs]
 
     def part(machine):
-        lines = source(machine) if callable(source) else rows(machine.run(source))
+        lines = list(source(machine) if callable(source) else rows(machine.run(source)))
+        missing = [key for key in keys if lines and key not in lines[0]]
+        if missing:
+            raise Failed(f"table {'; '.join(heads)}: its source has no '{missing[0]}'")
         return markdown([heads] + [[line[key] for key in keys] for line in lines])
     return part
 
