@@ -7,7 +7,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from itertools import accumulate
 
-from machine import PROCESSORS
+from machine import PROCESSORS, SOURCE
 from parts import rows
 
 STATISTICS = '''scene traced between shown missed trace_ms trace_95 between_ms between_95 show_ms show_95 samples
@@ -111,6 +111,29 @@ def seen(machine):
     for row in looked:
         key = row['screen'], row['machine'], row['scene']
         yield f'{key[0]}: {key[1]}', key[2], cell_of(row) + rate.get(key, '')
+
+
+def between(machine):
+    """The error of draft, play and an in-between in the middle of each scene, and what such pictures cost."""
+    text = (SOURCE / 'tools/measure/seen/costs.csv').read_text()
+    costs = [{key: float(cell) for key, cell in row.items()} for row in rows(text) if row['width'] == '1280']
+    begin = 0
+    for scene in rows(machine.run('build/seen --machine 16 --summary', noted=False)):
+        end = begin + float(scene['seconds'])
+        frame = int((begin + end) / 2) * 60
+        for name in 'live', 'play', 'draft', 'reference':
+            machine.run(f'build/odraz-safe --dump {name} --from {frame / 60:g} --to {(frame + 1.5) / 60:.3f} --fps 60 '
+                        f'--size 640x360 --quality {name}', noted=not begin)
+        line = {'scene': scene['scene']}
+        for name in 'live', 'play', 'draft':
+            files = [f'{folder}/frame-{frame + 1:06}.ppm' for folder in (name, 'reference')]
+            seen = machine.run(f"build/compare {' '.join(files)} --seen --max 255", noted=False)
+            line['flip_' + name], _, line[name] = re.findall(r'[0-9.]+', re.search(r'^mean flip.*', seen, re.M)[0])[:3]
+        for name, gap, level in ('m_draft', 0, 2), ('m_play', 0, 1), ('m2', 2, 1), ('m4', 4, 1), ('m6', 6, 1):
+            line[name] = round(statistics.mean((row['serial'] + row['parallel']) / 1e3 for row in costs if (
+                row['gap'], row['level']) == (gap, level) and begin <= row['seconds'] < end))
+        yield line
+        begin = end
 
 
 def played_and_simulated(machine):

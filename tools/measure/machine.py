@@ -1,4 +1,5 @@
 """Runs programs and measures their time and memory; builds them; starts a display for them."""
+import ctypes
 import os
 import shlex
 import subprocess
@@ -7,7 +8,7 @@ import tempfile
 import textwrap
 import time
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -131,6 +132,7 @@ class Load:
     """Measures how many processors other programs keep busy."""
 
     def __init__(self):
+        ctypes.CDLL(None).prctl(36, 1)  # PR_SET_CHILD_SUBREAPER: orphans become children of this process
         self.clock, self.all, self.own = time.monotonic(), self.busy(), self.ours()
 
     @staticmethod
@@ -140,6 +142,9 @@ class Load:
 
     @staticmethod
     def ours():
+        with suppress(ChildProcessError):  # reap and count the processes that browsers leave behind
+            while os.waitpid(-1, os.WNOHANG)[0]:
+                pass
         return sum(os.times()[:4])
 
     def seconds(self):

@@ -73,6 +73,19 @@ SECTIONS = [
             '''Pictures shown and traced in a second of the scene, at 1280x720, on a display in memory, whose software
             OpenGL runs on the same cores. The level is 0 for `film`, 1 for `play`, 2 for `draft`.''']),
     Section(
+        'between', 'In-betweens against traced pictures', 0.4,
+        sources=['intro/trace', 'intro/show', 'tools/measure/seen/costs.csv'],
+        programs=['odraz-safe', 'seen', 'compare'], packages=PICTURES,
+        parts=[
+            table(film.between, '''scene; live = in-between, dB; play = play; draft = draft;
+                flip_live = FLIP: in-between; flip_play = play; flip_draft = draft;
+                m2 = M instructions: in-between at a gap of 2; m4 = 4; m6 = 6; m_play = play; m_draft = draft'''),
+            '''PSNR in sRGB and mean FLIP against `reference`, at 640x360, of a picture in the middle of each scene. The
+            in-between is made from two pictures of `play` whose gap is 2 sixtieths of a second; `play` and `draft` are
+            traced for its moment. Instructions are of whole pictures at 1280x720: the means over the scene, from
+            `seen/costs.csv`, with gaps in sixtieths. "What a viewer sees" has in-betweens at the gaps that the player
+            chooses.''']),
+    Section(
         'page', 'The film as a page', 3.6,
         sources=['intro', 'packer/model', 'packer/web', 'tests/programs/web/browser.mjs',
                  'tools/measure/bench/page.mjs', 'tools/measure/seen/costs.csv'],
