@@ -9,6 +9,7 @@
 #include "packer/model/encoder.h"
 #include "packer/model/search.h"
 #include "packer/web/wasm_tracker.h"
+#include "packer/write/packed_file.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 
@@ -36,8 +37,8 @@ constexpr char kUsage[] =
     "usage: page PROGRAM.wasm DECODER.wasm MODEL PAGE.html WORKER.js,... MAIN.js,... OUT.html BUDGET "
     "[SECONDS]\n"
     "Calls main(program, text) of the scripts MAIN.js,... in the page; the text is the workers' scripts.\n"
-    "Fails if the page has more than BUDGET bytes. With SECONDS, first searches for better contexts and\n"
-    "writes them to MODEL.\n";
+    "Fails, and removes OUT.html, if the page has more than BUDGET bytes. With SECONDS, first searches for\n"
+    "better contexts and writes them to MODEL.\n";
 
 // Removes indentation, empty lines and comments. A comment has its own line or follows a space.
 std::string shortened(const std::string &script) {
@@ -241,17 +242,16 @@ void makePage(char **words, double seconds) {
         for (size_t at; (at = loader.find(what)) != std::string::npos;)
             loader.replace(at, what.size(), std::to_string(number));
     };
-    put("KEY", (size_t)packed.key), put("COUNT", coded.size()), put("HEAD", head.size()),
-        put("MODEL", model.size());
-    put("ALL", all.size()), put("SCRIPT", script.size());
+    put("KEY", (size_t)packed.key), put("COUNT", coded.size()), put("HEAD", head.size());
+    put("MODEL", model.size()), put("ALL", all.size()), put("SCRIPT", script.size());
     std::string page = first + "<!--" + packed.bytes + "--><script>" + loader + "</script>";
+    long budget = std::stol(words[7]);
+    checkBudget(words[6], page.size(), budget);
     common::writeWhole(words[6], page);
-    long left = std::stol(words[7]) - (long)page.size();
     std::printf("%s: %zu bytes (%zu coded, of scripts %zu and program %zu; decoder %zu; loader %zu), %ld "
-                "left of %s\n",
+                "left of %ld\n",
                 words[6], page.size(), encoded.payload.size(), script.size(), program.size(), head.size(),
-                first.size() + loader.size(), left, words[7]);
-    if (left < 0) throw std::runtime_error("over budget by " + std::to_string(-left) + " bytes");
+                first.size() + loader.size(), budget - (long)page.size(), budget);
 }
 
 } // namespace

@@ -10,7 +10,8 @@ export TMPDIR=$WORK # for the browsers' profiles
 program=$BUILD/intro/host/web/$FILM.wasm scripts=$SOURCE/intro/host/web
 check "simulated player" node "$SOURCE/tests/programs/web/player.mjs" "$program" \
     "$scripts/"{plain,pictures,music,page}.js
-mkdir "$WORK/plain"
+check "a page over budget" refuses 1 "over budget by " "$BUILD/page" "$program" "${program%/*}/decode.wasm" "$scripts/page."{model,html} "$scripts/"{gl,page}.js "$WORK/over.html" 9
+mkdir "$WORK/plain" "$WORK/chromium" "$WORK/firefox"
 check "plain SIMD" node "$SOURCE/tests/programs/web/plain.mjs" "$program" "$scripts/plain.js" "$WORK/plain" $FILM_TRACED
 for t in $FILM_TRACED; do
     golden=$(printf '%s/tests/golden/film-%03d.png' "$SOURCE" "$t")
@@ -18,7 +19,6 @@ for t in $FILM_TRACED; do
 done
 for browser in ${BROWSERS:-chromium firefox}; do
     out=$WORK/$browser
-    mkdir "$out"
     # Every other golden picture; the other browser draws the rest
     moments=$(printf '%s\n' $FILM_TRACED $FILM_LIT | awk -v odd=$([ $browser = firefox ]; echo $?) 'NR % 2 == odd')
     check "$browser" timeout "$PATIENCE" node "$SOURCE/tests/programs/web/page.mjs" $browser "$BUILD/$FILM.html" \
