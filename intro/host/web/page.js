@@ -49,11 +49,11 @@ const step = (t = now()) => {
   if (holds.has('start')) begin(t)
   else if (going) {
     if (!silent && audio.currentTime > zero) t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
-    const film = x.at(t), can = x.can(Math.max(film, from))
+    const film = x.at(t), state = x.can(Math.max(film, from))
     if (film >= duration) return end()
-    if (can == kLater) hold('hall')
-    say(can == kNever ? unlit : '')
-    if (can == kNever) draw.fillRect(0, 0, w, h)
+    if (state == kLater) hold('hall')
+    say(state == kNever ? unlit : '')
+    if (state == kNever) draw.fillRect(0, 0, w, h)
     showDue(film, t)
   } else if (holds.has('hall')) {
     say('The light of the hall is being solved.')
