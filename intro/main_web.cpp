@@ -127,9 +127,8 @@ EXPORT(traced) void traced(double time, float trace, float samples, int width) {
 EXPORT(ready) float ready() { return thePlayer.ready(); }
 // Returns the time of the picture to show at this refresh, when the film is at `now` seconds; -1: none.
 EXPORT(due) double due(double now) {
-    Queue::Action action;
-    while ((action = theQueue.action(now + thePlayer.kNearest)) == Queue::kSkip) theQueue.remove();
-    return action == Queue::kShow ? theQueue.first().time : -1;
+    const FinishedPicture *due = thePlayer.due(now);
+    return due ? due->time : -1;
 }
 // Reports that this picture was shown, `at` seconds after the film's beginning, in `present` milliseconds.
 EXPORT(shown) void shown(double at, double present) {

@@ -1,5 +1,4 @@
-// The player's decisions for several workers, each of which traces whole pictures, as on the page. The page
-// and tools/measure/seen use them.
+// The player's decisions for several workers, each of which traces whole pictures, as on the page.
 #pragma once
 
 #include "play/schedule.h"
@@ -11,8 +10,7 @@ namespace odraz {
 // picture, and needs both neighbours, which other workers hold. So all pictures are traced: 60 a second, or
 // 30, which are the governor's pairs without in-betweens.
 inline Pace pageOf(Pace p) {
-    constexpr int kLeastWidth = 480;
-    p.leastWidth = min(p.leastWidth, kLeastWidth);
+    p.leastWidth = min(p.leastWidth, 480);
     p.penalty[Governor::kPairs] = p.penalty[Governor::kThirty];
     for (int c = Governor::kPairs + 1; c < kCadences; ++c) p.penalty[c] = 1e9f;
     return p;
@@ -31,8 +29,7 @@ enum class Traceable { Now, Later, Never };
 template <class Film> struct PagePlayer {
     static constexpr unsigned kMostReady = 8; // finished pictures that wait to be shown
     static_assert(kMostReady + kMostPageWorkers <= Queue::kRing);
-    // A refresh of the screen may show a picture this many seconds early, about half the time between two
-    // refreshes: no other refresh is nearer to the picture's time
+    // A refresh may show a picture this many seconds early, about half of 1/60 s: no other one is nearer
     static constexpr double kNearest = 0.008;
 
     Film *film;
@@ -48,8 +45,7 @@ template <class Film> struct PagePlayer {
     void begin(double from, int width, int height) {
         governor.width = width, governor.height = height;
         queue->made = queue->shown = started = ended = 0;
-        most = kMostReady + (unsigned)workers;
-        time = from, planned = true;
+        most = kMostReady + (unsigned)workers, time = from, planned = true;
     }
     unsigned waiting() const { return queue->made - queue->shown; }
     // Decides, when the film is at `now`, whether an idle worker traces another picture. If so, it is the
@@ -66,11 +62,15 @@ template <class Film> struct PagePlayer {
         ++started, planned = false;
         return true;
     }
-    // Accepts a picture that a worker has traced in m.trace seconds. The governor ignores the first one of
-    // each worker, which takes longer.
+    // Accepts a picture, traced in m.trace seconds. The governor ignores each worker's first, slower one.
     void traced(const FinishedPicture &m) {
         if (ended++ >= (unsigned)workers) governor.spent(m.trace / (float)workers, 0, 0);
         queue->insert(m);
+    }
+    // Removes late pictures. Returns the one to show at a refresh of the screen at `now`; null: none.
+    const FinishedPicture *due(double now, double nearest = kNearest) {
+        while (queue->action(now + nearest) == Queue::kSkip) queue->remove();
+        return queue->action(now + nearest) == Queue::kShow ? &queue->first() : nullptr;
     }
     // The share that is finished, 0 .. 1, of the pictures that the film needs to begin.
     float ready() const { return min((float)waiting() / (float)min((int)most, (int)Queue::kAhead), 1.f); }

@@ -96,13 +96,9 @@ template <class Film> void playPage(PagePlayer<Film> &player, double from, doubl
         int64_t next = begin + nanosecondsOf(at);
         if (begin >= 0 && (first == busy.end() || next < first->end)) {
             moment = next, ++refreshes;
-            Queue &q = *player.queue;
-            for (Queue::Action a = Queue::kSkip; a == Queue::kSkip;) {
-                a = q.action(from + at + nearest);
-                if (a == Queue::kShow)
-                    for (int64_t lost = player.film->show(q.first(), from + at); Busy & b : busy)
-                        b.end += lost;
-                if (a != Queue::kWait) q.remove();
+            if (const FinishedPicture *due = player.due(from + at, nearest)) {
+                for (int64_t lost = player.film->show(*due, from + at); Busy & b : busy) b.end += lost;
+                player.queue->remove();
             }
         } else {
             moment = first->end;
