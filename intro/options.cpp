@@ -117,7 +117,7 @@ constexpr Option kOptions[] = {
 bool isStdout(const char *path) { return same(path, "-"); }
 
 void writeHelp(AnyText &t) {
-    t << "usage: " FILM_NAME " [--window] [--mute]       watch the film; ESC leaves\n"
+    t << "usage: " FILM_NAME " [--window] [--mute]       watch the film; space pauses, ESC leaves\n"
          "       " FILM_NAME " --dump DIR|- [--fps N]    write its frames as binary PPM\n";
     for (const Option &o : kOptions) {
         int line = t.size;
