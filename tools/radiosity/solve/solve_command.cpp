@@ -1,3 +1,4 @@
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solution/saved_state.h"
@@ -39,10 +40,9 @@ struct SolveJob {
     SolveJob(const SolveJob &) = delete;
 
     common::CommandLine line;
-    std::string model, out;
-    std::string resume;    // file of a saved state to continue from
-    double keepEvery = 60; // seconds
-    bool keeps = false;    // OUT is a file, not a device, so OUT.state can be written next to it
+    std::string model, out, resume; // resume: the file of a saved state to continue from
+    double keepEvery = 60;          // seconds
+    bool keeps = false;             // OUT is a file, not a device, so OUT.state can be written next to it
     std::string state() const { return out + ".state"; }
     SolveOptions options;
     std::unique_ptr<SavedState> saved; // read from `resume`; null: none
@@ -62,8 +62,7 @@ std::unique_ptr<SolveJob> readSolveJob(const std::vector<std::string> &words) {
     return job;
 }
 
-// Whether no light reaches the polygons' fronts: the only light is an even sky, and the model is closed with
-// its fronts inwards.
+// Whether the polygons' fronts stay dark: the only light is an even sky, outside a closed model.
 bool staysDark(const Solution &b) {
     double light = 0;
     for (const Rgb &c : b.emits)
@@ -76,6 +75,7 @@ void printSolveReport(const Mesh &mesh, const Solved &solved, const SolveSetting
     const SolveReport &r = solved.report;
     bool byRays = !solved.patches;
     auto seconds = [&](SolveStep step) { return r.seconds[(int)step]; };
+    auto counted = [&](const char *what) { return common::counted((size_t)r.sweeps, what); };
     std::printf("%zu triangles, %zu polygons in one plane each; ", mesh.triangles.size(),
                 solved.solution.charts.size());
     size_t elements = solved.solution.elements();
@@ -93,13 +93,13 @@ void printSolveReport(const Mesh &mesh, const Solved &solved, const SolveSetting
         std::printf("%d shots, %.2g %% of the light is not shot%s\n", r.shots, 100 * (double)r.residual,
                     r.complete ? "" : ": stopped");
     else if (!r.complete && r.sweeps > 0)
-        std::printf("stopped: the light of %d sweeps\n", r.sweeps);
+        std::printf("stopped: the light of %s\n", counted("sweep").c_str());
     else if (!r.complete)
         std::printf("stopped: direct light, and the rows of %d %s\n", r.rows, byRays ? "sites" : "patches");
     else if (settings.bounces >= 0)
-        std::printf("%d bounces\n", r.sweeps);
+        std::printf("%s\n", counted("bounce").c_str());
     else
-        std::printf("%d sweeps, residual %.1e\n", r.sweeps, (double)r.residual);
+        std::printf("%s, residual %.1e\n", counted("sweep").c_str(), (double)r.residual);
 }
 
 // Prints the mean radiosity, emission included, of the materials with the largest areas.
