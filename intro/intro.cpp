@@ -30,24 +30,25 @@ size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
 
 const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &workers, const Gl *gl,
                  const Progress &progress) {
-    intro = arena.take<Intro>(1);
-    Scene *scene = arena.take<Scene>(1);
-    Hall *hall = gl ? arena.take<Hall>(1) : nullptr;
+    intro = arena.allocate<Intro>(1);
+    Scene *scene = arena.allocate<Scene>(1);
+    Hall *hall = gl ? arena.allocate<Hall>(1) : nullptr;
     intro->pairs = s.pairs;
     intro->width = s.width, intro->height = s.height;
-    intro->unscaled = arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin);
+    intro->unscaled = arena.allocate<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin);
     for (Slot &slot : intro->slots) {
         if (!s.pairs) break;
         Traced &t = slot.traced;
-        t.scene = arena.take<Scene>(1);
+        t.scene = arena.allocate<Scene>(1);
         makeFrame(t.frame, arena, s.width, s.height);
-        t.frame.shapes = arena.take<uint16_t>((size_t)t.frame.stride * (size_t)s.height);
-        t.frame.quads = arena.take<int32_t>((size_t)t.frame.stride * (size_t)s.height + 8);
+        t.frame.shapes = arena.allocate<uint16_t>((size_t)t.frame.stride * (size_t)s.height);
+        t.frame.quads = arena.allocate<int32_t>((size_t)t.frame.stride * (size_t)s.height + 8);
     }
     if (s.pairs) makeBetween(intro->between, arena, workers.count);
     for (int k = 1; s.pairs && k < kBetweenBuffers; ++k)
         intro->made[k] =
-            arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin) + kPictureMargin;
+            arena.allocate<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin) +
+            kPictureMargin;
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
         !makeFrame(intro->frame, arena, s.width, s.height) ||
         !makeGlare(intro->glare, arena, s.width, s.height))
@@ -148,7 +149,7 @@ int64_t samplesTaken(const Intro &intro) { return tracedSamples(intro.tracer); }
 size_t soundMemory() { return sizeof(Sound) + 64; }
 
 Sound *loadSound(Arena &arena) {
-    Sound *s = arena.take<Sound>(1);
+    Sound *s = arena.allocate<Sound>(1);
     if (s) s->mixer.player = playRow;
     return s;
 }

@@ -2,7 +2,7 @@
 
 namespace odraz {
 
-void *Arena::take(size_t count, size_t bytesEach) {
+void *Arena::allocate(size_t count, size_t bytesEach) {
     size_t start = (used + 63) & ~(size_t)63;
     if (start > size || count > (size - start) / bytesEach) {
         full = true;

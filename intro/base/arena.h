@@ -10,13 +10,13 @@ struct Arena {
     unsigned char *base;
     size_t size;
     size_t used;
-    bool full = false; // some take() failed. After many calls it is enough to check this once
+    bool full = false; // some allocate() failed. After many calls it is enough to check this once
 
     // Returns `count` zeroed Ts that start on a new cache line; null if they do not fit.
-    template <class T> T *take(size_t count) { return (T *)take(count, sizeof(T)); }
+    template <class T> T *allocate(size_t count) { return (T *)allocate(count, sizeof(T)); }
 
 private:
-    void *take(size_t count, size_t bytesEach);
+    void *allocate(size_t count, size_t bytesEach);
 };
 
 } // namespace odraz

@@ -34,8 +34,8 @@ template <class AnyHall> void add(Hash &hash, const AnyHall &hall, const Scene &
     }
 }
 uint64_t hallHash(Arena &arena) {
-    Hall *hall = arena.take<Hall>(1);
-    Scene *scene = arena.take<Scene>(1);
+    Hall *hall = arena.allocate<Hall>(1);
+    Scene *scene = arena.allocate<Scene>(1);
     if (arena.full) return 0;
     prepareHall(*hall, *scene);
     Hash hash;

@@ -35,7 +35,7 @@ int writeWav(const Options &o, bool stdoutClosed) {
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     if (!arena.base) return cannotWrite(o.wav, "not enough memory");
     Sound *sound = loadSound(arena);
-    uint8_t *first = arena.take<uint8_t>(kSlack + size) + kSlack;
+    uint8_t *first = arena.allocate<uint8_t>(kSlack + size) + kSlack;
 
     // Render from the film's start, and keep the part to write. Its first block may begin before it, and its
     // last block may end after it: kSlack is the room for that

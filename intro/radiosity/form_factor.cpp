@@ -78,10 +78,10 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row) 
 bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &arena, FormFactors &factors,
                      const Progress &progress) {
     int count = model.patchCount, rowFloats = (count + 7) & ~7;
-    float *delta = arena.take<float>((size_t)(3 * h.px * h.px));
-    float *sums = arena.take<float>((size_t)(3 * h.px * (h.px + 1)));
-    float *rows = arena.take<float>((size_t)rowFloats * (size_t)h.batch);
-    factors.rows = arena.take<FormFactorRow>((size_t)count);
+    float *delta = arena.allocate<float>((size_t)(3 * h.px * h.px));
+    float *sums = arena.allocate<float>((size_t)(3 * h.px * (h.px + 1)));
+    float *rows = arena.allocate<float>((size_t)rowFloats * (size_t)h.batch);
+    factors.rows = arena.allocate<FormFactorRow>((size_t)count);
     factors.used = 0;
     if (arena.full) return false;
     deltaFormFactors(h.px, delta);

@@ -128,8 +128,8 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h = {};
     h.gl = &gl;
     shapeAtlas(h, px);
-    h.vertices = arena.take<float>((size_t)kVertices * kFloats);
-    h.ids = arena.take<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
+    h.vertices = arena.allocate<float>((size_t)kVertices * kFloats);
+    h.ids = arena.allocate<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
     if (arena.full) return false;
 
     // Create an atlas of ids and depths

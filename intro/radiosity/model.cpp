@@ -94,10 +94,10 @@ bool Model::divide(Arena &arena, int block) {
         cellCount += c.across * c.down;
         patchCount += c.patchesAcross * c.patchesDown;
     }
-    patches = arena.take<Patch>((size_t)patchCount);
-    texels = arena.take<Texel>((size_t)texelCount);
-    cells = arena.take<Cell>((size_t)cellCount);
-    ties = arena.take<Tie>((size_t)texelCount * 4); // up to 4 for a cell with hidden corners
+    patches = arena.allocate<Patch>((size_t)patchCount);
+    texels = arena.allocate<Texel>((size_t)texelCount);
+    cells = arena.allocate<Cell>((size_t)cellCount);
+    ties = arena.allocate<Tie>((size_t)texelCount * 4); // up to 4 for a cell with hidden corners
     if (arena.full) return false;
 
     for (int index = 0; index < chartCount; ++index) {

@@ -8,8 +8,8 @@ namespace odraz {
 static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
     size_t padded = texels + 8;
     for (int k = 0; k < r.bases.count(); ++k) {
-        for (float *&plane : r.bounced[k]) plane = arena.take<float>(padded);
-        r.direct[k] = arena.take<float>(padded);
+        for (float *&plane : r.bounced[k]) plane = arena.allocate<float>(padded);
+        r.direct[k] = arena.allocate<float>(padded);
     }
     return !arena.full;
 }
@@ -63,7 +63,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     progress(0.05f);
 
     r.factors.capacity = settings.links;
-    r.factors.links = arena.take<Link>(settings.links);
+    r.factors.links = arena.allocate<Link>(settings.links);
     if (arena.full || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
     for (int i = 0; i < model.patchCount; ++i) {
         Patch &p = model.patches[i];

@@ -62,7 +62,7 @@ bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches
     int columns = (unknowns + kSolveBlock - 1) / kSolveBlock * kSolveBlock;
     s = {&factors, patches, columns, {}, {}, {}, {}};
     for (float **p : {&s.reflectance, &s.direct, &s.radiosity, &s.indirect})
-        *p = arena.take<float>((size_t)patches * (size_t)columns);
+        *p = arena.allocate<float>((size_t)patches * (size_t)columns);
     return !arena.full;
 }
 

@@ -85,10 +85,10 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, float 
     g.across = (patchesAcross + 1) / 2, g.down = (patchesDown + 1) / 2;
     int count = g.across * g.down, columns = g.bases * kGlossOutputs;
     size_t width = (size_t)columns;
-    float *each = arena.take<float>((size_t)patches * width),
-          *matrices = arena.take<float>((size_t)count * width);
+    float *each = arena.allocate<float>((size_t)patches * width),
+          *matrices = arena.allocate<float>((size_t)count * width);
     g.matrices = matrices;
-    for (float *&plane : g.plane) plane = arena.take<float>((size_t)count);
+    for (float *&plane : g.plane) plane = arena.allocate<float>((size_t)count);
     if (arena.full) return false;
 
     // Add the emission of charts that are lamps, in their own basis

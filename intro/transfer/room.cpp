@@ -9,9 +9,9 @@ bool followBounces(Room &room, const LightVector &followed, Arena &arena, Worker
     const Radiosity &r = room.radiosity;
     const Model &m = room.model;
     size_t patches = (size_t)m.patchCount, columns = (size_t)r.system.columns;
-    float *radiosity = arena.take<float>(patches * kSolveBlock),
-          *indirect = arena.take<float>(patches * kSolveBlock);
-    for (Rgb *&bounce : room.bounce) bounce = arena.take<Rgb>(patches);
+    float *radiosity = arena.allocate<float>(patches * kSolveBlock),
+          *indirect = arena.allocate<float>(patches * kSolveBlock);
+    for (Rgb *&bounce : room.bounce) bounce = arena.allocate<Rgb>(patches);
     if (arena.full) return false;
     for (int b = 0; b <= kBounces; ++b) {
         if (b > 0) findIndirect(r.factors, m.patchCount, kSolveBlock, radiosity, indirect, workers);
@@ -41,7 +41,7 @@ bool visit(Room &room, const Vec3 &point, const Gl &gl, Arena &arena) {
         room.visited = i;
     }
     Hemicubes h;
-    room.seen = arena.take<uint32_t>((size_t)((3 * kSeen + 1) * kSeen));
+    room.seen = arena.allocate<uint32_t>((size_t)((3 * kSeen + 1) * kSeen));
     if (arena.full || !openHemicubes(h, gl, arena, kSeen)) return false;
     Eye eye = {m.patches[room.visited].p, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
     drawHemicubes(h, m, &eye, 1);
@@ -55,8 +55,8 @@ bool visit(Room &room, const Vec3 &point, const Gl &gl, Arena &arena) {
 bool fillLightmap(Room &room, Arena &arena) {
     const Model &m = room.model;
     for (int k = 0; k < 3; ++k) {
-        room.light[k] = arena.take<float>((size_t)m.texelCount + 8);
-        room.mosaic[k] = arena.take<float>((size_t)m.patchCount);
+        room.light[k] = arena.allocate<float>((size_t)m.texelCount + 8);
+        room.mosaic[k] = arena.allocate<float>((size_t)m.patchCount);
         room.map.plane[k] = room.light[k];
         room.map.patch[k] = room.mosaic[k];
         room.map.gloss[k] = room.gloss.plane[k];

@@ -19,7 +19,7 @@ struct HeapArena {
     }
 
 private:
-    static constexpr size_t kLine = 64; // bytes of a cache line, the alignment of Arena::take()
+    static constexpr size_t kLine = 64; // bytes of a cache line, the alignment of Arena::allocate()
     std::unique_ptr<unsigned char, void (*)(void *)> memory;
 
 public:

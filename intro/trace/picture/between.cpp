@@ -346,9 +346,9 @@ const size_t kBetweenBytes = (kMaxShapes + 1) * (2 * sizeof(Carry) + sizeof(Trus
 
 bool makeBetween(Between &between, Arena &arena, int workers) {
     between.workers = workers;
-    between.scratch = arena.take<BetweenScratch>((size_t)workers);
-    for (Carry *&carry : between.carry) carry = arena.take<Carry>(kMaxShapes + 1);
-    between.trust = arena.take<Trust>(kMaxShapes + 1);
+    between.scratch = arena.allocate<BetweenScratch>((size_t)workers);
+    for (Carry *&carry : between.carry) carry = arena.allocate<Carry>(kMaxShapes + 1);
+    between.trust = arena.allocate<Trust>(kMaxShapes + 1);
     return !arena.full;
 }
 

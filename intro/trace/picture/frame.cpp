@@ -6,9 +6,9 @@ bool makeFrame(Frame &frame, Arena &arena, int width, int height) {
     frame = {};
     resize(frame, width, height);
     size_t floats = (size_t)frame.stride * (size_t)height;
-    for (float *&plane : frame.plane) plane = arena.take<float>(floats);
+    for (float *&plane : frame.plane) plane = arena.allocate<float>(floats);
     frame.rgba =
-        arena.take<uint8_t>((size_t)width * (size_t)height * 4 + 2 * kPictureMargin) + kPictureMargin;
+        arena.allocate<uint8_t>((size_t)width * (size_t)height * 4 + 2 * kPictureMargin) + kPictureMargin;
     return !arena.full;
 }
 

@@ -78,7 +78,7 @@ size_t glareBytes(int width, int height) {
 }
 
 bool makeGlare(Glare &glare, Arena &arena, int width, int height) {
-    glare.memory = arena.take<float>(glareBytes(width, height) / sizeof(float));
+    glare.memory = arena.allocate<float>(glareBytes(width, height) / sizeof(float));
     return !arena.full;
 }
 

@@ -77,7 +77,7 @@ const size_t kTileScratchBytes = sizeof(TileScratch) + 64;
 bool makeTracer(Tracer &tracer, Arena &arena, int workers) {
     if (workers > kMaxWorkers) return false;
     tracer.workers = workers;
-    for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i] = arena.take<TileScratch>(1);
+    for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i] = arena.allocate<TileScratch>(1);
     return !arena.full;
 }
 

@@ -64,15 +64,15 @@ TEST(Random, IsUniformAndTheSameForLanes) {
 TEST(Arena, AlignsAndReturnsNullWhenFull) {
     alignas(64) unsigned char block[256] = {};
     Arena arena = {block, sizeof block, 0};
-    auto *a = arena.take<char>(3), *b = arena.take<char>(1);
+    auto *a = arena.allocate<char>(3), *b = arena.allocate<char>(1);
     EXPECT_EQ((char *)block, a);
     EXPECT_EQ((char *)block + 64, b);
     EXPECT_FALSE(arena.full);
-    EXPECT_EQ(arena.take<double>(17), nullptr);
+    EXPECT_EQ(arena.allocate<double>(17), nullptr);
     EXPECT_TRUE(arena.full);
-    EXPECT_NE(arena.take<double>(16), nullptr);
-    EXPECT_EQ(arena.take<char>(1), nullptr);
-    EXPECT_EQ(arena.take<char>(std::numeric_limits<size_t>::max()), nullptr);
+    EXPECT_NE(arena.allocate<double>(16), nullptr);
+    EXPECT_EQ(arena.allocate<char>(1), nullptr);
+    EXPECT_EQ(arena.allocate<char>(std::numeric_limits<size_t>::max()), nullptr);
 }
 
 TEST(Text, FormatsAndCutsOff) {

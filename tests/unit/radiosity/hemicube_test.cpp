@@ -100,7 +100,7 @@ TEST(Furnace, ComesOutEven) {
         for (int i = 0; i < b.model->patchCount; ++i) b.model->patches[i].reflects = {1, 1, 1};
         FormFactors f = {};
         f.capacity = 1 << 20;
-        f.links = b.memory.arena.take<Link>(f.capacity);
+        f.links = b.memory.arena.allocate<Link>(f.capacity);
         ASSERT_TRUE(findFormFactors(b.hemicubes(), *b.model, b.workers, b.memory.arena, f, {}));
         System s;
         ASSERT_TRUE(makeSystem(s, b.memory.arena, f, b.model->patchCount, 1));

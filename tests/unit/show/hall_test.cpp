@@ -18,7 +18,7 @@ constexpr Vec3 kEye = {0, 1.6f, 3};
 struct Solved {
     HeapArena memory{kRoomBytes + sizeof(Hall)};
     Workers workers = serialWorkers();
-    Hall *hall = memory.arena.take<Hall>(1);
+    Hall *hall = memory.arena.allocate<Hall>(1);
     Solved() {
         auto scene = emptyScene();
         prepareHall(*hall, *scene);

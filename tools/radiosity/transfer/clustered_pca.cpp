@@ -140,10 +140,10 @@ struct Clustering {
 bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Workers &workers) {
     p.clusters = settings.clusters;
     p.dimensions = settings.dimensions;
-    p.axes = arena.take<float>((size_t)p.clusters * (size_t)(1 + p.dimensions) * (size_t)p.columns);
-    p.weights = arena.take<float>((size_t)p.rows * (size_t)p.dimensions);
-    p.members = arena.take<int>((size_t)p.rows);
-    p.first = arena.take<int>((size_t)p.clusters + 1);
+    p.axes = arena.allocate<float>((size_t)p.clusters * (size_t)(1 + p.dimensions) * (size_t)p.columns);
+    p.weights = arena.allocate<float>((size_t)p.rows * (size_t)p.dimensions);
+    p.members = arena.allocate<int>((size_t)p.rows);
+    p.first = arena.allocate<int>((size_t)p.clusters + 1);
     if (arena.full) return false;
     Clustering work = {p, settings};
     // Begin with random weights, because any will do
