@@ -56,17 +56,17 @@ struct CommandLine::Parser {
     CLI::App app;
     struct KnownOption {
         CLI::Option *option;
-        Take take;
+        Read read;
     };
     std::vector<KnownOption> known;
 
-    CLI::Option *add(const std::string &option, const std::string &value, const Take &take,
+    CLI::Option *add(const std::string &option, const std::string &value, const Read &read,
                      const std::string &what, const std::string &fallback = "") {
         CLI::Option *o =
             app.add_option(option, CLI::callback_t([](const CLI::results_t &) { return true; }), what);
         o->type_name(value)->group(group)->take_all()->expected(1)->allow_extra_args(false);
         o->default_str(fallback);
-        known.push_back({o, take});
+        known.push_back({o, read});
         return o;
     }
 };
@@ -111,31 +111,31 @@ void CommandLine::option(const std::string &name, const std::string &value, std:
         name, value, [&to](const std::string &text) { to.push_back(text); }, what + "; repeatable");
 }
 
-void CommandLine::option(const std::string &name, const std::string &value, Take take,
+void CommandLine::option(const std::string &name, const std::string &value, Read read,
                          const std::string &what) {
-    parser->add(name, value, take, what);
+    parser->add(name, value, read, what);
 }
 
 void CommandLine::number(const std::string &name, const std::string &value, Range range, bool whole,
                          std::function<void(double)> to, const std::string &fallback,
                          const std::string &what) {
-    auto take = [=](const std::string &text) {
+    auto read = [=](const std::string &text) {
         double x = numberOf(name, text, range);
         if (whole && x != std::floor(x)) throw Refused(name + " needs a whole number, not '" + text + "'");
         to(x);
     };
-    parser->add(name, value, take, what, fallback);
+    parser->add(name, value, read, what, fallback);
 }
 
 void CommandLine::choice(const std::string &name, const std::vector<std::string> &names,
                          std::function<void(size_t)> to, size_t fallback, const std::string &what) {
     auto join = [&](const char *between) { return CLI::detail::join(names, between); };
-    auto take = [=, or_ = join(" or ")](const std::string &text) {
+    auto read = [=, or_ = join(" or ")](const std::string &text) {
         auto found = std::find(names.begin(), names.end(), text);
         if (found == names.end()) throw Refused(name + " needs " + or_ + ", not '" + text + "'");
         to((size_t)(found - names.begin()));
     };
-    parser->add(name, join("|"), take, what, fallback < names.size() ? names[fallback] : "");
+    parser->add(name, join("|"), read, what, fallback < names.size() ? names[fallback] : "");
 }
 
 void CommandLine::parse() {
@@ -165,7 +165,7 @@ void CommandLine::parse() {
                     parser->given.push_back(option->get_name());
                     parser->values.push_back(option->get_items_expected_max() > 0 ? value : "");
                 }
-                parser->known[i].take(value);
+                parser->known[i].read(value);
             }
 }
 

@@ -55,8 +55,8 @@ public:
                 const std::string &what);
     // Declares an option whose values are passed to a function, in the order of the command line. The
     // function may throw Refused.
-    using Take = std::function<void(const std::string &)>;
-    void option(const std::string &name, const std::string &value, Take take, const std::string &what);
+    using Read = std::function<void(const std::string &)>;
+    void option(const std::string &name, const std::string &value, Read read, const std::string &what);
     // Declares an option whose value is a number in a range. Integers must be whole.
     template <class Number>
     requires std::is_arithmetic_v<Number>

@@ -144,7 +144,7 @@ struct ShadowCasters {
     Blockers blockers[kMaxLights];
     int found = 0; // a bit for every light
 
-    ODRAZ_INLINE void find(const Scene &scene, const Run &run, const Bounds &box, int k, bool soft) {
+    ODRAZ_INLINE void findCasters(const Scene &scene, const Run &run, const Bounds &box, int k, bool soft) {
         if (found >> k & 1) return;
         findShadowCandidates(scene, run, box, scene.lights[k].position, candidates[k]);
         if (soft) findBlockers(scene, scene.lights[k], box, blockers[k]);
@@ -202,7 +202,7 @@ ODRAZ_INLINE void addLight(const RunLighting &all, const EightHits &at, const Lo
     // themselves there. In soft light, only balls inside the lamp cast shadows, not other shapes.
     // (For balls, transmittance() finds only the surface on the light's side)
     bool soft = all.scene.ballsOcclude && light.radius > 0;
-    casters.find(all.scene, all.run, all.box, k, soft);
+    casters.findCasters(all.scene, all.run, all.box, k, soft);
     Int8 ignored = select(at.side > 0.f, unpackShape(loadInts(all.run.id + at.first)), broadcast(-1));
     Rgb8 through = transmittance(all.scene, casters.candidates[k], {at.p, l},
                                  distance - (soft ? light.radius : 0), lit, ignored, soft);

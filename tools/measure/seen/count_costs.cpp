@@ -63,10 +63,10 @@ int run(common::CommandLine &line) {
     bool list = false;
     line.about("Counts the instructions of traced pictures of the film, and of in-betweens. Prints rows of\n"
                "tools/measure/seen/costs.csv.");
-    auto take = [&](const std::string &text) {
+    auto read = [&](const std::string &text) {
         at.push_back(common::numberOf("--at", text, {0, duration()}));
     };
-    line.option("--at", "S", take, "count this moment; repeatable");
+    line.option("--at", "S", read, "count this moment; repeatable");
     line.flag("--list", list, "only print the moments to count in every shot");
     line.parse();
     if (list) {

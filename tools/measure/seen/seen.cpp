@@ -28,7 +28,7 @@ struct SeenOptions {
     bool onlyList = false, onlySummary = false;
 };
 
-common::CommandLine::Take numbersTo(std::vector<double> &to, const std::string &option, common::Range range) {
+common::CommandLine::Read numbersTo(std::vector<double> &to, const std::string &option, common::Range range) {
     return [&to, option, range](const std::string &text) {
         to.push_back(common::numberOf(option, text, range));
     };

@@ -46,11 +46,11 @@ int runExport(common::CommandLine &line) {
     line.about("Writes a solution, or a room from transfer, for other programs.");
     line.argument("SOLUTION", in, "a file that solve or transfer wrote", false);
     for (const ExportKind &k : kExportKinds) {
-        auto take = [&](const std::string &path) {
+        auto read = [&](const std::string &path) {
             if (kind) throw common::Refused("give only one of --csv, --ply, --obj and --atlas");
             kind = &k, out = path;
         };
-        line.option(k.option, k.value, take, k.what);
+        line.option(k.option, k.value, read, k.what);
     }
     line.group(kAtlas);
     line.option("--map", {"light", "radiosity"}, s.radiosity,

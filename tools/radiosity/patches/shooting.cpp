@@ -86,7 +86,7 @@ std::vector<int> Shooting::brightest(int count) const {
     return all;
 }
 
-Shooting::Shot Shooting::take(int shooter) {
+Shooting::Shot Shooting::nextShot(int shooter) {
     // Choose the patch by the golden ratio, which spreads the patches of successive shots
     uint32_t turn = ++shots * 0x9e3779b9u;
     std::span<const int> patches = shooters.of(shooter);
@@ -152,7 +152,7 @@ int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {
     std::vector<Shooting::Shot> shots;
     std::vector<Eye> eyes;
     for (int s : shooting.brightest(std::min(most, batch()))) {
-        shots.push_back(shooting.take(s));
+        shots.push_back(shooting.nextShot(s));
         const Patch &p = model.patches[shots.back().patch];
         eyes.push_back(hemicubeEye(p.p, p.n, number++));
     }

@@ -48,7 +48,7 @@ public:
         Rgb power; // radiance times area
     };
     // Removes and returns the unshot light of a shooter.
-    Shot take(int shooter);
+    Shot nextShot(int shooter);
     // Distributes shots through hemicubes: rows[k][j] is the form factor from the patch of shot k to patch j.
     void distribute(std::span<const Shot> shots, const std::vector<std::vector<float>> &rows,
                     Workers &workers);

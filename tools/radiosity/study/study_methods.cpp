@@ -69,7 +69,7 @@ public:
             if (left <= 0) return 0;
             int shots = 0;
             for (int k : shooting.brightest(64)) {
-                Shooting::Shot shot = shooting.take(k);
+                Shooting::Shot shot = shooting.nextShot(k);
                 shooting.distribute(shot.power * (1 / model.patches[shot.patch].area),
                                     columns.of(shot.patch));
                 ++shots;

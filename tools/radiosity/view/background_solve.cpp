@@ -86,7 +86,7 @@ void BackgroundSolve::publish(bool geometry, bool done) {
     news.done = done;
 }
 
-SolveNews BackgroundSolve::take() {
+SolveNews BackgroundSolve::takeNews() {
     std::lock_guard held(lock);
     if (error) std::rethrow_exception(error);
     SolveNews taken = news;

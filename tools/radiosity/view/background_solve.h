@@ -14,7 +14,7 @@
 
 namespace odraz::radiosity {
 
-// The changes since the last call of take(). A pointer is null if nothing changed.
+// The changes since the last call of takeNews(). A pointer is null if nothing changed.
 struct SolveNews {
     std::shared_ptr<const ViewMesh> mesh;
     RenderSettings camera; // set together with `mesh`, as placed by placeCamera()
@@ -32,7 +32,7 @@ public:
     ~BackgroundSolve(); // stops the solver and waits for its thread
 
     // Returns the news. Throws the error that ended the thread.
-    SolveNews take();
+    SolveNews takeNews();
     std::string step(); // the current step and its progress, for the title
     void stop() { __atomic_store_n(&stopped, 1, __ATOMIC_RELAXED); }
 

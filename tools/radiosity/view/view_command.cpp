@@ -120,8 +120,8 @@ int runView(common::CommandLine &line) {
     solveNamed(job.in, [&] { window.run(&solver); });
     // End the program without waiting for the solver
     if (std::fflush(stdout)) return 1;
-    if (!solver.take().done) endProcess(0);
-    printNotes(solver.take().notes);
+    if (!solver.takeNews().done) endProcess(0);
+    printNotes(solver.takeNews().notes);
     return 0;
 }
 

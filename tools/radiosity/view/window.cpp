@@ -139,7 +139,7 @@ bool ViewWindow::relight(float seconds) {
 }
 
 void ViewWindow::takeNews(BackgroundSolve &solver) {
-    SolveNews news = solver.take();
+    SolveNews news = solver.takeNews();
     if (news.mesh)
         show(news.mesh, *news.light, news.camera);
     else if (news.light)

@@ -79,7 +79,7 @@ struct RandomSystem {
         int shots = 0;
         for (; shooting.left() > residual && shots < 1000000; ++shots) {
             int k = shooting.brightest(1)[0];
-            Shooting::Shot shot = shooting.take(k);
+            Shooting::Shot shot = shooting.nextShot(k);
             shooting.distribute(shot.power * (1 / patches[(size_t)shot.patch].area), columns.of(shot.patch));
         }
         return shots;
