@@ -93,7 +93,7 @@ Rgb meanLight(const Room &room, int chart) {
 }
 
 void clearScratch(Room &room) {
-    unsigned char *from = (unsigned char *)room.radiosity.factors.links;
+    unsigned char *from = (unsigned char *)room.radiosity.factors.links; // solving allocates `matrices` later
     __builtin_memset(from, 0, (size_t)((unsigned char *)room.gloss.matrices - from));
 }
 
