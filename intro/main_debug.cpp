@@ -2,7 +2,7 @@
 //
 //   space        pause and go on            left, right   seek a beat (with shift: a bar)
 //   W A S D      fly; Q and E down and up   mouse         look around, with the left button held
-//   R            back to the scripted camera   C          print the camera as a line of a file of keys
+//   R            back to the scripted camera   C          print the camera as a line for the files of keys
 //   K            set a key of the camera's path here (with shift: remove it)
 //   Ctrl Z       undo (with shift: redo)      Ctrl S      save what was edited to the files of keys
 //   X            write the tracks for an editor of GNU Rocket
@@ -162,7 +162,7 @@ int report(const char *line) {
     return 1;
 }
 
-// While paused or after a seek, sets the clock by m.time, otherwise m.time by the clock. At the end it loops.
+// Sets the clock by m.time while paused or after a seek, and m.time by the clock otherwise. Loops at the end.
 void keepTime(Maker &m) {
     int64_t moment = nanoseconds();
     FilmClock &clock = theMusic.clock;
@@ -181,7 +181,7 @@ void keepTime(Maker &m) {
 // Loads the film while the window shows the progress. Returns null, or what is missing. May set m.closes.
 const char *loadFilm(Stage &stage, Screen &screen, uint64_t solvers, Maker &m) {
     std::vector<uint8_t> black((size_t)screen.width * (size_t)screen.height * 4);
-    const char *line = needsHall(0, duration()) ? "solving the hall: some seconds" : "loading";
+    const char *line = needsHall(0, duration()) ? "solving the hall takes some seconds" : "loading";
     auto wait = [&](float share) {
         glfwWaitEventsTimeout(0.03);
         std::fill(black.begin(), black.end(), (uint8_t)0);

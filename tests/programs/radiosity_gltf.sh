@@ -8,8 +8,8 @@ check "a room from Blender's exporter" solved blender "$SOURCE/tests/support/mod
 check "... with a note of its lamps" grep -q ': 2 point or spot lights become balls, up to 0.0139 across; 1 spot shines in all directions$' blender.err
 check "... has the right area, and all of it faces the middle" eval 'awk -F, "NR > 1 { area += \$8; away += (10 - \$2) * \$5 + (9 - \$3) * \$6 + (-20 - \$4) * \$7 <= 0 } END { exit !(area > 323.99 && area < 324.01 && !away) }" blender.csv'
 
-# A small floor has the reflectance .5. A light of 100 candela at the height 1 gives it the radiance .5 * 100 / pi; a
-# sun of pi lux gives it .5
+# A small floor reflects half of the light. A light of 100 candela at a height of 1 gives it a radiance of
+# .5 * 100 / pi; a sun of pi lux gives it .5
 floor='{"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":5,"material":0}]}],"materials":[{"name":"floor","pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"metallicFactor":0}}],
 "accessors":[{"bufferView":0,"componentType":5120,"count":4,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":16,"byteStride":4}],"buffers":[{"byteLength":16,"uri":"data:application/octet-stream;base64,'$(printf '\377\0\1\0\1\0\1\0\377\0\377\0\1\0\377\0' | base64 -w 0)'"}],
 "extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[LIGHT]}},

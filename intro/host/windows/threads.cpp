@@ -12,8 +12,8 @@ namespace {
 
 constexpr uint32_t kForever = ~0u;
 
-// In each call of run() the caller has a turn, and there is one more for every other worker. A quick worker
-// may take two of these; in the second it finds nothing left to do.
+// In each call of run(), the caller and every other worker have one turn each. A quick worker may also take
+// another one's turn; it finds nothing left to do there.
 struct ThreadPool : Work {
     HANDLE turns, allDone;
 };

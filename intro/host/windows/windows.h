@@ -68,7 +68,7 @@ static_assert(sizeof(PixelFormat) == 40);
 
 struct WindowClass {
     uint32_t style;
-    void *receive; // ms_abi: window, message, its two values -> result
+    void *receive; // an ms_abi function: gets a window, a message and its two values, and returns the result
     int more[2];
     Handle module, icon, cursor, background;
     const char *menu, *name;

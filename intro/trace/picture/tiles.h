@@ -15,7 +15,7 @@ struct TileWork {
     void (*make)(const void *with, Tile &tile, int worker);
     const void *with;
 };
-// Calls make(with, tile, worker) for every tile of a frame. tile.s.candidates holds for the whole tile.
+// Calls make(with, tile, worker) for every tile of a frame. tile.s.candidates are those of the whole tile.
 void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
               Frame &frame, TileWork work);
 

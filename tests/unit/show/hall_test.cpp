@@ -202,7 +202,7 @@ TEST(Hall, WindowsReflectNothing) {
     EXPECT_GT(in, 0);
 }
 
-// A ball on the floor reduces the floor's light exactly by the form factor that it covers.
+// A ball reduces the light of the floor below it by exactly the ball's form factor.
 TEST(Hall, ABallDarkensTheFloorBelow) {
     const Hall &hall = *solved().hall;
     constexpr float kRadius = 0.5f;

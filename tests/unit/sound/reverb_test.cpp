@@ -54,7 +54,7 @@ double decayTime(const std::vector<double> &x) {
     return (double)(b - a) * 2 / kSampleRate;
 }
 
-// Returns the designed decay time of a frequency, between kDecay and kDecayHigh, from a mean line's low-pass.
+// Returns the decay time at a frequency, kDecayHigh .. kDecay, for which a mean line's low-pass is designed.
 double designed(double hertz) {
     double length = 2650, log2gain = -9.96578 * length / kSampleRate / (double)kDecay,
            ratio = (double)(kDecay / kDecayHigh), pole = log2gain * 0.173287 * (1 - ratio * ratio),

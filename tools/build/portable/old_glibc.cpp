@@ -45,8 +45,8 @@ extern "C" int __wrap_lstat(const char *path, struct stat *to) { return __lxstat
 extern "C" int __wrap_fstat(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }
 extern "C" int __wrap_fstat64(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }
 
-// Since 2.32 this variable is 1 while there is only one thread, so that locks can be skipped. 0 is always
-// right.
+// Since 2.32 this variable is 1 while there is only one thread, so that locks can be skipped. If it stays
+// 0, none is skipped, which is always safe.
 extern "C" {
 char __wrap___libc_single_threaded = 0;
 }
