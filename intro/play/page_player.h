@@ -10,7 +10,7 @@ namespace odraz {
 // picture, and needs both neighbours, which other workers hold. So all pictures are traced: 60 a second, or
 // 30, which are the governor's pairs without in-betweens.
 inline Pace pageOf(Pace p) {
-    p.leastWidth = min(p.leastWidth, 480);
+    p.leastWidth = min(p.leastWidth, 480); // pixels
     p.penalty[Governor::kPairs] = p.penalty[Governor::kThirty];
     for (int c = Governor::kPairs + 1; c < kCadences; ++c) p.penalty[c] = 1e9f;
     return p;

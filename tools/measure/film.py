@@ -127,8 +127,7 @@ def between(machine):
         line = {'scene': scene['scene']}
         for name in 'live', 'play', 'draft':
             files = [f'{folder}/frame-{frame + 1:06}.ppm' for folder in (name, 'reference')]
-            seen = machine.run(f"build/compare {' '.join(files)} --seen --max 255", noted=False)
-            line['flip_' + name], _, line[name] = re.findall(r'[0-9.]+', re.search(r'^mean flip.*', seen, re.M)[0])[:3]
+            line['flip_' + name], _, line[name] = machine.errors(*files)
         for name, gap, level in ('m_draft', 0, 2), ('m_play', 0, 1), ('m2', 2, 1), ('m4', 4, 1), ('m6', 6, 1):
             line[name] = round(statistics.mean((row['serial'] + row['parallel']) / 1e3 for row in costs if (
                 row['gap'], row['level']) == (gap, level) and begin <= row['seconds'] < end))

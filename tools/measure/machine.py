@@ -1,6 +1,7 @@
 """Runs programs and measures their time and memory; builds them; starts a display for them."""
 import ctypes
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -91,6 +92,11 @@ class Machine:
     def run(self, command, noted=True):
         """The output of a command."""
         return self.timed(command, noted).printed
+
+    def errors(self, picture, reference):
+        """The mean FLIP, and the PSNR in linear light and in sRGB, of a picture against a reference, as texts."""
+        printed = self.run(f'build/compare {picture} {reference} --seen --max 255', noted=False)
+        return re.findall(r'[0-9.]+', re.search(r'^mean flip.*', printed, re.M)[0])[:3]
 
     @contextmanager
     def display(self, size='1280x720'):

@@ -1,5 +1,4 @@
 """Measurements of the tracer: its qualities, their knobs, the parts of a picture; and the comparison with POV-Ray."""
-import re
 
 import counting
 from machine import at_once, say
@@ -97,8 +96,7 @@ def povray_rows(machine, scene):
         machine, povray(options + ' +WT1', scene, f'small{options[5:9]}.png', small)), PEER_OPTIONS)
     for options, count in zip(PEER_OPTIONS, counted):
         took = machine.timed(povray(options, scene, 'picture.png', width))
-        seen = machine.run('build/compare picture.png reference.png --seen --max 255', noted=False)
-        flip, linear, shown = re.findall(r'[0-9.]+', re.search(r'^mean flip.*', seen, re.M)[0])[:3]
+        flip, linear, shown = machine.errors('picture.png', 'reference.png')
         yield {'setting': f'POV-Ray {options}', 'ms': f'{took.processor * 1e3:.0f}', 'mean_flip': flip,
                'linear_psnr_db': linear, 'srgb_psnr_db': shown, 'count': millions(count)}
 
