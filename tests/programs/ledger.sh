@@ -1,4 +1,4 @@
-# tools/ledger prints the tables of rooms and of lines, and fails for a room over its budget of lines.
+# tools/ledger prints the tables of rooms and of lines, and fails for a tree over its budget of lines.
 . "$(dirname "$0")/common.sh"
 ledger=$SOURCE/tools/ledger
 # report BYTES: writes pack's report of a film of two objects. The second, in the room trace, takes BYTES
@@ -28,26 +28,27 @@ check "a film that is not built" refuses 1 "build film and pack first" env BUILD
 # lines, in a repository of two rooms and other files
 git init -q "$WORK/house"
 cd "$WORK/house" || exit 1
-mkdir -p tools/build intro/trace tests
+mkdir -p tools/build intro/trace tests .ci
 cp "$ledger" tools/ledger
 echo "FILM=odraz" >intro/film.conf
-printf '%s\n' ". 1000" "intro 5" "intro/trace 10" "tests 9" "tools 1000" >tools/build/lines
-seq 4 >intro/main.cpp && seq 3 >tests/unit.cpp && seq 10 >intro/trace/trace.cpp
+tree=$((1 + 2 + 4 + 10 + 3 + 1 + $(wc -l <"$ledger"))) # lines of the tree
+echo $((tree + 9)) >tools/build/lines
+seq 2 >.ci/run && seq 4 >intro/main.cpp && seq 3 >tests/unit.cpp && seq 10 >intro/trace/trace.cpp
 git add -A && git -c user.name=a -c user.email=a@b commit -qm first
 lines() { tools/ledger lines "$@" 2>"$WORK/err"; }
-check "lines: a room's code, budget, rest and change" prints '^intro +4 +0 +1 +0 +5 +5 +0 +\+0$' lines
-check "... no line on stderr while all rooms keep their budgets" test ! -s "$WORK/err"
+check "lines: a room's code, sum and change" prints '^intro +4 +0 +1 +0 +5 +\+0$' lines
+check "... the budget, and what is left of it" prints "^budget $((tree + 9)), left 9$" lines
+check "... no line on stderr while the tree keeps its budget" test ! -s "$WORK/err"
 seq 20 | tee intro/trace/{picture.{svg,jpg,exr},model.{gltf,glb,obj,mtl},data.{csv,bin,keys},README.md,film.{nfo,diz}} >/dev/null
 seq 9 >intro/trace/run
 git add intro/trace/[!r]*
-check "... pictures, models, data, texts and untracked files do not count" prints '^intro/trace +10 +0 +0 +60 +10 +10 +0 +\+0$' lines
+check "... pictures, models, data, texts and untracked files do not count" prints '^intro/trace +10 +0 +0 +60 +10 +\+0$' lines
 git add -A
-fails() { lines >"$WORK/rows"; [ $? = 1 ] && [ "$(wc -l <"$WORK/err")" = "$1" ]; }
-check "... a room over its budget fails" fails 1
-check "... in its row" grep -qE '^intro/trace +10 +0 +9 +60 +19 +10 +-9 +\+9  over$' "$WORK/rows"
-check "... and in a line on stderr" grep -q '^ledger: intro/trace has 19 lines, its budget is 10: ' "$WORK/err"
-echo "intro 25" >tools/build/lines
-check "... lines outside of all rooms exceed the total budget" fails 1
-check "... which have a row, too" grep -qE '^all .* over$' "$WORK/rows"
+check "... a tree that fills its budget" prints '^intro/trace +10 +0 +9 +60 +19 +\+9$' lines
+echo 1 >>intro/trace/run
+lines >"$WORK/rows"
+check "... a tree over its budget fails" test $? = 1
+check "... and a line on stderr says so" grep -q "^ledger: the tree has $((tree + 10)) lines, its budget is $((tree + 9)): " "$WORK/err"
+check "... below all rows" grep -q "left -1$" "$WORK/rows"
 check "... an unknown commit" refuses 1 "there is no commit 'colour'" tools/ledger lines colour
 finish
