@@ -19,20 +19,20 @@ bool needsHall(double from, double to) {
     return false;
 }
 
-size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
+size_t memoryNeeded(const IntroSettings &s, int workers) {
     size_t pixels = ((size_t)s.width + 7) * (size_t)s.height, bytes = 0;
     if (s.pairs)
         bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 22) + (kBetweenBuffers - 1) * pixels * 4 + 8192;
     bytes += glareBytes(s.width, s.height);
     return bytes + pixels * 20 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
-           (hall ? sizeof(Hall) + kRoomBytes : 0);
+           (s.hall ? sizeof(Hall) + kRoomBytes : 0);
 }
 
-const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &workers, const Gl *gl,
-                 const Progress &progress) {
+const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &workers,
+                 const HemicubeMethod &method, const Gl *gl, const Progress &progress) {
     intro = arena.allocate<Intro>(1);
     Scene *scene = arena.allocate<Scene>(1);
-    Hall *hall = gl ? arena.allocate<Hall>(1) : nullptr;
+    Hall *hall = s.hall ? arena.allocate<Hall>(1) : nullptr;
     intro->pairs = s.pairs;
     intro->width = s.width, intro->height = s.height;
     intro->unscaled = arena.allocate<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin);
@@ -58,9 +58,9 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
     makeToneCurve(intro->curve);
     intro->workers = &workers;
     intro->film = {scene, hall, {s.bytes, s.machine}};
-    if (!gl) return nullptr;
+    if (!hall) return nullptr;
     prepareHall(*hall, *scene);
-    return solveRoom(*hall, *scene, hallSettings(*hall), *gl, arena, workers, progress);
+    return solveRoom(*hall, *scene, hallSettings(*hall), {method, gl, arena, workers, progress});
 }
 
 double duration() { return kFilm.endRow / kRowsPerSecond; }

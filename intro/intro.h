@@ -22,19 +22,24 @@ struct IntroSettings {
     const char *machine = nullptr;
     // Whether there are two slots, for in-betweens; if not, there is only slot 0
     bool pairs = false;
+    bool hall = false; // whether to solve the hall. Without it, scenes there cannot be shown
 };
 
 // Returns whether a scene in [from, to) seconds plays in the hall, which load() must then solve.
 bool needsHall(double from, double to);
 
 // Returns the bytes of arena that load() needs with this many workers.
-size_t memoryNeeded(const IntroSettings &settings, int workers, bool hall);
+size_t memoryNeeded(const IntroSettings &settings, int workers);
 
-// Prepares the film. With a table of OpenGL, whose context must be current, it solves the hall and reports
-// its progress. Without one, scenes in the hall cannot be shown. Returns null, or a line that says what is
-// missing and what to do.
+// How the patches of the hall see each other: OpenGL draws what they see, or rays find it
+// (radiosity/hemicube.h).
+struct HemicubeMethod;
+extern const HemicubeMethod kDrawnHemicubes, kTracedHemicubes;
+
+// Prepares the film, and reports the progress of solving the hall. `gl`: the table of OpenGL, if `method`
+// draws; its context must be current. Returns null, or a line that says what is missing and what to do.
 const char *load(Intro *&intro, const IntroSettings &settings, Arena &arena, Workers &workers,
-                 const Gl *gl = nullptr, const Progress &progress = {});
+                 const HemicubeMethod &method, const Gl *gl, const Progress &progress = {});
 
 double duration(); // seconds
 

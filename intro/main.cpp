@@ -21,7 +21,6 @@ namespace {
 struct Prepared {
     Workers workers;
     IntroSettings settings;
-    bool hall;  // whether some scenes play in the hall
     bool music; // whether the film is played with sound
     char processor[49];
     Arena arena;
@@ -58,13 +57,13 @@ int prepare(const Options &o, Prepared &f) {
     // In-betweens also need the frames before the first and after the last
     double margin = o.live ? 1 / 60.0 : 0;
     bool any = !o.dump || firstFrame(o.from, o.fps) < firstFrame(o.to, o.fps);
-    f.hall = any && needsHall(seconds(o.from) - margin, seconds(o.to) + margin);
     f.music = !o.dump && !o.mute;
     f.settings = {o.width, o.height};
+    f.settings.hall = any && needsHall(seconds(o.from) - margin, seconds(o.to) + margin);
     f.settings.pairs = o.live || !o.dump;
     cpuName(f.processor);
     if (!o.dump) f.settings.bytes = ownSize(), f.settings.machine = f.processor;
-    size_t bytes = memoryNeeded(f.settings, f.workers.count, f.hall) + (f.music ? soundMemory() : 0);
+    size_t bytes = memoryNeeded(f.settings, f.workers.count) + (f.music ? soundMemory() : 0);
     f.arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     if (f.arena.base) return 0;
     Message m;
@@ -74,11 +73,11 @@ int prepare(const Options &o, Prepared &f) {
 
 int dumpFilm(const Options &o, Prepared &f, bool stdoutClosed) {
     Gl gl;
-    if (f.hall) {
+    if (f.settings.hall) {
         Quiet libraries;
         if (const char *wrong = openHeadlessGl(gl)) return printError(wrong);
     }
-    if (const char *wrong = load(f.intro, f.settings, f.arena, f.workers, f.hall ? &gl : nullptr))
+    if (const char *wrong = load(f.intro, f.settings, f.arena, f.workers, kDrawnHemicubes, &gl))
         return printError(wrong);
     return dump(*f.intro, o, stdoutClosed);
 }
@@ -86,7 +85,7 @@ int dumpFilm(const Options &o, Prepared &f, bool stdoutClosed) {
 // Loads the film while the window shows the progress, and plays it.
 int playFilm(const Options &o, Prepared &f, int64_t began) {
     FilmWindow &window = theEarly.window;
-    const char *wrong = load(f.intro, f.settings, f.arena, f.workers, f.hall ? &window.gl : nullptr,
+    const char *wrong = load(f.intro, f.settings, f.arena, f.workers, kDrawnHemicubes, &window.gl,
                              {showLoading, &window, theEarly.opened ? kEarlyShare : 0});
     if (viewerLeft()) return 0;
     Sound *sound = f.music ? loadSound(f.arena) : nullptr;

@@ -3,7 +3,6 @@
 // Each worker has an instance of this program, with separate memory: the workers that trace pictures, the one
 // that solves the hall's light, whose memory is then copied to the tracing ones, and the one that makes
 // music. The page has another instance, for the film's clock and its player.
-#include "host/web/gl.h"
 #include "inside.h"
 #include "output/output.h"
 #include "play/page_player.h"
@@ -39,13 +38,12 @@ int64_t nanosecondsOf(double milliseconds) { return (int64_t)(milliseconds * 1e6
 // Returns null, or a line that says what is missing.
 EXPORT(load) const char *loadFilm(int width, int height, int hall) {
     IntroSettings settings = {width, height};
-    size_t bytes = memoryNeeded(settings, 1, hall);
+    settings.hall = hall;
+    size_t bytes = memoryNeeded(settings, 1);
     Arena arena = {grow(bytes), bytes, 0};
     if (!arena.base) return "not enough memory";
     theWorkers = serialWorkers();
-    static Gl gl;
-    if (hall) fillGl(gl);
-    const char *wrong = load(theIntro, settings, arena, theWorkers, hall ? &gl : nullptr,
+    const char *wrong = load(theIntro, settings, arena, theWorkers, kTracedHemicubes, nullptr,
                              {[](float done, void *) { progress(done); }, nullptr});
     if (!hall || wrong) return wrong;
     clearScratch(*theIntro->film.hall);

@@ -76,8 +76,8 @@ int recordShown(const Options &o, const char *to) {
     if (const char *missing = startWorkers(workers, count, &leave)) return printError(missing);
     IntroSettings settings = {o.width, o.height};
     settings.pairs = true;
-    bool hall = needsHall(seconds(o.from), seconds(o.to));
-    size_t bytes = memoryNeeded(settings, workers.count, hall) + soundMemory();
+    settings.hall = needsHall(seconds(o.from), seconds(o.to));
+    size_t bytes = memoryNeeded(settings, workers.count) + soundMemory();
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     if (!arena.base) return printError("not enough memory: try a smaller --size");
     static FilmWindow window;
@@ -88,7 +88,7 @@ int recordShown(const Options &o, const char *to) {
     }
     Intro *intro;
     if (const char *wrong =
-            load(intro, settings, arena, workers, hall ? &window.gl : nullptr, {showLoading, &window, 0}))
+            load(intro, settings, arena, workers, kDrawnHemicubes, &window.gl, {showLoading, &window, 0}))
         return printError(wrong);
     Rows rows;
     Recorder recorder = {addRow, &rows};

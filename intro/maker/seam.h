@@ -7,9 +7,10 @@
 // clang-format off
 #define ODRAZ_SEAM(FILM, SOUND) \
     FILM(bool, needsHall, (double from, double to), (from, to)) \
-    FILM(size_t, memoryNeeded, (const IntroSettings &s, int workers, bool hall), (s, workers, hall)) \
-    FILM(const char *, load, (Intro *&intro, const IntroSettings &s, Arena &arena, Workers &workers, const Gl *gl, \
-         const Progress &progress), (intro, s, arena, workers, gl, progress)) \
+    FILM(size_t, memoryNeeded, (const IntroSettings &s, int workers), (s, workers)) \
+    FILM(const char *, load, (Intro *&intro, const IntroSettings &s, Arena &arena, Workers &workers, \
+         const HemicubeMethod &method, const Gl *gl, const Progress &progress), \
+         (intro, s, arena, workers, method, gl, progress)) \
     FILM(double, duration, (), ()) \
     FILM(int, sceneAt, (double seconds), (seconds)) \
     FILM(double, shotStart, (double seconds), (seconds)) \

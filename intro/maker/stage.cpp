@@ -26,11 +26,11 @@ void Stage::settle(int w, int h, int count, bool silent) {
 }
 
 const char *Stage::load(Loaded &to, const Gl &gl, const Progress &report) {
-    IntroSettings settings = {width, height};
+    IntroSettings settings = {.width = width, .height = height, .hall = true};
     Workers &workers = to.pool->workers();
-    to.memory = MappedArena(to.live->memoryNeeded(settings, workers.count, true));
+    to.memory = MappedArena(to.live->memoryNeeded(settings, workers.count));
     if (!to.memory.arena.base) return "not enough memory: try a smaller --size";
-    return to.live->load(to.intro, settings, to.memory.arena, workers, &gl, report);
+    return to.live->load(to.intro, settings, to.memory.arena, workers, kDrawnHemicubes, &gl, report);
 }
 
 // Loads the music and seeks to a block. The music thread may still be rendering a block of the previous

@@ -97,7 +97,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &
             eyes[batch] = hemicubeEye(p.p, p.n, (uint32_t)i);
             patchOf[batch++] = i;
         }
-        drawHemicubes(h, model, eyes, batch);
+        h.method->fill(h, model, eyes, batch);
         parallelFor(workers, batch, [&](int k, int) {
             float *row = rows + (size_t)k * (size_t)rowFloats;
             for (int j = 0; j < rowFloats; ++j) row[j] = 0;

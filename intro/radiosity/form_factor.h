@@ -18,7 +18,7 @@ struct Link {
 struct FormFactorRow {
     const Link *links;
     int count;
-    bool known; // false if no hemicube was drawn
+    bool known; // false if no hemicube was filled
 };
 
 struct FormFactors {
@@ -38,7 +38,7 @@ void accumulateFormFactors(int px, const float *delta, float *sums);
 // is a crack: it counts as one of them.
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
-// Draws the hemicubes of all visible patches that reflect, and stores their rows. Returns false if the viewer
+// Fills the hemicubes of all visible patches that reflect, and stores their rows. Returns false if the viewer
 // left or the capacity for links is too small.
 bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &arena, FormFactors &factors,
                      const Progress &progress);

@@ -109,8 +109,7 @@ Eye hemicubeEye(const Vec3 &p, const Vec3 &n, uint32_t number) {
     return {p, {a * c + b * s, b * c - a * s, n}};
 }
 
-// Sets the atlas's size: about 750,000 pixels, or one hemicube if that is more.
-static void shapeAtlas(Hemicubes &h, int px) {
+void shapeAtlas(Hemicubes &h, int px) {
     h.px = px;
     h.columns = clamp(1024 / px, 1, kHemicubeBatch / 4);
     h.lines = clamp(256 / px, 1, 4);
@@ -127,6 +126,7 @@ size_t hemicubeBytes(int px) {
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h = {};
     h.gl = &gl;
+    h.method = &kDrawnHemicubes;
     shapeAtlas(h, px);
     h.vertices = arena.allocate<float>((size_t)kVertices * kFloats);
     h.ids = arena.allocate<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
@@ -211,5 +211,10 @@ void closeHemicubes(Hemicubes &h) {
     gl.glUseProgram(0);
     gl.glDeleteProgram(h.program);
 }
+
+const HemicubeMethod kDrawnHemicubes = {[](Hemicubes &h, const Gl *gl, const Scene &, Arena &arena, int px) {
+                                            return openHemicubes(h, *gl, arena, px);
+                                        },
+                                        drawHemicubes, closeHemicubes};
 
 } // namespace odraz

@@ -1,4 +1,5 @@
-// Hemicubes: the patches visible from a patch, drawn by OpenGL as patch ids.
+// Hemicubes: the patches visible from a patch, as a picture of patch ids. OpenGL draws it, or rays through
+// its pixels find the ids (traced_hemicube.cpp).
 //
 // OpenGL draws facets instead of patches. The processor transforms them, clips them to the five faces and
 // lays them out. A fragment computes its patch id from its position on the facet. Many hemicubes share one
@@ -31,23 +32,42 @@ struct Eye {
 // each number; otherwise all neighbouring hemicubes would have the same aliasing.
 Eye hemicubeEye(const Vec3 &p, const Vec3 &n, uint32_t number);
 
+struct HemicubeMethod;
+
 struct Hemicubes {
-    const Gl *gl;
+    const HemicubeMethod *method;
     int px, columns, lines; // the picture has columns x lines hemicubes
     int batch;              // columns * lines
+    uint32_t *ids;          // the atlas: columns * px wide
+    const Scene *scene;     // for rays
+    const Gl *gl;           // for OpenGL, as is the rest
     GLuint framebuffer, vertexArray, buffer, program, images[2];
     float *vertices;
-    uint32_t *ids; // the atlas as read back: columns * px wide
 };
 
-// Creates the OpenGL objects in the current context. Returns false if the arena is full or the context cannot
-// render ids. px: even, 4 .. kMaxHemicube.
+// How the ids are found.
+struct HemicubeMethod {
+    // Prepares hemicubes of px pixels. Returns false if the arena is full or the method is impossible here
+    bool (*open)(Hemicubes &h, const Gl *gl, const Scene &scene, Arena &arena, int px);
+    // Fills `ids` with up to `batch` hemicubes
+    void (*fill)(Hemicubes &h, const Model &model, const Eye *eyes, int count);
+    void (*close)(Hemicubes &h);
+};
+
+// OpenGL draws the ids in the current context, whose table is `gl`; `scene` is not used. px: even, 4 ..
+// kMaxHemicube. open() fails if the context cannot render ids; fill() changes its framebuffer and viewport.
+extern const HemicubeMethod kDrawnHemicubes;
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px);
 size_t hemicubeBytes(int px);
-
-// Draws up to h.batch hemicubes into h.ids. Changes the context's framebuffer and viewport.
 void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count);
 void closeHemicubes(Hemicubes &h);
+
+// Rays through the pixels' centres find the ids in `scene`, the posed and finished model, which must be
+// closed. They need no OpenGL, and find the same ids on every machine. px: a multiple of 8.
+extern const HemicubeMethod kTracedHemicubes;
+
+// Sets the atlas's size: about 750,000 pixels, or one hemicube if that is more.
+void shapeAtlas(Hemicubes &h, int px);
 
 // The first pixel of a hemicube in h.ids, and the stride from row to row.
 inline const uint32_t *hemicubeIds(const Hemicubes &h, int index) {

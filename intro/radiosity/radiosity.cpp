@@ -56,7 +56,7 @@ static void finishLight(Radiosity &r, const Model &model, Workers &workers) {
 
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings,
                     const SolverHost &host) {
-    const auto &[gl, arena, workers, progress] = host;
+    auto &[method, gl, arena, workers, progress] = host;
     if (!model.divide(arena, settings.block) || !takePlanes(r, arena, (size_t)model.texelCount)) return false;
     findVisible(model, scene, workers);
     model.placePatches();
@@ -64,7 +64,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
 
     r.factors.capacity = settings.links;
     r.factors.links = arena.allocate<Link>(settings.links);
-    if (arena.full || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
+    if (arena.full || !method.open(r.hemicubes, gl, scene, arena, settings.px)) return false;
     for (int i = 0; i < model.patchCount; ++i) {
         Patch &p = model.patches[i];
         const Chart &c = model.charts[p.chart];

@@ -7,7 +7,7 @@
 // These are the stages, in order. solveRadiosity() runs all of them:
 //   Model::divide()    patches and texels
 //   findVisible()      their visible parts, so that Model::placePatches() can place hemicubes
-//   findFormFactors()  by hemicubes that OpenGL draws
+//   findFormFactors()  by hemicubes
 //   findDirectLight()  direct light on the texels
 //   tie()              hidden texels to their neighbours
 //   solve()            the reflected light, until it hardly changes
@@ -37,9 +37,11 @@ struct Radiosity {
     Hemicubes hemicubes;          // open after solveRadiosity()
 };
 
-// The resources of solving: OpenGL in the current context, memory, threads, and a report of progress.
+// The resources of solving: how hemicubes are filled, OpenGL in the current context if they are drawn,
+// memory, threads, and a report of progress.
 struct SolverHost {
-    const Gl &gl;
+    const HemicubeMethod &method;
+    const Gl *gl;
     Arena &arena;
     Workers &workers;
     const Progress &progress;

@@ -31,7 +31,7 @@ bool followBounces(Room &room, const LightVector &followed, Arena &arena, Worker
 }
 
 // Finds the patch nearest to a point, and stores its hemicube.
-bool visit(Room &room, const Vec3 &point, const Gl &gl, Arena &arena) {
+bool visit(Room &room, const Vec3 &point, const Scene &scene, const SolverHost &host) {
     const Model &m = room.model;
     float least = kInfinity;
     for (int i = 0; i < m.patchCount; ++i) {
@@ -41,13 +41,13 @@ bool visit(Room &room, const Vec3 &point, const Gl &gl, Arena &arena) {
         room.visited = i;
     }
     Hemicubes h;
-    room.seen = arena.allocate<uint32_t>((size_t)((3 * kSeen + 1) * kSeen));
-    if (arena.full || !openHemicubes(h, gl, arena, kSeen)) return false;
+    room.seen = host.arena.allocate<uint32_t>((size_t)((3 * kSeen + 1) * kSeen));
+    if (host.arena.full || !host.method.open(h, host.gl, scene, host.arena, kSeen)) return false;
     Eye eye = {m.patches[room.visited].p, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
-    drawHemicubes(h, m, &eye, 1);
+    host.method.fill(h, m, &eye, 1);
     for (int i = 0; i < 3 * kSeen * kSeen; ++i)
         room.seen[i] = hemicubeIds(h, 0)[i / kSeen * hemicubeStride(h) + i % kSeen];
-    closeHemicubes(h);
+    host.method.close(h);
     return true;
 }
 
@@ -70,16 +70,16 @@ bool fillLightmap(Room &room, Arena &arena) {
 
 } // namespace
 
-const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Gl &gl, Arena &arena,
-                      Workers &workers, const Progress &progress) {
+const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const SolverHost &host) {
+    auto &[method, gl, arena, workers, progress] = host;
     for (int i = 0; i < scene.materialCount; ++i) room.mean[i] = scene.mean[i];
     bool solved =
-        solveRadiosity(room.radiosity, room.model, scene, s.radiosity, {gl, arena, workers, progress}) &&
+        solveRadiosity(room.radiosity, room.model, scene, s.radiosity, host) &&
         findGlossy(room.gloss, room.model, room.radiosity, s.polished, s.exponent, arena, workers) &&
-        followBounces(room, s.followed, arena, workers) && visit(room, s.visited, gl, arena) &&
+        followBounces(room, s.followed, arena, workers) && visit(room, s.visited, scene, host) &&
         fillLightmap(room, arena);
     if (!solved) return "cannot light the hall: OpenGL 3.3 cannot draw integers, or memory is short";
-    closeHemicubes(room.radiosity.hemicubes);
+    method.close(room.radiosity.hemicubes);
     return nullptr;
 }
 

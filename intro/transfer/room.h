@@ -1,6 +1,6 @@
 // A room: a model that is solved once for all its lights and relit for every picture, with bounces and gloss.
 //
-//   start-up: patches -> hemicubes (GL) -> form factors -> solution for every light basis -> gloss, bounces
+//   start-up: patches -> hemicubes -> form factors -> solution for every light basis -> gloss, bounces
 //   a picture: strength of every basis -> light on every texel -> lightmap of the tracer
 #pragma once
 
@@ -42,8 +42,7 @@ inline constexpr size_t kRoomBytes = (size_t)192 << 20;
 
 // Solves room.model, lit by room.radiosity.bases. The scene must contain the posed, finished model; solving
 // traces rays in it. Returns null, or an error line.
-const char *solveRoom(Room &room, Scene &scene, const RoomSettings &settings, const Gl &gl, Arena &arena,
-                      Workers &workers, const Progress &progress);
+const char *solveRoom(Room &room, Scene &scene, const RoomSettings &settings, const SolverHost &host);
 
 // Adds the model to a scene, with the room's light. The charts use the scene's materials.
 inline void poseRoom(Room &room, Scene &scene) {

@@ -17,9 +17,12 @@ struct LoadedFilm {
 
     // `pairs`: loads two slots, for in-betweens. With `gl`, solves the hall.
     LoadedFilm(int threadCount, int width, int height, bool pairs, const Gl *gl = nullptr)
-        : threads(threadCount), settings{.width = width, .height = height, .pairs = pairs},
-          memory(memoryNeeded(settings, threadCount, gl != nullptr)) {
-        EXPECT_STREQ(load(intro, settings, memory.arena, threads.workers, gl), nullptr);
+        : threads(threadCount), settings{.width = width,
+                                         .height = height,
+                                         .pairs = pairs,
+                                         .hall = gl != nullptr},
+          memory(memoryNeeded(settings, threadCount)) {
+        EXPECT_STREQ(load(intro, settings, memory.arena, threads.workers, kDrawnHemicubes, gl), nullptr);
     }
 };
 

@@ -122,7 +122,7 @@ const main = async (wasm, scripts) => {
   const kZero = [65, 0, 253, 15] // i32.const 0, i8x16.splat
   if (!can(kZero)) return fail('This browser has no WebAssembly SIMD.')
   module = await WebAssembly.compile(can([...kZero, ...kZero, ...kZero, 253, 133, 2]) ? wasm : plain(wasm))
-  x = (await WebAssembly.instantiate(module, { env: new Proxy({}, { get: () => () => 0 }) })).exports
+  x = (await WebAssembly.instantiate(module, { env: { progress() {} } })).exports
   url = URL.createObjectURL(new Blob([scripts], { type: 'text/javascript' }))
   duration = x.duration(), count = x.workers(cores)
   from = stopped = Math.max(0, Math.min(parseFloat(q.get('from')) || 0, duration - 1))

@@ -76,5 +76,5 @@ const prepare = () => {
     if (d.progress) solved = d.progress
     if (d.hall) solver.terminate(), light(d.hall)
   }, 'solve', module, w, h)
-  solver.onerror = e => leaveOut(e.message)
+  solver.onerror = e => { leaveOut(e.message), e.preventDefault() } // or it would also be the page's error
 }

@@ -13,10 +13,8 @@ const used = () => {
   }
   return which
 }
-const make = gl => {
-  const env = { progress: done => postMessage({ progress: done }) }
-  const all = new Proxy(env, { get: (o, k) => o[k] ?? gl?.[k] ?? (() => 0) })
-  x = new WebAssembly.Instance(module, { env: all }).exports
+const make = () => {
+  x = new WebAssembly.Instance(module, { env: { progress: done => postMessage({ progress: done }) } }).exports
 }
 const text = at => { let s = ''; for (const b = bytes(); b[at]; ) s += String.fromCharCode(b[at++]); return s }
 const load = hall => { const at = x.load(w, h, hall); if (at) postMessage({ wrong: text(at) }); return !at }
@@ -36,9 +34,7 @@ const handlers = {
   // Solves the hall's light, and posts the pages of its memory that are not empty
   solve(m, width, height) {
     module = m, w = width, h = height
-    const gl = self.OffscreenCanvas && new OffscreenCanvas(1, 1).getContext('webgl2', { antialias: false })
-    if (!gl) return postMessage({ wrong: 'no WebGL 2' })
-    make(makeGl(gl, () => x.memory.buffer))
+    make()
     if (!load(1)) return
     const which = used(), pages = new Uint8Array(which.length * kPage)
     which.forEach((i, k) => pages.set(page(i), k * kPage))

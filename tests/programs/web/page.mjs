@@ -155,15 +155,4 @@ check('... in the size of its frame', wide == 1000, wide)
 await hidden.close()
 server.close()
 
-if (kind == 'chromium') {
-  const url = 'file://' + page + '?full=0&from=63.5'
-  const none = await open(kind, url, ['--disable-gpu', '--disable-software-rasterizer'])
-  await until(none, 'self.film && film.state().unlit')
-  await none.click()
-  const goesOn = await until(none, 'film.state().film > 64.5')
-  check('without WebGL leaves the hall out', goesOn, await none.evaluate('film.state()'))
-  check('... and prints why', await none.evaluate('/WebGL 2/.test(document.querySelector("p").textContent)'), 'p')
-  check('... and no error', !none.errors.length, none.errors)
-  await none.close()
-}
 process.exit(wrong ? 1 : 0)

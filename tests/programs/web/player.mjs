@@ -8,9 +8,10 @@ const kWorkers = 2, kSeconds = 8
 // `cost`: milliseconds that a worker takes for a picture of 1280x720 in `draft`. Returns the milliseconds from the
 // click to the first picture; the number of pictures left out after 1.5 s; the fewest that were shown in a second; how
 // far the sound was off, in seconds; and whether keys mute it. `pauses`: the system stops the sound from 3 to 7 s after
-// the click. `silent`: the browser has no sound. `stops`: the viewer pauses with a click, and continues with space.
+// the click. `silent`: the browser has no sound. `dark`: the hall's worker fails. `stops`: the viewer pauses with a
+// click, and continues with space.
 // `seeks`: the viewer pauses, and seeks 5 s back.
-const play = async (cost, from, { pauses, silent, stops, seeks, query = from } = {}) => {
+const play = async (cost, from, { pauses, silent, dark, stops, seeks, query = from } = {}) => {
   let clock = 0, skippedAtStart = 0, off = 0, context, muted
   const events = [], shown = [], elements = {}
   const at = (when, what) => { events.push({ when, what }), events.sort((a, b) => a.when - b.when) }
@@ -22,7 +23,12 @@ const play = async (cost, from, { pauses, silent, stops, seeks, query = from } =
       let t = Math.max(clock, this.free)
       const send = (ms, data) => at(t += ms, () => this.onmessage?.({ data }))
       if (what == 'trace') send(300, { idle: 1 })
-      if (what == 'solve') send(8000, { hall: { pages: [] } })
+      if (what == 'solve' && dark) at(t += 800, () => {
+        const error = { message: 'memory', preventDefault() { this.handled = 1 } }
+        this.onerror(error)
+        if (!error.handled) self.onerror(error)
+      })
+      else if (what == 'solve') send(8000, { hall: { pages: [] } })
       if (what == 'light') send(20, { hall: all[0] })
       if (what == 'compose' || what == 'seek') this.turn = all.at(-1)
       if (what == 'sound') send(10, { left: [], right: [], turn: this.turn })
@@ -81,9 +87,9 @@ const play = async (cost, from, { pauses, silent, stops, seeks, query = from } =
     if (s.over) break
   }
   for (const t of shown) if (t >= from && t < from + kSeconds) ++each[Math.floor(t - from)]
-  const { first, skipped, duration } = self.film.state()
+  const { first, skipped, duration, unlit, over } = self.film.state()
   const last = shown.at(-1), least = Math.min(...each.slice(0, Math.ceil(last - from)))
-  return { first, skipped: skipped - skippedAtStart, least, off, last, muted, duration, moved }
+  return { first, skipped: skipped - skippedAtStart, least, off, last, muted, duration, moved, unlit, over }
 }
 
 let wrong = false
@@ -102,4 +108,8 @@ await check(120, 46, { stops: 1 })
 await check(120, 46, { stops: 1, silent: 1 })
 await check(120, 66, { seeks: 1 })
 for (const [query, from] of [['1e9', 163], ['-5', 0], ['60,5', 60], ['x', 0]]) await check(120, from, { query })
+// From half a second before the hall: its scenes are left out, with the reason, and the film goes on
+const dark = await play(60, 63.5, { dark: 1 }), leftOut = /memory/.test(dark.unlit) && dark.last < 64 && !dark.over
+console.log(`${leftOut ? 'ok' : 'FAILED'}: a hall that cannot be solved: ${JSON.stringify(dark)}`)
+wrong ||= !leftOut
 process.exit(wrong ? 1 : 0)

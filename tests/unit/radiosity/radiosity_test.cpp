@@ -42,7 +42,8 @@ struct TestRoom : ModelBench {
         scene->add(matte(floor));
         scene->add(Material{.emit = {1, 1, 1}});
         pose();
-        return solveRadiosity(*r, *model, *scene, settings, {headlessGl(), memory.arena, workers, progress});
+        return solveRadiosity(*r, *model, *scene, settings,
+                              {kDrawnHemicubes, &headlessGl(), memory.arena, workers, progress});
     }
     // Returns the value of a texel in a plane.
     float at(const float *plane, int chart, int i, int j) const {

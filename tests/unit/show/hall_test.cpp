@@ -1,9 +1,9 @@
 // Tests the film's hall: form factors against rays, light over the day, and bounces.
-#include "show/hall.h"
 #include "show/materials.h"
 #include "tests/support/model_rays.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/single_hemicube.h"
+#include "tests/support/solved_hall.h"
 #include "tests/support/traced_ray.h"
 
 #include <cmath>
@@ -15,21 +15,7 @@ namespace {
 
 constexpr Vec3 kEye = {0, 1.6f, 3};
 
-struct Solved {
-    HeapArena memory{kRoomBytes + sizeof(Hall)};
-    Workers workers = serialWorkers();
-    Hall *hall = memory.arena.allocate<Hall>(1);
-    Solved() {
-        auto scene = emptyScene();
-        prepareHall(*hall, *scene);
-        EXPECT_STREQ(solveRoom(*hall, *scene, hallSettings(*hall), headlessGl(), memory.arena, workers, {}),
-                     nullptr);
-    }
-};
-Solved &solved() {
-    static Solved s;
-    return s;
-}
+SolvedHall &solved() { return SolvedHall::drawn(); }
 // Returns a scene with the lit hall.
 std::unique_ptr<Scene> posed(const HallLight &light) {
     auto scene = emptyScene();
@@ -42,7 +28,7 @@ std::unique_ptr<Scene> posed(const HallLight &light) {
 // The hall fits the memory of a room, with a reserve but without waste. With all its lights on, it is below
 // the limits of a scene.
 TEST(Hall, FitsAndWastesNothing) {
-    Solved &s = solved();
+    SolvedHall &s = solved();
     double used = (double)s.memory.arena.used / (double)s.memory.arena.size;
     std::printf("%.3f of the arena is used\n", used);
     EXPECT_LT(used, 0.8);
@@ -54,7 +40,7 @@ TEST(Hall, FitsAndWastesNothing) {
 
 // The hall is closed: for every patch, form factors, with windows and lamps, sum to 1.
 TEST(Hall, IsClosed) {
-    Solved &s = solved();
+    SolvedHall &s = solved();
     const Model &m = s.hall->model;
     SingleHemicube hemicube(64);
     double worst = 0;

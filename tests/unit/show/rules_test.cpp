@@ -118,5 +118,5 @@ TEST(Rules, LoadingFailsWhenTheArenaIsTooSmall) {
     Intro *intro = nullptr;
     alignas(64) static unsigned char block[4096];
     Arena arena = {block, sizeof block, 0};
-    EXPECT_NE(load(intro, {1280, 720}, arena, workers), nullptr);
+    EXPECT_NE(load(intro, {1280, 720}, arena, workers, kDrawnHemicubes, nullptr), nullptr);
 }

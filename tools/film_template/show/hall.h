@@ -18,10 +18,15 @@ inline constexpr size_t kRoomBytes = 0;
 
 inline void prepareHall(Hall &, Scene &) {}
 inline Hall hallSettings(const Hall &hall) { return hall; }
-inline const char *solveRoom(Hall &, Scene &, const Hall &, const Gl &, Arena &, Workers &,
-                             const Progress &) {
-    return nullptr;
-}
+struct HemicubeMethod;
+struct SolverHost {
+    const HemicubeMethod &method;
+    const Gl *gl;
+    Arena &arena;
+    Workers &workers;
+    const Progress &progress;
+};
+inline const char *solveRoom(Hall &, Scene &, const Hall &, const SolverHost &) { return nullptr; }
 inline void clearScratch(Hall &) {}
 
 } // namespace odraz

@@ -58,11 +58,12 @@ int pose(common::CommandLine &line) {
     line.parse();
     SubjectName subject = findSubject(scene);
     Workers workers = serialWorkers();
-    size_t bytes = sizeof(KeptScene) + memoryNeeded(size, 1, true);
+    size.hall = subject.hall;
+    size_t bytes = sizeof(KeptScene) + memoryNeeded(size, 1);
     KeptScene &kept = map(file, bytes, true);
     Arena arena = {(unsigned char *)&kept, bytes, sizeof(KeptScene)};
     Gl gl = subject.hall ? openGl() : Gl{};
-    if (const char *missing = load(kept.intro, size, arena, workers, subject.hall ? &gl : nullptr))
+    if (const char *missing = load(kept.intro, size, arena, workers, kDrawnHemicubes, &gl))
         throw std::runtime_error(missing);
     kept.settings = size;
     std::snprintf(kept.scene, sizeof kept.scene, "%s", scene.c_str());

@@ -8,10 +8,10 @@
 
 namespace odraz::measure {
 
-MeasuredFilm::MeasuredFilm(const IntroSettings &settings, Workers &workers, bool hall)
-    : memory(memoryNeeded(settings, workers.count, hall)) {
+MeasuredFilm::MeasuredFilm(IntroSettings settings, Workers &workers, bool hall)
+    : memory((settings.hall = hall, memoryNeeded(settings, workers.count))) {
     Gl gl = hall ? openGl() : Gl{};
-    if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
+    if (const char *wrong = load(intro, settings, memory.arena, workers, kDrawnHemicubes, &gl))
         throw std::runtime_error(wrong);
 }
 

@@ -13,7 +13,7 @@ namespace odraz::measure {
 // The film, loaded for pictures of one size.
 struct MeasuredFilm {
     // Solves the hall if `hall`. Throws std::runtime_error.
-    MeasuredFilm(const IntroSettings &settings, Workers &workers, bool hall);
+    MeasuredFilm(IntroSettings settings, Workers &workers, bool hall);
     HeapArena memory;
     Intro *intro = nullptr; // in the arena
 };

@@ -12,7 +12,7 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
     if (change) change(hall->radiosity.bases);
     if (!hall->radiosity.bases.fit()) throw std::runtime_error("too many light bases for the hall");
     if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings,
-                        {gl, memory.arena, workers, progress}))
+                        {kDrawnHemicubes, &gl, memory.arena, workers, progress}))
         throw std::runtime_error("cannot solve the hall with these settings");
     closeHemicubes(hall->radiosity.hemicubes);
     seconds = common::processorSeconds() - began;

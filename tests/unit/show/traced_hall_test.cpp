@@ -1,0 +1,157 @@
+// Tests the hall as the page solves it, by hemicubes that rays fill, at the film's settings: against rays in
+// double precision, against path tracing, and against the hall that OpenGL draws.
+#include "tests/support/model_rays.h"
+#include "tests/support/sanitized.h"
+#include "tests/support/solved_hall.h"
+
+#include <cmath>
+
+using namespace odraz;
+using namespace odraz::radiosity;
+
+namespace {
+
+const Hall &traced() { return *SolvedHall::traced().hall; }
+
+// Returns the patch of a chart at a point of its plane.
+int patchAt(const Chart &c, Vec3d p) {
+    Vec3d q = p - toDouble(c.corner);
+    auto along = [&](Vec3 axis, float size, int count) {
+        return std::clamp((int)(dot(q, toDouble(axis)) / (double)size * count), 0, count - 1);
+    };
+    return c.firstPatch + along(c.v, c.height, c.patchesDown) * c.patchesAcross +
+           along(c.u, c.width, c.patchesAcross);
+}
+
+// Finds what a ray from a patch hits: the patch there, or the patch of the window by which it leaves; -1:
+// none.
+struct PatchRays {
+    const Model &model;
+    ModelRays rays{model};
+
+    int at(Vec3d from, Vec3d d, Vec3d *where = nullptr) const {
+        Obstacles::Hit hit = rays.obstacles.nearest(from, d);
+        if (hit.back) return -1;
+        if (hit.met()) {
+            Vec3d p = from + d * hit.t;
+            if (where) *where = p;
+            return patchAt(model.charts[rays.chartOf[(size_t)hit.number]], p);
+        }
+        for (int i = 0; i < model.chartCount; ++i) {
+            const Chart &c = model.charts[i];
+            double t = dot(toDouble(c.corner) - from, toDouble(c.n)) / dot(d, toDouble(c.n));
+            Vec3d q = from + d * t - toDouble(c.corner);
+            double u = dot(q, toDouble(c.u)), v = dot(q, toDouble(c.v));
+            if (c.open && t > 0 && u >= 0 && u <= (double)c.width && v >= 0 && v <= (double)c.height)
+                return patchAt(c, from + d * t);
+        }
+        return -1;
+    }
+};
+
+// Returns the direction of a pixel's centre in the hemicube's frame. Each side face looks along x, y, -x or
+// -y.
+Vec3d directionOf(int px, int x, int y) {
+    double a = (x + 0.5) * 2 / px - 1, b = (y + 0.5) * 2 / px - 1;
+    if (y < px) return {a, b, 1};
+    int side = (y - px) / (px / 2);
+    double up = b - 1 - side, ahead[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, *f = ahead[side];
+    return {f[0] - a * f[1], f[1] + a * f[0], up};
+}
+
+} // namespace
+
+TEST(TracedHall, EveryPixelShowsWhatARayInDoublePrecisionHits) {
+    const Model &m = traced().model;
+    auto scene = emptyScene();
+    m.pose(*scene);
+    scene->finish();
+    HeapArena memory(hemicubeBytes(kHallSettings.px));
+    Hemicubes h;
+    ASSERT_TRUE(kTracedHemicubes.open(h, nullptr, *scene, memory.arena, kHallSettings.px));
+    PatchRays rays{m};
+    int pixels = 0, others = 0;
+    for (int i = 0; i < m.patchCount; i += kSanitized ? 97 : 11) {
+        const Patch &p = m.patches[i];
+        if (p.share == 0 || m.charts[p.chart].open) continue;
+        Eye eye = hemicubeEye(p.p, p.n, (uint32_t)i);
+        kTracedHemicubes.fill(h, m, &eye, 1);
+        for (int y = 0; y < 3 * h.px; ++y)
+            for (int x = 0; x < h.px; ++x) {
+                Vec3d a = directionOf(h.px, x, y);
+                Vec3d d =
+                    toDouble(eye.frame.u) * a.x + toDouble(eye.frame.v) * a.y + toDouble(eye.frame.w) * a.z;
+                int shown = (int)hemicubeIds(h, 0)[y * hemicubeStride(h) + x] - 1;
+                others += shown != rays.at(toDouble(p.p) + toDouble(p.n) * 1e-6, d);
+                ++pixels;
+                ASSERT_TRUE(shown >= -1 && shown < m.patchCount);
+            }
+    }
+    std::printf("%d of %d pixels show another patch\n", others, pixels);
+    EXPECT_LT(others, pixels / 2000); // at edges, where the last bits decide
+}
+
+// Paths in double precision start from patches and collect the same direct light on patches.
+TEST(TracedHall, IndirectLightAgreesWithPathTracing) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+    const Hall &hall = traced();
+    const Model &m = hall.model;
+    const System &system = hall.radiosity.system;
+    LightVector noon = lightVector({kNoon, {}, {}, 0});
+    auto light = [&](const float *row) {
+        double sum = 0;
+        for (int k = 0; k < kHallBases.count(); ++k) sum += (double)(row[3 * k + 1] * noon.bounced[k].y);
+        return sum;
+    };
+    PatchRays rays{m};
+    double byPaths = 0, solved = 0, square = 0, noise = 0;
+    int compared = 0;
+    for (int i = 7; i < m.patchCount; i += m.patchCount / 150) {
+        const Patch &p = m.patches[i];
+        if (p.share < 1 || m.charts[p.chart].open) continue;
+        constexpr int kPaths = 4096;
+        Sampler sampler((uint64_t)i);
+        double sum = 0, squares = 0;
+        for (int k = 0; k < kPaths; ++k) {
+            double weight = 1, path = 0;
+            Vec3d at = toDouble(p.p), n = toDouble(p.n);
+            while (weight > 1e-3) {
+                int patch = rays.at(at + n * 1e-5, byCosine(n, inCell(sampler, 0, 1)), &at);
+                if (patch < 0) break;
+                n = toDouble(m.patches[patch].n);
+                weight *= (double)m.patches[patch].reflects.y; // a window's is 0
+                path += weight * light(system.direct + (size_t)(patch * system.columns));
+            }
+            sum += path, squares += path * path;
+        }
+        sum /= kPaths;
+        noise += (squares / kPaths - sum * sum) / kPaths;
+        double indirect = light(system.indirect + (size_t)(i * system.columns));
+        byPaths += sum, solved += indirect;
+        square += (sum - indirect) * (sum - indirect);
+        ++compared;
+    }
+    double mean = byPaths / compared, rms = std::sqrt(std::max(square - noise, 0.) / compared) / mean;
+    std::printf(
+        "noon, %d patches: %.4f of the light of paths, rms %.2f %% of their mean, net of %.2f %% noise\n",
+        compared, solved / byPaths, rms * 100, std::sqrt(noise / compared) / mean * 100);
+    EXPECT_NEAR(solved / byPaths, 1, 0.01);
+    EXPECT_LT(rms, 0.08); // a patch gathers at one point, paths go on from anywhere on it
+}
+
+// The film and the page show the same hall.
+TEST(TracedHall, IsTheDrawnHall) {
+    const Hall &a = *SolvedHall::drawn().hall, &b = traced();
+    ASSERT_EQ(a.model.texelCount, b.model.texelCount);
+    for (int k = 0; k < kHallBases.count(); ++k) {
+        double square = 0, difference = 0;
+        for (int t = 0; t < a.model.texelCount; ++t) {
+            auto at = [&](const Hall &hall) {
+                return (double)(hall.radiosity.bounced[k][1][t] + hall.radiosity.direct[k][t]);
+            };
+            square += at(a) * at(a);
+            difference += (at(b) - at(a)) * (at(b) - at(a));
+        }
+        EXPECT_LT(std::sqrt(difference / square), 0.003) << "basis " << k;
+    }
+}
