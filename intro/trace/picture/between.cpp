@@ -38,7 +38,6 @@ constexpr int kMaxRetraced = kTile * kTile / 8; // pixels; a tile with more is t
 } // namespace
 
 struct BetweenScratch {
-    int64_t retracedCount;
     // From one pixel up and left of the tile: each pixel's shape, and its distance, in lengths of direction()
     int32_t shape[kRows * kRow];
     float along[kRows * kRow];
@@ -333,10 +332,9 @@ void makeTile(const void *with, Tile &t, int worker) {
         for (int x = 0; x < t.width && count <= kMaxRetraced; x += kBlock)
             count = makeBlock(from, t, b, x, y, count);
     if (count > kMaxRetraced)
-        traceAdaptive(t), count = t.width * t.height;
+        traceAdaptive(t);
     else
         tracePixels(t, b.retraced, count);
-    b.retracedCount += count;
 }
 
 } // namespace
@@ -345,7 +343,6 @@ const size_t kBetweenBytes = (kMaxShapes + 1) * (2 * sizeof(Carry) + sizeof(Trus
                              kMaxWorkers * (sizeof(BetweenScratch) + 64) + 256;
 
 bool makeBetween(Between &between, Arena &arena, int workers) {
-    between.workers = workers;
     between.scratch = arena.allocate<BetweenScratch>((size_t)workers);
     for (Carry *&carry : between.carry) carry = arena.allocate<Carry>(kMaxShapes + 1);
     between.trust = arena.allocate<Trust>(kMaxShapes + 1);
@@ -365,15 +362,6 @@ void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neig
     relaxed.fine = max(relaxed.fine, 2), relaxed.coarse = 32;
     relaxed.threshold *= 2, relaxed.markThreshold *= 2, relaxed.edge *= 2;
     forTiles(tracer, workers, *now.scene, now.view, relaxed, now.frame, {makeTile, &from});
-}
-
-int64_t retracedPixels(Between &between) {
-    int64_t pixels = 0;
-    for (int i = 0; i < between.workers; ++i) {
-        int64_t &count = between.scratch[i].retracedCount;
-        pixels += count, count = 0;
-    }
-    return pixels;
 }
 
 } // namespace odraz

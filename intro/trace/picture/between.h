@@ -31,7 +31,6 @@ struct Between {
     BetweenScratch *scratch; // one for every worker
     Carry *carry[2];         // [before or after][shapeCount + 1]; the last entry is the sky
     Trust *trust;            // [shapeCount + 1]; the last entry is the sky
-    int workers;
 };
 
 extern const size_t kBetweenBytes; // makeBetween() takes at most this from the arena
@@ -50,8 +49,5 @@ struct Neighbours {
 // The result does not depend on the number of workers.
 void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neighbours &n, Traced &now,
                   const Quality &quality);
-
-// The number of pixels that had to be traced since the last call.
-int64_t retracedPixels(Between &between);
 
 } // namespace odraz
