@@ -64,7 +64,7 @@ int prepare(const Options &o, Prepared &f) {
     cpuName(f.processor);
     if (!o.dump) f.settings.bytes = ownSize(), f.settings.machine = f.processor;
     size_t bytes = memoryNeeded(f.settings, f.workers.count) + (f.music ? soundMemory() : 0);
-    f.arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
+    f.arena = {(unsigned char *)takeMemory(bytes), bytes, 0, false, giveBack};
     if (f.arena.base) return 0;
     Message m;
     m << "not enough memory: " << (int64_t)(bytes >> 20) << " MB are needed: " << kMoreMemory;

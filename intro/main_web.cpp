@@ -42,12 +42,11 @@ EXPORT(load) const char *loadFilm(int width, int height, int hall) {
     size_t bytes = memoryNeeded(settings, 1);
     Arena arena = {grow(bytes), bytes, 0};
     if (!arena.base) return "not enough memory";
+    // Zero it, so that copies of the memory pack well
+    arena.giveBack = [](void *memory, size_t count) { __builtin_memset(memory, 0, count); };
     theWorkers = serialWorkers();
-    const char *wrong = load(theIntro, settings, arena, theWorkers, kTracedHemicubes, nullptr,
-                             {[](float done, void *) { progress(done); }, nullptr});
-    if (!hall || wrong) return wrong;
-    clearScratch(*theIntro->film.hall);
-    return nullptr;
+    return load(theIntro, settings, arena, theWorkers, kTracedHemicubes, nullptr,
+                {[](float done, void *) { progress(done); }, nullptr});
 }
 EXPORT(picture) uint8_t *pictureAt(double seconds, float level, int width, int height) {
     Governor g;

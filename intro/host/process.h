@@ -7,6 +7,8 @@ namespace odraz {
 
 void *takeMemory(size_t bytes);  // zeroed; null if there is not enough
 extern const char kMoreMemory[]; // what the viewer can do in that case
+// Gives whole pages of this memory back to the system. It must not be used again.
+void giveBack(void *memory, size_t bytes);
 
 // Returns null, or a line for the viewer if the system forbids generated code (MemoryDenyWriteExecute,
 // SELinux), which software OpenGL needs.

@@ -80,6 +80,8 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Sol
         fillLightmap(room, arena);
     if (!solved) return "cannot light the hall: OpenGL 3.3 cannot draw integers, or memory is short";
     method.close(room.radiosity.hemicubes);
+    char *from = (char *)room.radiosity.factors.links; // solving allocates `matrices` later
+    if (arena.giveBack) arena.giveBack(from, (size_t)((char *)room.gloss.matrices - from));
     return nullptr;
 }
 
@@ -90,11 +92,6 @@ Rgb meanLight(const Room &room, int chart) {
         for (int i = 0; i < c.texels(); ++i) sum[k] += room.light[k][c.firstTexel + i];
     float inverse = 1.f / (float)c.texels();
     return {sum[0] * inverse, sum[1] * inverse, sum[2] * inverse};
-}
-
-void clearScratch(Room &room) {
-    unsigned char *from = (unsigned char *)room.radiosity.factors.links; // solving allocates `matrices` later
-    __builtin_memset(from, 0, (size_t)((unsigned char *)room.gloss.matrices - from));
 }
 
 } // namespace odraz

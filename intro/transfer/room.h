@@ -41,7 +41,7 @@ struct Room {
 inline constexpr size_t kRoomBytes = (size_t)192 << 20;
 
 // Solves room.model, lit by room.radiosity.bases. The scene must contain the posed, finished model; solving
-// traces rays in it. Returns null, or an error line.
+// traces rays in it. Returns null, or an error line. Gives back the memory that only solving needs.
 const char *solveRoom(Room &room, Scene &scene, const RoomSettings &settings, const SolverHost &host);
 
 // Adds the model to a scene, with the room's light. The charts use the scene's materials.
@@ -60,8 +60,5 @@ inline void relightRoom(Room &room, const LightVector &light, const Vec3 &eye, f
 
 // Returns the mean light on the texels of a chart.
 Rgb meanLight(const Room &room, int chart);
-
-// Zeroes the memory that only solving needs, so that copies of a solved room pack well.
-void clearScratch(Room &room);
 
 } // namespace odraz

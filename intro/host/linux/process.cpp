@@ -13,6 +13,11 @@ const char kMoreMemory[] = "end other programs, or raise ulimit -v";
 
 void *takeMemory(size_t bytes) { return sys::map(bytes, sys::kReadWrite); }
 
+void giveBack(void *memory, size_t bytes) {
+    long from = ((long)memory + 4095) & -4096;
+    sys::call(sys::kMadvise, from, ((long)memory + (long)bytes - from) & -4096, 4 /* not needed */);
+}
+
 static bool mayMap(size_t bytes, sys::Protection protection) {
     void *memory = sys::map(bytes, protection);
     if (memory) sys::call(sys::kMunmap, (long)memory, (long)bytes);

@@ -20,6 +20,7 @@ enum Number : long {
     kMunmap = 11,
     kSigaction = 13,
     kIoctl = 16,
+    kMadvise = 28,
 
     kDup2 = 33,
     kNanosleep = 35,

@@ -8,8 +8,8 @@ using namespace windows;
 
 namespace {
 
-constexpr uint32_t kReserve = 0x2000, kCommit = 0x1000, kRelease = 0x8000, kNothing = 1, kReadWrite = 4,
-                   kReadWriteExecute = 0x40;
+constexpr uint32_t kReserve = 0x2000, kCommit = 0x1000, kDecommit = 0x4000, kRelease = 0x8000, kNothing = 1,
+                   kReadWrite = 4, kReadWriteExecute = 0x40;
 
 bool mayTake(size_t bytes, uint32_t how, uint32_t protection) {
     void *memory = VirtualAlloc(nullptr, bytes, how, protection);
@@ -25,6 +25,11 @@ HANDLE windows::standard(int descriptor) { return GetStdHandle(which(descriptor)
 const char kMoreMemory[] = "end other programs";
 
 void *takeMemory(size_t bytes) { return VirtualAlloc(nullptr, bytes, kReserve | kCommit, kReadWrite); }
+
+void giveBack(void *memory, size_t bytes) {
+    uint64_t from = ((uint64_t)memory + 4095) & ~4095ull;
+    VirtualFree((void *)from, ((uint64_t)memory + bytes - from) & ~4095ull, kDecommit);
+}
 
 const char *jitForbidden() {
     return mayTake(4096, kReserve | kCommit, kReadWriteExecute)

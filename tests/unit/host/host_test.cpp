@@ -107,6 +107,19 @@ TEST(Machine, GivesMemoryThatIsZero) {
     EXPECT_EQ(takeMemory(SIZE_MAX / 2), nullptr);
 }
 
+// Pages that lie only partly in the range are kept.
+TEST(Machine, TakesBackWholePagesAlone) {
+    constexpr size_t kSize = 1 << 20;
+    auto *p = (unsigned char *)takeMemory(kSize);
+    std::memset(p, 1, kSize);
+    giveBack(p + 64, kSize - 128);
+    EXPECT_EQ(std::count(p, p + kSize, 1), 2 * 4096); // Linux replaces pages by zeros
+    std::memset(p, 1, kSize);
+    giveBack(p + 64, 4096);
+    giveBack(p, 0);
+    EXPECT_EQ(std::count(p, p + kSize, 1), (long)kSize);
+}
+
 TEST(Machine, ReportsTheSizeOfItsFile) {
     EXPECT_EQ(ownSize(), (long)std::filesystem::file_size("/proc/self/exe"));
 }

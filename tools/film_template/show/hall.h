@@ -27,6 +27,5 @@ struct SolverHost {
     const Progress &progress;
 };
 inline const char *solveRoom(Hall &, Scene &, const Hall &, const SolverHost &) { return nullptr; }
-inline void clearScratch(Hall &) {}
 
 } // namespace odraz
