@@ -22,7 +22,6 @@ struct Material {
     Rgb absorb = {};      // glass: absorption per world unit, in powers of two
     Rgb tint = {1, 1, 1}; // colour of a mirror, or of glass for shadow rays
     Rgb emit = {};        // radiance that it emits; it lights no other surface
-    float transmit = 0;   // glass: share refracted, while `reflect` is mirrored; 0: by Fresnel's equations
 
     // Whether it only glows: it emits light, but reflects none, neither diffusely nor as a mirror.
     bool onlyGlows() const { return maxComponent(emit) > 0 && diffuse == 0 && reflect == 0; }

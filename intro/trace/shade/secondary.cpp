@@ -66,7 +66,6 @@ void followEight(const Shading &c, const RayStream &in, const Run &run, RayStrea
         Float8 across = (eta * cosine - cosineT) / max(eta * cosine + cosineT, 1e-9f);
         Float8 along = (cosine - eta * cosineT) / max(cosine + eta * cosineT, 1e-9f);
         Float8 reflected = (across * across + along * along) * 0.5f, refracted = 1.f - reflected;
-        if (m.transmit > 0) reflected = broadcast(m.reflect), refracted = broadcast(m.transmit);
         Int8 total = sine2 >= 1.f;
         reflected = select(total, 1.f, reflected);
         refracted = select(total, 0.f, refracted);

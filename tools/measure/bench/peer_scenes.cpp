@@ -43,7 +43,7 @@ void posePeerA(Scene &scene) {
     } const balls[] = {
         {{0, 1, 0}, 1, {0.9f, 0.9f, 0.95f}, 0.15f, 0.75f, 0.6f, 0},
         {{-2.4f, 1, 0.6f}, 1, {1, 0.8f, 0.4f}, 0.25f, 0.65f, 0.6f, 0},
-        {{2.4f, 1, 0.8f}, 1, {1, 1, 1}, 0.05f, 0.12f, 0.8f, 1},
+        {{2.4f, 1, 0.8f}, 1, {1, 1, 1}, 0, 0, 0.8f, 1},
         {{0.9f, 0.5f, -2.2f}, 0.5f, {0.9f, 0.4f, 0.2f}, 0.7f, 0, 0.5f, 2},
         {{-1.1f, 0.45f, -2}, 0.45f, {0.9f, 0.15f, 0.1f}, 0.7f, 0, 0.6f, 0},
         {{-3.6f, 0.6f, -1.2f}, 0.6f, {0.15f, 0.8f, 0.2f}, 0.7f, 0, 0.6f, 0},
@@ -63,7 +63,6 @@ void posePeerA(Scene &scene) {
         m.emit = b.colour * max(kAmbient - b.diffuse * ambient, 0.f);
         if (b.kind == 1) {
             m.ior = 1.5f;
-            m.transmit = 0.85f;
             m.emit = {};
         }
         if (b.kind == 2) m.texture = cloud(b.colour * 0.3f, b.colour, 0.15f);
@@ -152,18 +151,17 @@ std::string povPigment(const Texture &t) {
 }
 
 std::string povSurface(const Material &m, float ambient) {
-    std::string pigment = povPigment(m.texture), more;
+    std::string pigment = povPigment(m.texture), reflection = common::format("%g", (double)m.reflect), more;
     if (m.cell > 0) pigment = "pigment{checker " + pigment + " " + povPigment(m.other) + " translate y*0.5}";
     if (m.ior > 0) {
-        Rgb c = m.texture.palette[0];
-        pigment = common::format("pigment{rgbt <%g,%g,%g,%g>}", (double)c.x, (double)c.y, (double)c.z,
-                                 (double)m.transmit);
+        pigment = "pigment{rgbt 1}";
+        reflection = "{0,1 fresnel} conserve_energy";
         more = common::format(" interior{ior %g} no_shadow", (double)m.ior);
     }
     float emission = m.emit.x > 0 ? m.emit.x / m.texture.palette[0].x : 0;
-    return common::format("%s finish{ambient %g diffuse %g phong %g phong_size %g reflection %g}%s",
+    return common::format("%s finish{ambient %g diffuse %g phong %g phong_size %g reflection %s}%s",
                           pigment.c_str(), (double)(m.ior > 0 ? 0 : m.diffuse * ambient + emission),
-                          (double)m.diffuse, (double)m.specular, (double)m.exponent, (double)m.reflect,
+                          (double)m.diffuse, (double)m.specular, (double)m.exponent, reflection.c_str(),
                           more.c_str());
 }
 
