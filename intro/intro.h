@@ -83,7 +83,7 @@ Picture between(Intro &intro, int earlier, int later, double share = 0.5, int bu
 
 // Returns the number of samples of the last picture.
 int64_t samplesTaken(const Intro &intro);
-// Returns null or, if the last picture is wrong, the constant of scene.h that is too small for its scene.
+// Returns null or, if the last picture is wrong, a line that names the constant to raise for its scene.
 const char *exceededLimit(const Intro &intro);
 
 // --- Sound: independent of the picture, so that it may run on another thread ---

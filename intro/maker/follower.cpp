@@ -33,7 +33,7 @@ bool Follower::follow(Screen &screen, int block) {
 
 void Follower::drawState(const Picture &p, const char *limit, const std::string &recent) const {
     std::string line = failed ? rebuilder.error() : stage.state();
-    if (line.empty() && limit) line = std::string("scene too large: raise ") + limit + " in scene.h";
+    if (line.empty() && limit) line = limit;
     if (line.empty()) line = recent;
     if (!line.empty()) drawStatus(p, line, stage.loaded());
 }

@@ -28,8 +28,7 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
         if (inBetween) trace(n - 1);
         trace(n + inBetween);
         Picture p = inBetween ? between(intro, slotOf(n - 1), slotOf(n + 1)) : later;
-        if (const char *limit = exceededLimit(intro))
-            return cannotWrite("a scene beyond this limit; raise it in scene.h", limit);
+        if (const char *limit = exceededLimit(intro)) return printError(limit);
         // Turn it into a PPM in place: a header, then three bytes of every four
         Text<32> header;
         header << "P6\n" << p.width << ' ' << p.height << "\n255\n";

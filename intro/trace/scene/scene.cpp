@@ -16,6 +16,9 @@ void Scene::clear() {
     overflow = nullptr;
 }
 
+// A limit, and the error of exceeding it.
+#define LIMIT(name) name, "scene too large: raise " #name " in trace/scene/scene.h"
+
 // Returns the next free index of an array. In a full array it is the last one, and `overflow` is set.
 int Scene::next(int &count, int most, const char *limit) {
     if (count < most) return count++;
@@ -24,18 +27,18 @@ int Scene::next(int &count, int most, const char *limit) {
 }
 
 int Scene::add(const Material &m) {
-    int i = next(materialCount, kMaxMaterials, "kMaxMaterials");
+    int i = next(materialCount, LIMIT(kMaxMaterials));
     materials[i] = m;
     return i;
 }
 
 Shape *Scene::add(const Shape &s) {
-    Shape *to = &shapes[next(shapeCount, kMaxShapes, "kMaxShapes")];
+    Shape *to = &shapes[next(shapeCount, LIMIT(kMaxShapes))];
     *to = s;
     return to;
 }
 
-void Scene::add(const Light &l) { lights[next(lightCount, kMaxLights, "kMaxLights")] = l; }
+void Scene::add(const Light &l) { lights[next(lightCount, LIMIT(kMaxLights))] = l; }
 
 void Scene::finish() {
     int bounded = 0;
@@ -44,7 +47,7 @@ void Scene::finish() {
         Shape &s = shapes[i];
         s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1;
         if (!s.traits().bounded) {
-            unbounded[next(unboundedCount, kMaxUnbounded, "kMaxUnbounded")] = (uint16_t)i;
+            unbounded[next(unboundedCount, LIMIT(kMaxUnbounded))] = (uint16_t)i;
             continue;
         }
         box[i] = boundsOf(s);
@@ -52,9 +55,9 @@ void Scene::finish() {
         if (!s.isBall()) continue;
         const Material &m = materials[s.material];
         if (m.onlyGlows()) {
-            glowingBall[next(glowingBallCount, kMaxGlowingBalls, "kMaxGlowingBalls")] = (uint16_t)i;
+            glowingBall[next(glowingBallCount, LIMIT(kMaxGlowingBalls))] = (uint16_t)i;
         } else if (ballsOcclude) {
-            int k = next(occluderCount, kMaxOccluders, "kMaxOccluders");
+            int k = next(occluderCount, LIMIT(kMaxOccluders));
             occluder[0][k] = s.centre.x, occluder[1][k] = s.centre.y, occluder[2][k] = s.centre.z;
             occluderRadius[k] = s.half.x;
             occluderShape[k] = (uint16_t)i;

@@ -40,7 +40,7 @@ struct Scene {
     bool ballsOcclude;
     const Lightmap *lightmap;    // for shapes with a chart; null if there are none
     Rgb ambientLow, ambientHigh; // irradiance / pi on surfaces that face down and up
-    // Null, or the name of the constant to raise, because something did not fit: the picture is then wrong
+    // Null, or a line that names the constant to raise: something did not fit, and the picture is wrong
     const char *overflow;
     int nodeCount, unboundedCount, occluderCount, glowingBallCount; // sizes of arrays that finish() fills
     Sky sky;

@@ -93,7 +93,8 @@ TEST(Scene, NamesTheLimitThatIsExceeded) {
         add();
         scene->finish();
         ASSERT_NE(scene->overflow, nullptr) << limit;
-        EXPECT_EQ(std::string(scene->overflow), limit);
+        EXPECT_EQ(std::string(scene->overflow),
+                  "scene too large: raise " + std::string(limit) + " in trace/scene/scene.h");
     };
     fills("kMaxMaterials", kMaxMaterials, [&] { scene->add(Material{}); });
     fills("kMaxLights", kMaxLights, [&] { scene->add(Light{{}, {1, 1, 1}}); });
