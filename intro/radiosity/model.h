@@ -3,7 +3,8 @@
 // A chart is a rectangle in a plane with a grid of cells. Its facets, rectangles or triangles, are the
 // parts of it that exist (a wall with windows has several), so light is continuous over a whole wall. A
 // patch is a block of cells and has a hemicube. Light is stored at the corners of cells, the texels. World
-// units as in Scene, at any scale. Callers must not exceed kMaxCharts charts and kMaxFacets facets.
+// units as in Scene, at any scale. Callers must not exceed kMaxCharts charts and kMaxFacets facets; a scene
+// takes kMaxShapes of them.
 #pragma once
 
 #include "base/arena.h"
@@ -12,7 +13,7 @@
 
 namespace odraz {
 
-inline constexpr int kMaxCharts = 1 << 16, kMaxFacets = kMaxShapes, kMaxAcross = 4000;
+inline constexpr int kMaxCharts = 1 << 16, kMaxFacets = 65500, kMaxAcross = 4000;
 
 // A convex polygon, with corners counter-clockwise about the chart's normal, in world units on the chart. A
 // rectangle along the chart's axes begins with its lower left corner; a triangle repeats its last corner.
