@@ -84,14 +84,9 @@ struct DirectSampler {
         Float8 height = dot(from, c.n);
         if (!any(at.active & (height > 0.f))) return 0;
         Float8 s = dot(from, c.u), t = dot(from, c.v);
-        float u0 = f.u[0], u1 = u0, v0 = f.v[0], v1 = v0, twice = 0;
-        for (int k = 0; k < 4; ++k) {
-            int next = (k + 1) & 3;
-            u0 = min(u0, f.u[k]), u1 = max(u1, f.u[k]), v0 = min(v0, f.v[k]), v1 = max(v1, f.v[k]);
-            twice += f.u[k] * f.v[next] - f.u[next] * f.v[k];
-        }
+        float u0 = f.u[0], u1 = f.u[2], v0 = f.v[0], v1 = f.v[2];
         partCount = divideFacet(c, f, most, parts);
-        float area = 0.5f * twice / (float)partCount;
+        float area = (u1 - u0) * (v1 - v0) / (float)partCount;
         Float8 ds = s - clamp(s, u0, u1), dt = t - clamp(t, v0, v1);
         bool near =
             any(at.active & (fmadd(ds, ds, fmadd(dt, dt, height * height)) < area * kNear) & (height > 0.f));

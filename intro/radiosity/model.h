@@ -17,6 +17,7 @@ inline constexpr int kMaxCharts = 1 << 16, kMaxFacets = 65500, kMaxAcross = 4000
 
 // A convex polygon, with corners counter-clockwise about the chart's normal, in world units on the chart. A
 // rectangle along the chart's axes begins with its lower left corner; a triangle repeats its last corner.
+// Only hemicubes take triangles. Posing, visible sample points and direct light are for rectangles.
 struct Facet {
     int chart;
     float u[4], v[4];

@@ -35,13 +35,8 @@ bool onFacet(const Model &model, const Chart &c, float u, float v) {
     float slack = (c.width + c.height) * 1e-6f;
     for (int i = c.firstFacet; i < c.firstFacet + c.facetsCount; ++i) {
         const Facet &f = model.facets[i];
-        bool inside = true;
-        for (int k = 0; k < 4; ++k) {
-            int next = (k + 1) & 3;
-            float du = f.u[next] - f.u[k], dv = f.v[next] - f.v[k];
-            inside &= du * (v - f.v[k]) - dv * (u - f.u[k]) >= -slack * (abs(du) + abs(dv));
-        }
-        if (inside) return true;
+        if (u >= f.u[0] - slack && u <= f.u[2] + slack && v >= f.v[0] - slack && v <= f.v[2] + slack)
+            return true;
     }
     return false;
 }
