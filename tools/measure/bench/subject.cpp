@@ -36,6 +36,7 @@ View poseSubject(const SubjectName &subject, const IntroSettings &settings, cons
     film.scene->clear();
     subject.pose(*film.scene);
     film.scene->finish();
+    if (film.scene->overflow) throw std::runtime_error(film.scene->overflow);
     const CameraKey &c = *subject.camera;
     return lookAt(c.eye, c.target, c.roll, c.fov, settings.width, settings.height);
 }
