@@ -17,10 +17,10 @@ namespace odraz {
     F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels) \
     F(glGetString) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
     F(glFramebufferRenderbuffer) F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) \
-    F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) \
-    F(glUniform1fv) F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \
-    F(glBufferData) F(glVertexAttribPointer) F(glVertexAttribIPointer) F(glEnableVertexAttribArray) \
-    F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) F(glClearBufferuiv) \
+    F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) \
+    F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \
+    F(glBufferData) F(glVertexAttribPointer) F(glEnableVertexAttribArray) \
+    F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) F(glClearBufferiv) \
     F(glClearBufferfv) F(glDrawArrays) F(glScissor) F(glDeleteFramebuffers) F(glDeleteRenderbuffers) \
     F(glDeleteBuffers) F(glDeleteShader) F(glDeleteProgram) F(glDeleteVertexArrays)
 // clang-format on

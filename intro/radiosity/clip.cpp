@@ -26,8 +26,8 @@ int clip(const FaceCorner *in, int count, FaceCorner *out, const Border &border)
         const FaceCorner &near = fromP ? p : q, &far = fromP ? q : p;
         float dn = fromP ? dp : dq, t = dn / (dn - (fromP ? dq : dp));
         FaceCorner &c = out[n++];
-        c = {lerp(near.x, far.x, t), lerp(near.y, far.y, t), lerp(near.w, far.w, t), lerp(near.s, far.s, t),
-             lerp(near.t, far.t, t)};
+        c = {lerp(near.x, far.x, t), lerp(near.y, far.y, t), 0,
+             lerp(near.w, far.w, t), lerp(near.s, far.s, t), lerp(near.t, far.t, t)};
         (border.alongY ? c.y : c.x) = -border.sign * border.limit * c.w;
     }
     return n;

@@ -8,8 +8,8 @@
 namespace odraz {
 
 struct FaceCorner {
-    float x, y, w; // on a face: |x| <= w, y <= w, -w or 0 <= y
-    float s, t;    // position on the chart, in patches
+    float x, y, zero, w; // on a face: |x| <= w, y <= w, -w or 0 <= y; zero: the middle of OpenGL's depths
+    float s, t;          // position on the chart, in patches
 };
 
 // Returns a bit for each border of the five faces that a point is outside of: four bits a face. The top face

@@ -8,66 +8,71 @@ namespace odraz {
 
 namespace {
 
-constexpr int kVertices = 1 << 16; // the most in a draw call
-// A vertex: x, y, w in the atlas; position on the chart, in patches; first patch + 1; patches across and down
-constexpr int kFloats = 7;
+constexpr int kVertices = 1 << 15; // the most in a draw call
 
-// Backs are drawn slightly deeper than they are, so that a front with the same edge wins along a silhouette
-constexpr char kVertexShader[] = "layout(location=0)in vec3 p;"
-                                 "layout(location=1)in vec2 q;"
-                                 "layout(location=2)in uvec2 c;"
-                                 "out vec2 s;flat out uvec2 f;flat out float d;"
-                                 "uniform float n;"
-                                 "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy,0.,p.z);s=q;f=c;}";
-// Depth is 1/w: OpenGL's own is too coarse far away
+// Depth is proportional to 1/w, which is linear on a face. A fragment computes it from the plane of its facet
+// at the exact centre of its pixel. GPUs round vertices, to 1/256 of a pixel, and interpolate between the
+// rounded ones: a wall that is seen at a grazing angle would then appear in front of a nearer one.
+struct Vertex {
+    FaceCorner corner; // its x and y are in the atlas
+    // The rest is the same for all vertices of a facet on a face, except for `least`
+    float first;        // first patch + 1; -1: a back
+    float least;        // depth of the triangle's farthest corner; no fragment is deeper
+    Vec3 plane;         // its dot product with (x, y, half) is the depth. x and y are pixels from the origin
+    float half;         // half a face's side, in pixels
+    float x, y;         // origin of the face in the atlas, in pixels: where the corner's x and y are 0
+    float across, down; // patches
+};
+static_assert(sizeof(Vertex) == 64, "the shaders read four vectors of four floats");
+
+constexpr char kVertexShader[] = "layout(location=0)in mat4 v;"
+                                 "out vec2 s;flat out mat3x4 f;"
+                                 "void main(){gl_Position=v[0];s=v[1].xy;f=mat3x4(v[1],v[2],v[3]);}";
 constexpr char kFragmentShader[] =
-    "in vec2 s;flat in uvec2 f;flat in float d;out uint o;"
-    "void main(){gl_FragDepth=d*gl_FragCoord.w;uint a=f.y&65535u;"
-    "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
+    "in vec2 s;flat in mat3x4 f;out int o;"
+    "void main(){gl_FragDepth=max(f[0].w,dot(f[1].xyz,vec3(gl_FragCoord.xy-f[2].xy,f[1].w)));"
+    "vec2 a=clamp(floor(s),vec2(0),f[2].zw-1);o=int(f[0].z+a.y*f[2].z+a.x);}";
 
 struct VertexWriter {
     Hemicubes &h;
-    float scaleX, scaleY; // half a face in the atlas, in clip units
+    float pixelX, pixelY; // a pixel, in clip units
     int vertices;
 
     void flush() {
         const Gl &gl = *h.gl;
-        gl.glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)vertices * kFloats * 4, h.vertices, GL_STREAM_DRAW);
+        gl.glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)vertices * (GLsizeiptr)sizeof(Vertex), h.vertices,
+                        GL_STREAM_DRAW);
         gl.glDrawArrays(GL_TRIANGLES, 0, vertices);
         vertices = 0;
     }
 };
 
-// A face in the atlas: (x, y) is its centre (top face), or the centre of its horizon (other faces).
-struct AtlasFace {
-    bool top;
-    float x, y;
-};
-
-// Lays out a facet on a face, cut at the borders that it crosses. `grid`: a vertex's last two numbers.
-void layOut(VertexWriter &out, const FaceCorner (&corners)[4], uint32_t crossed, const AtlasFace &face,
-            const uint32_t (&grid)[2]) {
+// Lays out a facet on a face, cut at the borders that it crosses. `vertex` has what its vertices share.
+// `near` is the w at which depth is 1.
+void layOut(VertexWriter &out, const FaceCorner *corners, uint32_t crossed, bool top, float near,
+            Vertex vertex) {
     FaceCorner buffers[2][8];
     int count = 4;
-    const FaceCorner *polygon = clipToFace(corners, count, face.top, crossed, buffers);
+    const FaceCorner *polygon = clipToFace(corners, count, top, crossed, buffers);
     // Write a fan of triangles
     if (out.vertices + 3 * (count - 2) > kVertices) out.flush();
-    for (int i = 2; i < count; ++i)
+    for (int i = 2; i < count; ++i) {
+        vertex.least = near / max(polygon[0].w, max(polygon[i - 1].w, polygon[i].w));
         for (int k = 0; k < 3; ++k) {
-            const FaceCorner &c = polygon[k ? i - 2 + k : 0];
-            float *v = out.h.vertices + (size_t)out.vertices++ * kFloats;
+            FaceCorner &c = vertex.corner = polygon[k ? i - 2 + k : 0];
             // Clamp rounding errors to the picture: beyond it OpenGL would clip, which is slow
-            v[0] = clamp(fmadd(c.x, out.scaleX, face.x * c.w), -c.w, c.w);
-            v[1] = clamp(fmadd(c.y, out.scaleY, face.y * c.w), -c.w, c.w);
-            v[2] = c.w;
-            v[3] = c.s;
-            v[4] = c.t;
-            v[5] = fromBits((int32_t)grid[0]);
-            v[6] = fromBits((int32_t)grid[1]);
+            auto inAtlas = [&](float x, float centre, float pixel) {
+                return clamp(fmadd(x, vertex.half * pixel, fmadd(centre, pixel, -1) * c.w), -c.w, c.w);
+            };
+            c.x = inAtlas(c.x, vertex.x, out.pixelX);
+            c.y = inAtlas(c.y, vertex.y, out.pixelY);
+            ((Vertex *)out.h.vertices)[out.vertices++] = vertex;
         }
+    }
 }
 
-void layOutHemicube(VertexWriter &out, const Model &model, const Eye &eye, float x0, float y0, float scale) {
+// (x, y) is the middle of the hemicube's lower edge in the atlas, in pixels.
+void layOutHemicube(VertexWriter &out, const Model &model, const Eye &eye, float x, float y, float scale) {
     for (int i = 0; i < model.facetCount; ++i) {
         const Facet &f = model.facets[i];
         const Chart &c = model.charts[f.chart];
@@ -76,27 +81,36 @@ void layOutHemicube(VertexWriter &out, const Model &model, const Eye &eye, float
         if (abs(height) <= scale && abs(dot(c.n, eye.frame.w)) > 0.9999f) continue;
         bool back = height < -scale;
         if (back && !model.open) continue;
+        float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
         // Transform to the hemicube's frame. A facet that is outside one border of a face is not on the face
-        Vec3 local[4];
+        FaceCorner local[5]; // the corners; the last one's x, y and w are the plane of depths
         uint32_t all = ~0u, some = 0;
         for (int k = 0; k < 4; ++k) {
-            local[k] = eye.frame * (f.corner(c, k) - eye.p);
-            uint32_t code = outsideFaces(local[k]);
+            Vec3 p = eye.frame * (f.corner(c, k) - eye.p);
+            local[k] = {p.x, p.y, 0, p.z, f.u[k] * perU, f.v[k] * perV};
+            uint32_t code = outsideFaces(p);
             all &= code, some |= code;
         }
-        uint32_t grid[2] = {back ? kBackSide : (uint32_t)c.firstPatch + 1,
-                            (uint32_t)c.patchesAcross | (uint32_t)c.patchesDown << 16};
-        float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
+        Vertex vertex;
+        vertex.x = x, vertex.y = y, vertex.half = (float)out.h.px * 0.5f;
+        vertex.first = (float)(c.firstPatch + 1);
+        vertex.across = c.patchesAcross, vertex.down = c.patchesDown;
+        float near = scale;
+        // Draw backs slightly deeper than they are, so that a front with the same edge wins along a
+        // silhouette
+        if (back) vertex.first = -1, vertex.across = vertex.down = 1, near *= 0.99f;
+        Vec3 plane = eye.frame * c.n * (near / (-vertex.half * height));
+        local[4] = {plane.x, plane.y, 0, plane.z, 0, 0};
         for (int side = -1; side < 4; ++side, all >>= 4, some >>= 4) {
-            FaceCorner corners[4];
-            for (int k = 0; k < 4; ++k) {
-                Vec3 &p = local[k];
-                corners[k] = {p.x, p.y, p.z, f.u[k] * perU, f.v[k] * perV};
-                p = side == -1 ? Vec3{p.y, p.z, p.x} : Vec3{-p.z, p.y, p.x}; // to the next face's frame
+            vertex.y += vertex.half;
+            vertex.plane = {local[4].x, local[4].y, local[4].w};
+            if (!(all & 15)) layOut(out, local, some, side == -1, near, vertex);
+            for (FaceCorner &p : local) { // to the next face's frame
+                float x = p.x;
+                p.x = side == -1 ? p.y : -p.w;
+                if (side == -1) p.y = p.w;
+                p.w = x;
             }
-            if (all & 15) continue;
-            float y = side == -1 ? 1 : (float)(2 + side);
-            layOut(out, corners, some, {side == -1, x0 + out.scaleX, fmadd(y, out.scaleY, y0)}, grid);
         }
     }
 }
@@ -120,7 +134,7 @@ void shapeAtlas(Hemicubes &h, int px) {
 size_t hemicubeBytes(int px) {
     Hemicubes h;
     shapeAtlas(h, px);
-    return (size_t)h.batch * (size_t)(3 * px * px) * 4 + (size_t)kVertices * kFloats * 4 + 128;
+    return (size_t)h.batch * (size_t)(3 * px * px) * 4 + kVertices * sizeof(Vertex) + 128;
 }
 
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
@@ -128,7 +142,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h.gl = &gl;
     h.method = &kDrawnHemicubes;
     shapeAtlas(h, px);
-    h.vertices = arena.allocate<float>((size_t)kVertices * kFloats);
+    h.vertices = arena.allocate<Vertex>(kVertices);
     h.ids = arena.allocate<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
     if (arena.full) return false;
 
@@ -139,7 +153,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     gl.glGenRenderbuffers(2, h.images);
     for (int i = 0; i < 2; ++i) {
         gl.glBindRenderbuffer(GL_RENDERBUFFER, h.images[i]);
-        gl.glRenderbufferStorage(GL_RENDERBUFFER, i ? GL_DEPTH_COMPONENT32F : GL_R32UI, width, height);
+        gl.glRenderbufferStorage(GL_RENDERBUFFER, i ? GL_DEPTH_COMPONENT32F : GL_R32I, width, height);
         gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER, i ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
                                      GL_RENDERBUFFER, h.images[i]);
     }
@@ -162,10 +176,10 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     gl.glBindVertexArray(h.vertexArray);
     gl.glGenBuffers(1, &h.buffer);
     gl.glBindBuffer(GL_ARRAY_BUFFER, h.buffer);
-    gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kFloats * 4, nullptr);
-    gl.glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, kFloats * 4, (void *)12);
-    gl.glVertexAttribIPointer(2, 2, GL_UNSIGNED_INT, kFloats * 4, (void *)20);
-    for (GLuint i = 0; i < 3; ++i) gl.glEnableVertexAttribArray(i);
+    for (GLuint i = 0; i < 4; ++i) {
+        gl.glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), (void *)(size_t)(16 * i));
+        gl.glEnableVertexAttribArray(i);
+    }
     return linked;
 }
 
@@ -182,22 +196,20 @@ void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
     gl.glViewport(0, 0, width, height);
     gl.glEnable(GL_DEPTH_TEST);
     gl.glDepthFunc(GL_GREATER);
-    static const GLuint kZero[4] = {};
+    static const GLint kZero[4] = {};
     static const GLfloat kFarthest = 0;
-    gl.glClearBufferuiv(GL_COLOR, 0, kZero);
+    gl.glClearBufferiv(GL_COLOR, 0, kZero);
     gl.glClearBufferfv(GL_DEPTH, 0, &kFarthest);
     gl.glUseProgram(h.program);
-    float near = size * 1e-7f;
-    gl.glUniform1fv(gl.glGetUniformLocation(h.program, "n"), 1, &near);
     gl.glBindVertexArray(h.vertexArray);
     gl.glBindBuffer(GL_ARRAY_BUFFER, h.buffer);
-    VertexWriter out = {h, 1.f / (float)h.columns, 1.f / (float)(3 * h.lines), 0};
+    VertexWriter out = {h, 2.f / (float)width, 2.f / (float)height, 0};
     for (int i = 0; i < count; ++i)
-        layOutHemicube(out, model, eyes[i], -1 + 2 * out.scaleX * (float)(i % h.columns),
-                       -1 + 6 * out.scaleY * (float)(i / h.columns), size * 4e-7f);
+        layOutHemicube(out, model, eyes[i], ((float)(i % h.columns) + 0.5f) * (float)h.px,
+                       (float)(i / h.columns * 3 * h.px), size * 4e-7f);
     out.flush();
-    gl.glReadPixels(0, 0, width, (count + h.columns - 1) / h.columns * 3 * h.px, GL_RED_INTEGER,
-                    GL_UNSIGNED_INT, h.ids);
+    gl.glReadPixels(0, 0, width, (count + h.columns - 1) / h.columns * 3 * h.px, GL_RED_INTEGER, GL_INT,
+                    h.ids);
 }
 
 void closeHemicubes(Hemicubes &h) {

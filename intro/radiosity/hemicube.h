@@ -5,8 +5,8 @@
 // lays them out. A fragment computes its patch id from its position on the facet. Many hemicubes share one
 // picture (an atlas) and one read-back. A hemicube has px columns and 3 px rows: the top face (px x px), then
 // four half faces (px x px/2) towards +x, +y, -x, -y of its frame, with the horizon in their first row. Depth
-// is a reversed float, which fragments write. The depth of vertices is in the middle of OpenGL's range, so
-// nothing is clipped however near it is.
+// is a reversed float, which fragments compute from the facet's plane. The depth of vertices is in the middle
+// of OpenGL's range, so nothing is clipped however near it is.
 //
 // Source: Cohen and Greenberg, "The Hemi-Cube", SIGGRAPH 1985. form_factor.h has the pixels' form factors.
 #pragma once
@@ -42,7 +42,7 @@ struct Hemicubes {
     const Scene *scene;     // for rays
     const Gl *gl;           // for OpenGL, as is the rest
     GLuint framebuffer, vertexArray, buffer, program, images[2];
-    float *vertices;
+    void *vertices; // for a draw call
 };
 
 // How the ids are found.
