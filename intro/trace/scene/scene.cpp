@@ -51,6 +51,9 @@ void Scene::finish() {
             continue;
         }
         box[i] = boundsOf(s);
+        // Leave out shapes with a side that is not finite, or is too short to have a direction: their boxes
+        // are not finite. Compare bits, without the sign, because the compiler assumes that floats are finite
+        if ((uint32_t)bits(box[i].hi.x) * 2 >= (uint32_t)bits(kInfinity) * 2) continue;
         order[bounded++] = (uint16_t)i;
         if (!s.isBall()) continue;
         const Material &m = materials[s.material];

@@ -63,6 +63,44 @@ TEST(Shapes, HaveTheirTraits) {
     }
 }
 
+// Shapes with sides of 0, or sides that are not finite, neither crash nor hide others. The frame of a
+// rectangle is its sides divided by their lengths, so that it is not a number if a side has no length.
+TEST(Shapes, WithoutASizeAreLeftOut) {
+    const Float8 none = broadcast(kInfinity);
+    for (const ShapeTraits &traits : kShapeTraits)
+        for (float side : {0.f, -0.f, 1e-42f, std::nanf(""), -std::nanf(""), HUGE_VALF, -HUGE_VALF})
+            for (int along = 0; along < 3 && traits.bounded; ++along) {
+                SCOPED_TRACE((int)traits.kind);
+                SCOPED_TRACE(side);
+                SCOPED_TRACE(along);
+                auto scene = emptyScene();
+                scene->add(Material{});
+                constexpr int kBalls = 20;
+                for (int i = 0; i < kBalls; ++i) {
+                    scene->add(sphere({(float)(3 * i), 0, 0}, 1, 0));
+                    for (bool normalised : {false, true}) {
+                        Shape s = shapeOf(traits.kind, {(float)(3 * i), 3, 1}, {0.1f, 0.1f, 0.1f});
+                        float *half[] = {&s.half.x, &s.half.y, &s.half.z};
+                        *half[along] = side;
+                        if (s.isBall()) s.half = {side, side, side};
+                        Vec3 *axes[] = {&s.frame.u, &s.frame.v, &s.frame.w};
+                        if (normalised)
+                            *axes[along] = *axes[along] * side * (1 / length(*axes[along] * side));
+                        scene->add(s);
+                    }
+                }
+                scene->finish();
+                ASSERT_EQ(scene->overflow, nullptr);
+                for (int i = 0; i < kBalls; ++i) {
+                    Ray8 down = {broadcast(Vec3{(float)(3 * i), 9, 0}), broadcast(Vec3{0, -1, 0})};
+                    Hit8 hit = intersect(*scene, down, kLanes >= 0);
+                    ASSERT_EQ(hit.t[0], 8) << i;
+                    ASSERT_EQ(hit.shape[0], 3 * i);
+                    ASSERT_EQ(transmittance(*scene, down, none, kLanes >= 0, kLanes >= 0).x[0], 0);
+                }
+            }
+}
+
 // Neighbouring shapes continue each other's texture if their kind has the trait `joins`.
 TEST(Shapes, JoinTheirTexturesOrNot) {
     Texture cloud = {.pattern = Pattern::Plaster, .scale = 1, .palette = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}};
