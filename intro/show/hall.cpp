@@ -166,7 +166,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         on += light.strips[i];
     }
     if (light.door * maxComponent(burning) > 0)
-        scene.add(Light{{x / on, 2.7f, -0.03f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
+        scene.add(Light{{x / on, 2.7f, -0.0255f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
 
     // Until the door is lit, add the landscape outside: sand to the horizon, a hill (not a ball: balls cost
     // more) and a pair of columns

@@ -91,7 +91,7 @@ void addLamps(Hall &hall) {
     Lamp *lamp = hall.radiosity.bases.lamps; // the lanterns, then the strips
     for (float cz : kLanternZ) *lamp++ = {{0, kLanternY, cz}, kLanternRadius, -1};
     for (int i = 0; i < kStrips; ++i) {
-        Vec3 corner = {((float)i - 3.5f) * 0.4f - 0.14f, 0.3f, 0.0005f - kZ};
+        Vec3 corner = {((float)i - 3.5f) * 0.4f - 0.14f, 0.3f, 0.005f - kZ};
         int chart = hall.model.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 1.04f);
         *lamp++ = {{}, 0, chart};
     }
