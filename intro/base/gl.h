@@ -14,7 +14,7 @@ namespace odraz {
 #define ODRAZ_GL(F) \
     F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) \
     F(glTexSubImage2D) F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) \
-    F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels) \
+    F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glGetError) F(glReadPixels) \
     F(glGetString) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
     F(glFramebufferRenderbuffer) F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) \
     F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) \

@@ -29,16 +29,22 @@ void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
         gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, window.framebuffer);
         gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, window.picture,
                                   0);
+        gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0); // solving the hall may have failed in another one
         gl.glClearColor(0, 0, 0, 1);
     }
     gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 
     // Clear the border, and flip the picture: its first row is the top, but OpenGL's is the bottom
     Viewport to = viewportOf(window, width, height);
-    if (to.width < window.width || to.height < window.height) gl.glClear(GL_COLOR_BUFFER_BIT);
-    gl.glBlitFramebuffer(0, 0, width, height, to.x, to.y + to.height, to.x + to.width, to.y,
-                         GL_COLOR_BUFFER_BIT,
-                         to.width == width && to.height == height ? GL_NEAREST : GL_LINEAR);
+    for (int i = 0; i < 2; ++i) {
+        if (to.width < window.width || to.height < window.height) gl.glClear(GL_COLOR_BUFFER_BIT);
+        gl.glBlitFramebuffer(0, 0, width, height, to.x, to.y + to.height, to.x + to.width, to.y,
+                             GL_COLOR_BUFFER_BIT,
+                             to.width == width && to.height == height ? GL_NEAREST : GL_LINEAR);
+        if (!gl.glGetError()) break;
+        // OpenGL cannot scale into a window that the driver multisamples: show the picture's own size
+        to = {(window.width - width) / 2, (window.height - height) / 2, width, height};
+    }
     swapBuffers(window);
 }
 
