@@ -37,7 +37,9 @@ struct HemicubeMethod;
 extern const HemicubeMethod kDrawnHemicubes, kTracedHemicubes;
 
 // Prepares the film, and reports the progress of solving the hall. `gl`: the table of OpenGL, if `method`
-// draws; its context must be current. Returns null, or a line that says what is missing and what to do.
+// draws; its context must be current. Returns null, or a line that says what is missing and what to do. If
+// the arena has memoryNeeded() bytes, only the light of the hall is missing then: its scenes are black, and
+// all others can be shown.
 const char *load(Intro *&intro, const IntroSettings &settings, Arena &arena, Workers &workers,
                  const HemicubeMethod &method, const Gl *gl, const Progress &progress = {});
 

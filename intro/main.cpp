@@ -85,11 +85,12 @@ int dumpFilm(const Options &o, Prepared &f, bool stdoutClosed) {
 // Loads the film while the window shows the progress, and plays it.
 int playFilm(const Options &o, Prepared &f, int64_t began) {
     FilmWindow &window = theEarly.window;
+    Sound *sound = f.music ? loadSound(f.arena) : nullptr; // before the hall, which may fill the arena
     const char *wrong = load(f.intro, f.settings, f.arena, f.workers, kDrawnHemicubes, &window.gl,
                              {showLoading, &window, theEarly.opened ? kEarlyShare : 0});
     if (viewerLeft()) return 0;
-    Sound *sound = f.music ? loadSound(f.arena) : nullptr;
-    return wrong ? showError(wrong) : play(*f.intro, sound, o, window, &theEarly.viewerLeft, began);
+    if (wrong) printError(wrong);
+    return play(*f.intro, sound, o, window, &theEarly.viewerLeft, began);
 }
 
 int run(int argc, char **argv, bool stdoutClosed) {

@@ -14,10 +14,10 @@ namespace odraz {
 #define ODRAZ_GL(F) \
     F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) \
     F(glTexSubImage2D) F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) \
-    F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glGetError) F(glReadPixels) \
+    F(glFramebufferTexture2D) F(glBlitFramebuffer) F(glGetError) F(glReadPixels) \
     F(glGetString) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
     F(glFramebufferRenderbuffer) F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) \
-    F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) \
+    F(glAttachShader) F(glLinkProgram) F(glUseProgram) \
     F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \
     F(glBufferData) F(glVertexAttribPointer) F(glEnableVertexAttribArray) \
     F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) F(glClearBufferiv) \

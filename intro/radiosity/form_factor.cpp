@@ -97,7 +97,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &
             eyes[batch] = hemicubeEye(p.p, p.n, (uint32_t)i);
             patchOf[batch++] = i;
         }
-        h.method->fill(h, model, eyes, batch);
+        if (!h.method->fill(h, model, eyes, batch)) return false;
         parallelFor(workers, batch, [&](int k, int) {
             float *row = rows + (size_t)k * (size_t)rowFloats;
             for (int j = 0; j < rowFloats; ++j) row[j] = 0;
@@ -113,13 +113,14 @@ bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &
             for (int first = 0; first < rowFloats; first += 8)
                 for (int lanes = laneBits(load(row + first) > 0.f); lanes; lanes &= lanes - 1) {
                     int j = first + __builtin_ctz(lanes);
-                    if (link == end) return false;
+                    if (link == end) return !(arena.full = true);
                     *link++ = {(uint32_t)j, row[j]};
                 }
             to.count = (int)(link - to.links);
             to.known = true;
             factors.used = (size_t)(link - factors.links);
         }
+        if (batch && !factors.used) return false; // no patch sees another: nothing was drawn
         progress((float)i / (float)count);
     }
     return true;

@@ -39,7 +39,7 @@ void accumulateFormFactors(int px, const float *delta, float *sums);
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
 // Fills the hemicubes of all visible patches that reflect, and stores their rows. Returns false if the viewer
-// left or the capacity for links is too small.
+// left, hemicubes cannot be filled, or the capacity for links is too small; then `arena` is marked as full.
 bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &arena, FormFactors &factors,
                      const Progress &progress);
 

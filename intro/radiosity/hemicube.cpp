@@ -157,7 +157,6 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
         gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER, i ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
                                      GL_RENDERBUFFER, h.images[i]);
     }
-    if (gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
 
     h.program = gl.glCreateProgram();
     for (int i = 0; i < 2; ++i) {
@@ -169,8 +168,6 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
         gl.glDeleteShader(shader); // with the program
     }
     gl.glLinkProgram(h.program);
-    GLint linked = 0;
-    gl.glGetProgramiv(h.program, GL_LINK_STATUS, &linked);
 
     gl.glGenVertexArrays(1, &h.vertexArray);
     gl.glBindVertexArray(h.vertexArray);
@@ -180,10 +177,10 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
         gl.glVertexAttribPointer(i, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), (void *)(size_t)(16 * i));
         gl.glEnableVertexAttribArray(i);
     }
-    return linked;
+    return true;
 }
 
-void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count) {
+bool drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count) {
     // The scene's size sets the tolerance for facets in the patch's plane
     float size = 0;
     for (int i = 0; i < model.chartCount; ++i) {
@@ -208,8 +205,11 @@ void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
         layOutHemicube(out, model, eyes[i], ((float)(i % h.columns) + 0.5f) * (float)h.px,
                        (float)(i / h.columns * 3 * h.px), size * 4e-7f);
     out.flush();
-    gl.glReadPixels(0, 0, width, (count + h.columns - 1) / h.columns * 3 * h.px, GL_RED_INTEGER, GL_INT,
-                    h.ids);
+    h.ids[0] = kBackSide - 1; // no patch. It stays if nothing is read back
+    gl.glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_INT, h.ids);
+    for (int i = 0; i < width * height; ++i)
+        if (h.ids[i] + 1 > (uint32_t)model.patchCount + 1) return false; // kBackSide + 1 is 0
+    return true;
 }
 
 void closeHemicubes(Hemicubes &h) {

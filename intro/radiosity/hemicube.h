@@ -47,19 +47,20 @@ struct Hemicubes {
 
 // How the ids are found.
 struct HemicubeMethod {
-    // Prepares hemicubes of px pixels. Returns false if the arena is full or the method is impossible here
+    // Prepares hemicubes of px pixels. Returns false if the arena is full
     bool (*open)(Hemicubes &h, const Gl *gl, const Scene &scene, Arena &arena, int px);
-    // Fills `ids` with up to `batch` hemicubes
-    void (*fill)(Hemicubes &h, const Model &model, const Eye *eyes, int count);
+    // Fills `ids` with up to `batch` hemicubes. Returns false if not all of them are ids of the
+    // model, kNothing or kBackSide
+    bool (*fill)(Hemicubes &h, const Model &model, const Eye *eyes, int count);
     void (*close)(Hemicubes &h);
 };
 
 // OpenGL draws the ids in the current context, whose table is `gl`; `scene` is not used. px: even, 4 ..
-// kMaxHemicube. open() fails if the context cannot render ids; fill() changes its framebuffer and viewport.
+// kMaxHemicube. fill() changes its framebuffer and viewport. It fails if ids cannot be read back.
 extern const HemicubeMethod kDrawnHemicubes;
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px);
 size_t hemicubeBytes(int px);
-void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count);
+bool drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count);
 void closeHemicubes(Hemicubes &h);
 
 // Rays through the pixels' centres find the ids in `scene`, the posed and finished model, which must be

@@ -49,7 +49,7 @@ bool open(Hemicubes &h, const Gl *, const Scene &scene, Arena &arena, int px) {
     return !arena.full;
 }
 
-void fill(Hemicubes &h, const Model &model, const Eye *eyes, int count) {
+bool fill(Hemicubes &h, const Model &model, const Eye *eyes, int count) {
     for (int i = 0; i < count; ++i) {
         uint32_t *row = (uint32_t *)hemicubeIds(h, i);
         const Mat3 &frame = eyes[i].frame;
@@ -61,6 +61,7 @@ void fill(Hemicubes &h, const Model &model, const Eye *eyes, int count) {
                 __builtin_memcpy(row + x, &ids, sizeof ids);
             }
     }
+    return true;
 }
 
 } // namespace

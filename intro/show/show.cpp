@@ -4,6 +4,8 @@ namespace odraz {
 
 Posed poseAt(const Film &film, double seconds, const CameraKey *camera) {
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
+    // Without its light the hall is black: any other scene stands for it, at no brightness
+    if (kScenes[m.shot->scene].needsHall && !film.hall->solved()) m.shot = kFilm.shots, m.fade = 0;
     Posed now = {m.shot,
                  {m.storyRow, camera ? *camera : pose(m.shot->path, m.storyRow), film.hall, film.facts},
                  m.fade};

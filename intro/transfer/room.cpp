@@ -44,7 +44,7 @@ bool visit(Room &room, const Vec3 &point, const Scene &scene, const SolverHost &
     room.seen = host.arena.allocate<uint32_t>((size_t)((3 * kSeen + 1) * kSeen));
     if (host.arena.full || !host.method.open(h, host.gl, scene, host.arena, kSeen)) return false;
     Eye eye = {m.patches[room.visited].p, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
-    host.method.fill(h, m, &eye, 1);
+    if (!host.method.fill(h, m, &eye, 1)) return false;
     for (int i = 0; i < 3 * kSeen * kSeen; ++i)
         room.seen[i] = hemicubeIds(h, 0)[i / kSeen * hemicubeStride(h) + i % kSeen];
     host.method.close(h);
@@ -61,11 +61,11 @@ bool fillLightmap(Room &room, Arena &arena) {
         room.map.patch[k] = room.mosaic[k];
         room.map.gloss[k] = room.gloss.plane[k];
     }
-    room.map.charts = m.charts;
     room.map.glossy = room.gloss.chart;
     room.map.glossAcross = room.gloss.across;
     room.map.glossDown = room.gloss.down;
-    return !arena.full;
+    if (!arena.full) room.map.charts = m.charts;
+    return room.solved();
 }
 
 } // namespace
@@ -78,7 +78,10 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Sol
         findGlossy(room.gloss, room.model, room.radiosity, s.polished, s.exponent, arena, workers) &&
         followBounces(room, s.followed, arena, workers) && visit(room, s.visited, scene, host) &&
         fillLightmap(room, arena);
-    if (!solved) return "cannot light the hall: OpenGL 3.3 cannot draw integers, or memory is short";
+    if (arena.full) return "not enough memory: try a smaller --size";
+    if (!solved)
+        return "cannot light the hall: OpenGL 3.3 cannot draw integers; its scenes are left out: "
+               "try a newer driver, or LIBGL_ALWAYS_SOFTWARE=1";
     method.close(room.radiosity.hemicubes);
     char *from = (char *)room.radiosity.factors.links; // solving allocates `matrices` later
     if (arena.giveBack) arena.giveBack(from, (size_t)((char *)room.gloss.matrices - from));

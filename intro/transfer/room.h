@@ -34,6 +34,8 @@ struct Room {
     uint32_t *seen;
     Radiosity radiosity;
     Model model;
+
+    bool solved() const { return map.charts; }
 };
 
 // Size of the arena for solving: enough for a room of 26,000 texels, 5,300 patches and 64 bases, with a

@@ -31,6 +31,8 @@ dumped() {
 }
 hall=(--dump - --from 120 --to 120.04 --size 64x36)
 check "it draws the hall" dumped "$WORK/with.ppm" "$odraz" "${hall[@]}"
+check "where OpenGL has no integers" refuses 1 "cannot light the hall: OpenGL 3.3 cannot draw integers" \
+    env MESA_EXTENSION_OVERRIDE=-GL_EXT_texture_integer "$odraz" "${hall[@]}"
 
 . "$(dirname "$0")/memory.sh"
 

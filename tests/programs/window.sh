@@ -44,6 +44,11 @@ check "nothing is printed on standard error" test ! -s "$WORK/err"
 
 check "plays to its end by itself" prints ^credits timeout "$PATIENCE" "$packed" --window --size 320x180 --from 161 --stats
 
+check "where OpenGL has no integers, only the hall's scenes are left out" \
+    play env MESA_EXTENSION_OVERRIDE=-GL_EXT_texture_integer "$odraz" --window --size 320x180 --from 151
+check "... and one line names the cause" grep -q 'cannot light the hall' "$WORK/err"
+check "... and ESC quits" leaves xdotool key Escape
+
 # Missing things are also reported in a small window
 clicked_away() { xdotool mousemove 60 60 click 1; sleep 0.1; gone $pid; }
 leaves_by_click() {

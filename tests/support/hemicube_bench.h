@@ -24,7 +24,7 @@ struct HemicubeBench : ModelBench {
     }
     std::set<uint32_t> visibleIds(const Eye &eye) {
         Hemicubes &h = hemicubes();
-        drawHemicubes(h, *model, &eye, 1);
+        EXPECT_TRUE(drawHemicubes(h, *model, &eye, 1));
         std::set<uint32_t> ids;
         for (int y = 0; y < 3 * h.px; ++y)
             for (int x = 0; x < h.px; ++x) ids.insert(hemicubeIds(h, 0)[y * hemicubeStride(h) + x]);

@@ -32,7 +32,7 @@ struct SingleHemicube {
     }
     // Draws the hemicube of `eye` and returns its form factors.
     std::vector<float> row(const Model &model, const Eye &eye, double *dark = nullptr) {
-        drawHemicubes(h, model, &eye, 1);
+        EXPECT_TRUE(drawHemicubes(h, model, &eye, 1));
         return row(model, 0, dark);
     }
 };

@@ -7,6 +7,8 @@
 
 namespace odraz::radiosity {
 
+static constexpr char kNoIntegers[] = "this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)";
+
 std::vector<float> formFactorSums(int px) {
     std::vector<float> all((size_t)(3 * px * (px + 1)));
     int fine = px % 2 ? 2 * px : px;
@@ -38,14 +40,17 @@ std::vector<float> formFactorSums(int px) {
 // Memory for the next even number of pixels is enough.
 AnyHemicubes::AnyHemicubes(const Gl &gl, int px)
     : memory(hemicubeBytes(px + px % 2)), sums(formFactorSums(px)) {
-    if (!openHemicubes(h, gl, memory.arena, px + px % 2))
-        throw std::runtime_error("this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)");
+    if (!openHemicubes(h, gl, memory.arena, px + px % 2)) throw std::runtime_error(kNoIntegers);
     h.px = px;
+}
+
+void AnyHemicubes::draw(const Model &m, std::span<const Eye> eyes) {
+    if (!drawHemicubes(h, m, eyes.data(), (int)eyes.size())) throw std::runtime_error(kNoIntegers);
 }
 
 const std::vector<std::vector<float>> &AnyHemicubes::rows(const Model &m, std::span<const Eye> eyes,
                                                           Workers &workers) {
-    drawHemicubes(h, m, eyes.data(), (int)eyes.size());
+    draw(m, eyes);
     found.resize(eyes.size());
     parallelFor(workers, (int)found.size(), [&](int k, int) {
         found[(size_t)k].assign((size_t)m.patchCount, 0);

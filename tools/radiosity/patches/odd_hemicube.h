@@ -28,7 +28,9 @@ public:
     AnyHemicubes(const AnyHemicubes &) = delete;
     ~AnyHemicubes() { closeHemicubes(h); }
 
-    // Draws hemicubes at up to h.batch eyes. Returns for each eye the form factors to all patches.
+    // Draws hemicubes at up to h.batch eyes into h.ids. Throws std::runtime_error if OpenGL fails.
+    void draw(const Model &model, std::span<const Eye> eyes);
+    // Draws them, and returns for each eye the form factors to all patches.
     const std::vector<std::vector<float>> &rows(const Model &model, std::span<const Eye> eyes,
                                                 Workers &workers);
 

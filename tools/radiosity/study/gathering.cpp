@@ -67,7 +67,7 @@ Gathering::Result Gathering::measure(const Layout &layout) {
                                           : hemicubeEye(model.patches[i].p, model.patches[i].n,
                                                         (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
     // Draw once untimed, because the first picture takes longer. Measure a few patches several times
-    drawHemicubes(hemicubes.h, model, &eyes[0], 1);
+    hemicubes.draw(model, {&eyes[0], 1});
     Workers serial = serialWorkers();
     Stopwatch watch;
     std::vector<float> light;
@@ -99,7 +99,7 @@ int Gathering::patchSeeingMost() {
     for (size_t k = 0; k < patches.size(); k += std::max(patches.size() / 32, (size_t)1)) {
         const Patch &p = model.patches[patches[k]];
         Eye eye = hemicubeEye(p.p, p.n, (uint32_t)patches[k]);
-        drawHemicubes(opened.h, model, &eye, 1);
+        opened.draw(model, {&eye, 1});
         std::set<uint32_t> seen;
         for (int y = 0; y < 150; ++y)
             for (int x = 0; x < 50; ++x)
@@ -113,7 +113,7 @@ pictures::Image Gathering::unfolded(int patch, int px) {
     AnyHemicubes opened(study.gl, px);
     const Patch &p = model.patches[patch];
     Eye eye = hemicubeEye(p.p, p.n, (uint32_t)patch);
-    drawHemicubes(opened.h, model, &eye, 1);
+    opened.draw(model, {&eye, 1});
     const uint32_t *ids = hemicubeIds(opened.h, 0);
     int stride = hemicubeStride(opened.h);
     std::vector<float> all;

@@ -1,0 +1,91 @@
+// Tests the film where the light of the hall cannot be solved: scenes in the hall are black, and all others
+// are as they should be.
+#include "tests/support/headless_gl.h"
+#include "tests/support/loaded_film.h"
+
+#include <cstring>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+constexpr int kAcross = 96, kHigh = 54;
+constexpr double kElsewhere = 50, kInHall[] = {70, 100, 130}; // the first one has letters
+
+// Loads the film with this table, and returns the line about the hall.
+std::string lineOf(const Gl &gl, const IntroSettings &settings, Arena &arena, Workers &workers,
+                   Intro *&intro) {
+    const char *line = load(intro, settings, arena, workers, kDrawnHemicubes, &gl);
+    return line ? line : "";
+}
+
+std::vector<uint8_t> rgbaOf(const Picture &p) { return {p.rgba, p.rgba + kAcross * kHigh * 4}; }
+
+bool isBlack(const Picture &p) {
+    for (int i = 0; i < kAcross * kHigh * 4; ++i)
+        if (i % 4 < 3 && p.rgba[i] > 2) return false; // the film has grain
+    return true;
+}
+
+// Ways in which reading back goes wrong.
+void (*const kWrong[])(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) = {
+    [](GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) {}, // refused, or the context is lost
+    [](GLint, GLint, GLsizei w, GLsizei h, GLenum, GLenum, void *to) { memset(to, 0, (size_t)(w * h) * 4); },
+    [](GLint, GLint, GLsizei w, GLsizei h, GLenum, GLenum, void *to) {
+        for (int i = 0; i < w * h; ++i) ((uint32_t *)to)[i] = (uint32_t)i * 2654435761u; // noise
+    },
+    [](GLint x, GLint y, GLsizei w, GLsizei h, GLenum format, GLenum type, void *to) {
+        static int calls; // noise in one pixel of the third picture
+        headlessGl().glReadPixels(x, y, w, h, format, type, to);
+        if (++calls == 3) ((uint32_t *)to)[w * h / 2] = 1 << 30;
+    },
+};
+
+} // namespace
+
+TEST(DarkHall, CostsOnlyItsScenes) {
+    const Quality &draft = kQualities[(int)QualityName::Draft];
+    LoadedFilm without(2, kAcross, kHigh, true);
+    IntroSettings settings = without.settings;
+    settings.hall = true;
+    std::vector<uint8_t> flake = rgbaOf(picture(*without.intro, 0, kElsewhere, draft));
+    for (auto &read : kWrong) {
+        SCOPED_TRACE((int)(&read - kWrong));
+        Threads threads(2);
+        HeapArena memory(memoryNeeded(settings, 2));
+        Gl gl = headlessGl();
+        gl.glReadPixels = read;
+        Intro *intro;
+        EXPECT_EQ(lineOf(gl, settings, memory.arena, threads.workers, intro)
+                      .find("cannot light the hall: OpenGL 3.3 cannot draw integers"),
+                  0u);
+        EXPECT_EQ(rgbaOf(picture(*intro, 0, kElsewhere, draft)), flake);
+        for (double t : kInHall) {
+            EXPECT_TRUE(isBlack(picture(*intro, 0, t, draft))) << t;
+            EXPECT_TRUE(isBlack(picture(*intro, 1, t + 4 / 60., draft))) << t;
+            EXPECT_TRUE(isBlack(between(*intro, 0, 1))) << t;
+        }
+        // From a scene in the hall to the next one that is not
+        picture(*intro, 0, kElsewhere, draft);
+        picture(*intro, 1, kInHall[0], draft);
+        EXPECT_TRUE(isBlack(between(*intro, 0, 1, 0.99)));
+    }
+}
+
+// What fills the arena while the hall is solved is memory, whatever stage it is in.
+TEST(DarkHall, MayLackMemory) {
+    LoadedFilm without(2, kAcross, kHigh, false);
+    IntroSettings settings = without.settings;
+    settings.hall = true;
+    size_t whole = memoryNeeded(settings, 2), film = without.memory.arena.used;
+    for (double share : {0.05, 0.3, 0.5, 0.6}) {
+        Threads threads(2);
+        HeapArena memory(film + sizeof(size_t) + (size_t)((double)(whole - film) * share));
+        Intro *intro;
+        EXPECT_EQ(
+            lineOf(headlessGl(), settings, memory.arena, threads.workers, intro).find("not enough memory"),
+            0u)
+            << share;
+    }
+}
