@@ -75,8 +75,8 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row) 
     return dark;
 }
 
-bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &arena, FormFactors &factors,
-                     const Progress &progress) {
+bool findFormFactors(const HemicubeMethod &method, Hemicubes &h, const Model &model, Workers &workers,
+                     Arena &arena, FormFactors &factors, const Progress &progress) {
     int count = model.patchCount, rowFloats = (count + 7) & ~7;
     float *delta = arena.allocate<float>((size_t)(3 * h.px * h.px));
     float *sums = arena.allocate<float>((size_t)(3 * h.px * (h.px + 1)));
@@ -97,7 +97,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &
             eyes[batch] = hemicubeEye(p.p, p.n, (uint32_t)i);
             patchOf[batch++] = i;
         }
-        if (!h.method->fill(h, model, eyes, batch)) return false;
+        if (!method.fill(h, model, eyes, batch)) return false;
         parallelFor(workers, batch, [&](int k, int) {
             float *row = rows + (size_t)k * (size_t)rowFloats;
             for (int j = 0; j < rowFloats; ++j) row[j] = 0;

@@ -40,7 +40,7 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
 // Fills the hemicubes of all visible patches that reflect, and stores their rows. Returns false if the viewer
 // left, hemicubes cannot be filled, or the capacity for links is too small; then `arena` is marked as full.
-bool findFormFactors(Hemicubes &h, const Model &model, Workers &workers, Arena &arena, FormFactors &factors,
-                     const Progress &progress);
+bool findFormFactors(const HemicubeMethod &method, Hemicubes &h, const Model &model, Workers &workers,
+                     Arena &arena, FormFactors &factors, const Progress &progress);
 
 } // namespace odraz

@@ -140,7 +140,6 @@ size_t hemicubeBytes(int px) {
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h = {};
     h.gl = &gl;
-    h.method = &kDrawnHemicubes;
     shapeAtlas(h, px);
     h.vertices = arena.allocate<Vertex>(kVertices);
     h.ids = arena.allocate<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));

@@ -32,10 +32,7 @@ struct Eye {
 // each number; otherwise all neighbouring hemicubes would have the same aliasing.
 Eye hemicubeEye(const Vec3 &p, const Vec3 &n, uint32_t number);
 
-struct HemicubeMethod;
-
 struct Hemicubes {
-    const HemicubeMethod *method;
     int px, columns, lines; // the picture has columns x lines hemicubes
     int batch;              // columns * lines
     uint32_t *ids;          // the atlas: columns * px wide

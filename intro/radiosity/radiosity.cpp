@@ -70,7 +70,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
         const Chart &c = model.charts[p.chart];
         if (!c.open) p.reflects = scene.mean[c.material];
     }
-    if (!findFormFactors(r.hemicubes, model, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
+    if (!findFormFactors(method, r.hemicubes, model, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
         return false;
 
     findDirectLight(model, scene, r.bases, workers, r.direct, progress.part(0.635f, 0.92f));

@@ -43,7 +43,6 @@ Uint8 traced(const Scene &scene, const Model &model, Vec3 p, Vec3x8 d) {
 bool open(Hemicubes &h, const Gl *, const Scene &scene, Arena &arena, int px) {
     h = {};
     h.scene = &scene;
-    h.method = &kTracedHemicubes;
     shapeAtlas(h, px);
     h.ids = arena.allocate<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
     return !arena.full;

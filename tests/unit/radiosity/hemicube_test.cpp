@@ -113,7 +113,8 @@ TEST(Furnace, ComesOutEven) {
         FormFactors f = {};
         f.capacity = 1 << 20;
         f.links = b.memory.arena.allocate<Link>(f.capacity);
-        ASSERT_TRUE(findFormFactors(b.hemicubes(), *b.model, b.workers, b.memory.arena, f, {}));
+        ASSERT_TRUE(
+            findFormFactors(kDrawnHemicubes, b.hemicubes(), *b.model, b.workers, b.memory.arena, f, {}));
         System s;
         ASSERT_TRUE(makeSystem(s, b.memory.arena, f, b.model->patchCount, 1));
         for (int i = 0; i < b.model->patchCount; ++i)
