@@ -2,8 +2,9 @@
 const kChunk = 100, chunkSeconds = () => kChunk * x.block() / x.rate() // a chunk of music: 100 blocks
 const kComposed = 10, kFirst = 2 // seconds to compose ahead, and before the click
 // zero: when the music begins, on the clock of `audio`; asked, scheduled: numbers of chunks; waiting: chunks to
-// schedule; settled: before this moment (milliseconds) the sound sets the film's clock, later it only corrects it
-let composer, audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0, waiting = []
+// schedule; settled: before this moment (milliseconds) the sound sets the film's clock, later it only corrects it;
+// heard: the time of `audio` at the last refresh; moved: when that changed. After a stop the sound sets the clock again
+let composer, audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0, heard, moved = 0, waiting = []
 const startComposer = () => composer = startWorker(d => {
   if (d.turn == turn) waiting.push(d), schedule()
 }, 'compose', module, blockAt(from), turn)
@@ -37,8 +38,9 @@ const schedule = () => {
     const s = audio.createBufferSource(), when = zero + scheduled++ * chunkSeconds()
     const late = Math.max(0, audio.currentTime + 0.02 - when)
     const { left, right } = waiting.shift()
-    s.buffer = audio.createBuffer(2, left.length, x.rate())
-    s.buffer.copyToChannel(left, 0), s.buffer.copyToChannel(right, 1)
+    const buffer = audio.createBuffer(2, left.length, x.rate())
+    buffer.copyToChannel(left, 0), buffer.copyToChannel(right, 1)
+    s.buffer = buffer // Firefox plays the samples that it has now
     s.connect(gain)
     if (late < chunkSeconds()) s.start(when + late, late)
   }
@@ -46,6 +48,7 @@ const schedule = () => {
 // The film's time that is heard at t milliseconds
 const heardAt = t => {
   const { contextTime, performanceTime } = audio.getOutputTimestamp?.() ?? {}
-  return from - zero + (contextTime > 0 ? contextTime + (t - performanceTime) / 1e3
+  // WebKitGTK 2.50 adds the context's time to the page's
+  return from - zero + (contextTime > 0 && performanceTime < now() + 50 ? contextTime + (t - performanceTime) / 1e3
     : audio.currentTime - (audio.outputLatency || 0))
 }

@@ -2,7 +2,8 @@
 // seconds of the film, or milliseconds (t) of the page's clock.
 const find = selector => document.querySelector(selector), now = () => performance.now()
 const canvas = find('canvas'), bar = find('i'), button = find('b'), word = find('p'), printed = find('pre')
-const draw = canvas.getContext('2d', { alpha: false })
+// In memory: WebKit would draw by OpenGL, which without a GPU takes a third of the workers' time
+const draw = canvas.getContext('2d', { alpha: false, willReadFrequently: true })
 const q = new URLSearchParams(location.search), full = q.get('full') != '0'
 let x, module, url, duration, from, over // x: the functions of the page's instance; from: where the film begins
 let playing, since, clicked // playing: after the click; since: when waiting for pictures began; clicked: the click's time
@@ -46,9 +47,14 @@ const begin = t => {
 const step = (t = now()) => {
   if (over) return
   check()
+  if (silent && audio?.state == 'running') silent = 0, seek(0) // it was slow to start
   if (holds.has('start')) begin(t)
   else if (going) {
-    if (!silent && audio.currentTime > zero) t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
+    if (!silent && audio.currentTime > zero && audio.currentTime != heard) {
+      if (t - moved > 300) settled = t + 400
+      heard = audio.currentTime, moved = t
+      t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
+    }
     const film = x.at(t), state = x.can(Math.max(film, from))
     if (film >= duration) return end()
     if (state == kLater) hold('hall')
@@ -85,8 +91,8 @@ const play = () => {
   playing = 1, clicked = since = now()
   document.body.className = 'on'
   draw.fillRect(0, 0, w, h)
-  fullScreen()
   openSound()
+  fullScreen() // in WebKit a click that has filled the screen starts no sound
   holds.add('start')
   step()
 }

@@ -9,9 +9,9 @@ const kWorkers = 2, kSeconds = 8
 // click to the first picture; the number of pictures left out after 1.5 s; the fewest that were shown in a second; how
 // far the sound was off, in seconds; and whether keys mute it. `pauses`: the system stops the sound from 3 to 7 s after
 // the click. `silent`: the browser has no sound. `dark`: the hall's worker fails. `stops`: the viewer pauses with a
-// click, and continues with space.
-// `seeks`: the viewer pauses, and seeks 5 s back.
-const play = async (cost, from, { pauses, silent, dark, stops, seeks, query = from } = {}) => {
+// click, and continues with space. `seeks`: the viewer pauses, and seeks 5 s back. `late`: the sound starts 3 s after
+// the click. `stands`: the sound's clock stands for 1.5 s, soon after the start.
+const play = async (cost, from, { pauses, silent, dark, stops, seeks, late, stands, query = from } = {}) => {
   let clock = 0, skippedAtStart = 0, off = 0, context, muted
   const events = [], shown = [], elements = {}
   const at = (when, what) => { events.push({ when, what }), events.sort((a, b) => a.when - b.when) }
@@ -40,12 +40,13 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, query = fr
     }
     terminate() { this.onmessage = null }
   }
+  const stood = ms => stands && ms > 600 ? Math.max(600, ms - 1500) : ms
   class AudioContext {
     state = 'suspended'
     ran = 0
     constructor() { context = this }
-    get currentTime() { return (this.ran + (this.state == 'running' && clock - this.begun)) / 1e3 }
-    resume() { at(clock + 100, () => { this.state == 'running' || (this.begun = clock), this.state = 'running' }) }
+    get currentTime() { return (this.ran + (this.state == 'running' && stood(clock - this.begun))) / 1e3 }
+    resume() { at(clock + (late ? 3000 : 100), () => { this.state == 'running' || (this.begun = clock), this.state = 'running' }) }
     suspend() { this.ran = 1e3 * this.currentTime, this.state = 'suspended' }
     close() {}
     gain = { value: 1 }
@@ -82,21 +83,21 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, query = fr
     await null
     const s = self.film.state()
     film = s.film
-    if (film < from + 1.5) skippedAtStart = s.skipped
+    if (film < from + (late || stands ? 5 : 1.5)) skippedAtStart = s.skipped
     else if (s.heard != null) off = Math.max(off, Math.abs(s.heard - film))
     if (s.over) break
   }
   for (const t of shown) if (t >= from && t < from + kSeconds) ++each[Math.floor(t - from)]
-  const { first, skipped, duration, unlit, over } = self.film.state()
+  const { first, skipped, duration, heard, unlit, over } = self.film.state(), sounds = heard != null
   const last = shown.at(-1), least = Math.min(...each.slice(0, Math.ceil(last - from)))
-  return { first, skipped: skipped - skippedAtStart, least, off, last, muted, duration, moved, unlit, over }
+  return { first, skipped: skipped - skippedAtStart, least, off, last, muted, duration, moved, sounds, unlit, over }
 }
 
 let wrong = false
 const check = async (cost, from, how = {}) => {
   const r = await play(cost, from, how), last = Math.min(from + kSeconds, r.duration) - 0.1
-  const right = r.first <= (how.silent ? 1600 : 300) && !r.skipped && r.least >= 24 && r.off < 0.02 && !r.moved &&
-    r.last >= last && r.muted == (how.silent ? ',,,' : '0,1,0,1')
+  const right = r.first <= (how.silent || how.late ? 1600 : 300) && !r.skipped && r.least >= 24 && r.off < 0.02 && !r.moved &&
+    r.last >= last && r.sounds == !how.silent && r.muted == (how.silent ? ',,,' : '0,1,0,1')
   const what = `${cost} ms a picture, from ${from} s ${Object.keys(how)}`
   console.log(`${right ? 'ok' : 'FAILED'}: ${what}: ${JSON.stringify(r)}`)
   wrong ||= !right
@@ -107,6 +108,8 @@ await check(120, 46, { silent: 1 })
 await check(120, 46, { stops: 1 })
 await check(120, 46, { stops: 1, silent: 1 })
 await check(120, 66, { seeks: 1 })
+await check(120, 46, { late: 1 })
+await check(120, 46, { stands: 1 })
 for (const [query, from] of [['1e9', 163], ['-5', 0], ['60,5', 60], ['x', 0]]) await check(120, from, { query })
 // From half a second before the hall: its scenes are left out, with the reason, and the film goes on
 const dark = await play(60, 63.5, { dark: 1 }), leftOut = /memory/.test(dark.unlit) && dark.last < 64 && !dark.over
