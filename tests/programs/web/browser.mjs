@@ -1,13 +1,16 @@
-// A browser under test: open('chromium' | 'firefox', url, Chromium's options for OpenGL) -> { evaluate(text), click(),
-// key(name), resize(w, h), screenshot(file), close(), errors }. Chromium is controlled by pipes, Firefox by a port
-// (Marionette).
+// A browser under test: open('chromium' | 'firefox' | 'webkit', url, Chromium's options for OpenGL) -> { evaluate(text),
+// click(), key(name), resize(w, h), screenshot(file), close(), errors }. Chromium is controlled by pipes, Firefox by a
+// port (Marionette), and WebKit (WebKitGTK's MiniBrowser) by WebDriver.
 import { spawn } from 'node:child_process'
+import { once } from 'node:events'
 import { mkdtempSync, writeFileSync, readFileSync, rmSync } from 'node:fs'
-import { connect } from 'node:net'
+import { request } from 'node:http'
+import { connect, createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 
 const later = ms => new Promise(r => setTimeout(r, ms))
 const kWidth = 1280, kHeight = 720
+process.on('SIGTERM', () => process.exit(1)) // ends the browsers, too
 
 const chromium = async (url, profile, gl = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader']) => {
   const child = spawn('chromium', ['--headless=new', '--no-sandbox', '--user-data-dir=' + profile, '--no-first-run',
@@ -58,6 +61,18 @@ const chromium = async (url, profile, gl = ['--use-angle=swiftshader', '--enable
   }
 }
 
+// For browsers whose protocol is like WebDriver's
+const awaited = expression => `const done = arguments[arguments.length - 1]
+  ;(async () => (${expression}))().then(v => [v], e => [null, e + ' ' + e.stack])
+    .then(([v, wrong]) => done([v, wrong, self.errors]))`
+const result = ([value, wrong]) => {
+  if (wrong) throw Error(wrong)
+  return value
+}
+const kClick = [{ type: 'pointerMove', x: 900, y: 200 }, ...['pointerDown', 'pointerUp'].map(type => ({ type, button: 0 }))]
+const kArrows = { ArrowLeft: '\ue012', ArrowRight: '\ue014' }
+const pressed = name => ['keyDown', 'keyUp'].map(type => ({ type, value: kArrows[name] ?? name }))
+
 const firefox = async (url, profile) => {
   const prefs = { 'webgl.force-enabled': true, 'media.autoplay.blocking_policy': 0, 'marionette.port': 0,
     'datareporting.policy.dataSubmissionEnabled': false, 'browser.shell.checkDefaultBrowser': false,
@@ -101,18 +116,11 @@ const firefox = async (url, profile) => {
   return {
     child, errors,
     async evaluate(expression) {
-      const script = `const done = arguments[arguments.length - 1]
-        ;(async () => (${expression}))().then(v => done([v]), e => done([null, String(e.stack || e)]))`
-      const how = { script, args: [], sandbox: null, newSandbox: false }
-      const [value, wrong] = (await call('WebDriver:ExecuteAsyncScript', how)).value
-      if (wrong) throw Error(wrong)
-      return value
+      const how = { script: awaited(expression), args: [], sandbox: null, newSandbox: false }
+      return result((await call('WebDriver:ExecuteAsyncScript', how)).value)
     },
-    async click() {
-      const button = 0, move = { type: 'pointerMove', x: 900, y: 200 }
-      await act('pointer', [move, { type: 'pointerDown', button }, { type: 'pointerUp', button }])
-    },
-    key: value => act('key', [{ type: 'keyDown', value }, { type: 'keyUp', value }]),
+    click: () => act('pointer', kClick),
+    key: name => act('key', pressed(name)),
     resize: (width, height) => call('WebDriver:SetWindowRect', { width, height }),
     async screenshot(file) {
       writeFileSync(file, Buffer.from((await call('WebDriver:TakeScreenshot', { full: false })).value, 'base64'))
@@ -120,9 +128,63 @@ const firefox = async (url, profile) => {
   }
 }
 
+// Runs in the page: collects its errors, since the driver discards what the browser prints
+const collect = () => self.errors ??= (errors => {
+  addEventListener('error', e => errors.push(e.message))
+  addEventListener('unhandledrejection', e => errors.push(String(e.reason)))
+  console.error = (...all) => errors.push(all.join(' '))
+  return errors
+})([])
+
+const webkit = async (url, profile) => {
+  const free = createServer().listen(0, '127.0.0.1')
+  await once(free, 'listening')
+  const { port } = free.address()
+  free.close()
+  // Driver and browser are a group of processes, so that they end together
+  const env = { ...process.env, XDG_DATA_HOME: profile, XDG_CACHE_HOME: profile, XDG_CONFIG_HOME: profile }
+  const child = spawn('WebKitWebDriver', ['--port=' + port], { stdio: 'ignore', detached: true, env })
+  child.kill = () => { try { process.kill(-child.pid, 'SIGKILL') } catch {} }
+  process.on('exit', child.kill)
+  const call = (path, body) => new Promise((done, fail) => {
+    const options = { host: '127.0.0.1', port, path, method: body ? 'POST' : 'GET' }
+    request(options, async answer => {
+      let text = ''
+      for await (const part of answer) text += part
+      const { value } = JSON.parse(text)
+      value?.error ? fail(Error(`${path}: ${value.error}: ${value.message}`)) : done(value)
+    }).on('error', fail).end(body && JSON.stringify(body))
+  })
+  for (let i = 0; ; ++i, await later(100)) {
+    const status = await call('/status').catch(() => 0)
+    if (status.ready) break
+    if (i > 9000 || child.exitCode != null) throw Error('WebKitWebDriver does not listen')
+  }
+  const session = '/session/' + (await call('/session', { capabilities: {} })).sessionId
+  const ask = (what, body) => call(`${session}/${what}`, body)
+  const act = (type, actions) => ask('actions', { actions: [{ type, id: type, actions }] })
+  const resize = (width, height) => ask('window/rect', { width, height })
+  const errors = []
+  const evaluate = async expression => {
+    const all = await ask('execute/async', { script: awaited(`(${collect})(), ${expression}`), args: [] })
+    errors.splice(0, Infinity, ...all[2])
+    return result(all)
+  }
+  await ask('timeouts', { script: 3600000, pageLoad: 3600000 })
+  await resize(kWidth, kHeight)
+  await ask('url', { url })
+  await evaluate('0')
+  return {
+    child, errors, evaluate, resize,
+    click: () => act('pointer', kClick),
+    key: name => act('key', pressed(name)),
+    async screenshot(file) { writeFileSync(file, Buffer.from(await ask('screenshot'), 'base64')) },
+  }
+}
+
 export const open = async (kind, url, gl) => {
   const profile = mkdtempSync(tmpdir() + '/odraz-browser-')
-  const browser = await { chromium, firefox }[kind](url, profile, gl)
+  const browser = await { chromium, firefox, webkit }[kind](url, profile, gl)
   const ended = new Promise(r => browser.child.on('exit', r))
   browser.close = async () => {
     browser.child.kill()
