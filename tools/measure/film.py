@@ -154,7 +154,7 @@ def played_and_simulated(machine):
 
 # --- In a browser ---
 
-BROWSERS = 'chromium', 'firefox'
+BROWSERS = 'chromium', 'firefox', 'webkit'
 MOMENTS = 14, 24, 38, 58, 158  # outside the hall, since native times would include solving it
 
 
@@ -185,9 +185,9 @@ def page_times(machine):
             browsers[name] = {row['second']: float(row['ms']) for row in rows(machine.run(command))}
     lines = []
     for moment in MOMENTS:
-        native, *both = native_ms(machine, moment), *(browsers[name][str(moment)] for name in BROWSERS)
+        native, *each = native_ms(machine, moment), *(browsers[name][str(moment)] for name in BROWSERS)
         lines.append({'second': moment, 'native': f'{native:.1f}'})
-        for name, ms in zip(BROWSERS, both):
+        for name, ms in zip(BROWSERS, each):
             lines[-1] |= {name: f'{ms:.1f}', 'times_' + name: f'{ms / native:.2f}'}
     ratio = statistics.geometric_mean(float(line['times_chromium']) for line in lines)
     machine.facts['ratio'] = f'{ratio:.2f}'

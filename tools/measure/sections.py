@@ -90,21 +90,22 @@ SECTIONS = [
         sources=['intro', 'packer/model', 'packer/web', 'tests/programs/web/browser.mjs',
                  'tools/measure/bench/page.mjs', 'tools/measure/seen/costs.csv'],
         programs=['odraz.html', 'odraz-safe', 'seen'], targets=['film_web'],
-        packages=['nodejs', 'chromium', 'firefox-esr', 'xvfb'],
+        packages=['nodejs', 'chromium', 'firefox-esr', 'webkit2gtk-driver', 'libwebkit2gtk-4.1-0', 'xvfb'],
         parts=[
             table(film.page_size, '; bytes'),
             'Scripts and program are coded by the packer\'s model, with a parser of WebAssembly.',
             table(film.page_times, '''second = from (s); native = native: ms a picture; chromium = Chromium;
-                firefox = Firefox; times_chromium = Chromium to native; times_firefox = Firefox to native'''),
+                firefox = Firefox; webkit = WebKit; times_chromium = Chromium to native;
+                times_firefox = Firefox to native; times_webkit = WebKit to native'''),
             '''Pictures of 1280x720 in `draft`, during one second of the film, on one thread. For the native film it is
             the processor time; for the page it is the median time by the clock of a worker, after the browser has
             optimised the program. The geometric mean of Chromium to native is {ratio}.''',
             table(film.page_play, '''browser; opens = s until the page is there; first = s from the click to the first
                 picture; before = MB before the click; most = MB at most'''),
             matrix(film.page_scenes, 'scene'),
-            '''{piece} seconds around every other cut between scenes were played in a window of 1280x720. Firefox draws
-            on a display in memory by software OpenGL, Chromium without a display; both use the two cores that also
-            trace. Memory is the proportional set size of the process that shows the page.''',
+            '''{piece} seconds around every other cut between scenes were played in a window of 1280x720. Firefox and
+            WebKit draw on a display in memory by software OpenGL, Chromium without a display; all use the two cores
+            that also trace. Memory is the proportional set size of the process that shows the page.''',
             matrix(film.page_seen, 'G instructions a second'),
             '''What a viewer sees at 1280x720, simulated as in "What a viewer sees, by machine and screen", but with the
             page's own player, one worker per core, and pictures that cost {ratio} times as much as natively: the PSNR

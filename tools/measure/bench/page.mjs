@@ -1,9 +1,9 @@
-// node page.mjs times chromium|firefox PAGE SECOND...: prints the time of a picture of 1280x720 in `draft` on one
+// node page.mjs times chromium|firefox|webkit PAGE SECOND...: prints the time of a picture of 1280x720 in `draft` on one
 // worker, as a CSV.
-// node page.mjs play chromium|firefox PAGE LENGTH SECOND...: opens the page, clicks it, and plays LENGTH seconds from
+// node page.mjs play chromium|firefox|webkit PAGE LENGTH SECOND...: opens the page, clicks it, and plays LENGTH seconds from
 // each SECOND. Prints the table of `--stats`, then a line "page,opens,first,MB before,MB at most": the seconds until
 // the page is ready and from the click to the first picture, and the memory of the page's process.
-// Firefox needs a display.
+// Firefox and WebKit need a display.
 import { readFileSync, readdirSync } from 'node:fs'
 import { open, later } from '../../../tests/programs/web/browser.mjs'
 
@@ -20,7 +20,7 @@ const memory = child => {
   for (const id of readdirSync('/proc').filter(id => +id))
     try {
       parents.set(id, readFileSync(`/proc/${id}/stat`, 'utf8').replace(/.*\) . /, '').split(' ')[0])
-      if (/--type=renderer|contentproc.*\btab\b/.test(readFileSync(`/proc/${id}/cmdline`, 'latin1'))) shows.add(id)
+      if (/--type=renderer|contentproc.*\btab\b|WebKitWebProcess/.test(readFileSync(`/proc/${id}/cmdline`, 'latin1'))) shows.add(id)
     } catch {} // the process has ended
   const below = id => id == child.pid || parents.has(id) && below(parents.get(id))
   const kib = [...shows].filter(below).map(id =>
@@ -60,7 +60,7 @@ const traced = async (t, warm, timed, fps) => {
 
 if (what == 'times')
   await opened('', async b => {
-    await until(b, 'film.state().hall') // solving the hall would disturb the times
+    await until(b, 'film.state().hall || film.state().unlit') // solving the hall would disturb the times
     console.log('second,ms')
     for (const t of words)
       console.log(`${t},${(await b.evaluate(`(${traced})(${t}, ${kWarm}, ${kTimed}, ${kFps})`)).toFixed(1)}`)
