@@ -3,7 +3,8 @@ const kChunk = 100, chunkSeconds = () => kChunk * x.block() / x.rate() // a chun
 const kComposed = 10, kFirst = 2 // seconds to compose ahead, and before the click
 // zero: when the music begins, on the clock of `audio`; asked, scheduled: numbers of chunks; waiting: chunks to
 // schedule; settled: before this moment (milliseconds) the sound sets the film's clock, later it only corrects it;
-// heard: the time of `audio` at the last refresh; moved: when that changed. After a stop the sound sets the clock again
+// heard: the time of `audio` at the last refresh; moved: when that changed. After a stop, or if it is far off, the
+// sound sets the clock again
 let composer, audio, gain, zero, silent, asked = 0, scheduled = 0, settled = 0, heard, moved = 0, waiting = []
 const startComposer = () => composer = startWorker(d => {
   if (d.turn == turn) waiting.push(d), schedule()

@@ -51,7 +51,7 @@ const step = (t = now()) => {
   if (holds.has('start')) begin(t)
   else if (going) {
     if (!silent && audio.currentTime > zero && audio.currentTime != heard) {
-      if (t - moved > 300) settled = t + 400
+      if (t - moved > 300 || Math.abs(heardAt(t) - x.at(t)) > 0.25) settled = t + 400
       heard = audio.currentTime, moved = t
       t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
     }
