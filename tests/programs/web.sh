@@ -26,7 +26,6 @@ for i in "${!browsers[@]}"; do
     browser=${browsers[i]} out=$WORK/${browsers[i]}
     # Every third golden picture; the other browsers draw the rest
     moments=$(printf '%s\n' $FILM_TRACED $FILM_LIT | awk -v i=$i 'NR % 3 == i')
-    [ $browser = webkit ] && moments=$(printf '%s\n' $FILM_TRACED | awk -v i=$i 'NR % 3 == i') # has no light yet
     check "$browser" timeout "$PATIENCE" node "$SOURCE/tests/programs/web/page.mjs" $browser "$BUILD/$FILM.html" \
         "$out" $moments
     for t in $moments; do
