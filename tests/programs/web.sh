@@ -1,5 +1,5 @@
-# The film's page in Chromium, Firefox and WebKit: golden pictures, music, and playing. Its player is also tested alone, on a
-# simulated clock, with a stated time for each picture.
+# The film's page in Chromium, Firefox and WebKit: golden pictures, music, and playing. Its player is also tested alone,
+# on a simulated clock, with a stated time for each picture.
 . "$(dirname "$0")/display.sh"
 skip_unless node chromium firefox-esr WebKitWebDriver pulseaudio
 [ -s "$BUILD/$FILM.html" ] || { echo "there is no $BUILD/$FILM.html: build film_web first"; exit 77; }

@@ -1,6 +1,6 @@
-// node page.mjs chromium|firefox|webkit PAGE OUT SECONDS...: opens and plays the page as a viewer does; prints each check. OUT
-// gets the pictures of these seconds, 320x180 in quality `film`, the music's hash, and the file `plain` if the browser
-// has no relaxed SIMD.
+// node page.mjs chromium|firefox|webkit PAGE OUT SECONDS...: opens and plays the page as a viewer does; prints each
+// check. OUT gets the pictures of these seconds, 320x180 in quality `film`, the music's hash, and the file `plain` if
+// the browser has no relaxed SIMD.
 import { once } from 'node:events'
 import { readFileSync, writeFileSync } from 'node:fs'
 import { createServer } from 'node:http'
@@ -12,19 +12,19 @@ const check = (what, right, seen) => {
   console.log(`${right ? 'ok' : 'FAILED'}: ${kind}: ${what} (${JSON.stringify(seen)})`)
   wrong ||= !right
 }
-const until = async (b, what, seconds = 1200) => {
-  for (const end = Date.now() + seconds * 1000; Date.now() < end; await later(100))
+const until = async (b, what) => {
+  for (const end = Date.now() + 1200e3; Date.now() < end; await later(100))
     if (await b.evaluate(what)) return true
   return false
 }
 
 // --- A click while it is unpacked is remembered ---
 const early = await open(kind, 'file://' + page + '?full=0')
-const unpacks = await until(early, 'document.body && /unpacking/.test(document.body.innerText)', 60)
+const unpacks = await until(early, 'document.body && /unpacking/.test(document.body.innerText)')
 await early.click()
 const before = await early.evaluate('!self.film')
 check('says that it is unpacked', unpacks && before, before)
-check('... and a click is remembered', await until(early, 'self.film && film.state().shown > 0', 120), 0)
+check('... and a click is remembered', await until(early, 'self.film && film.state().shown > 0'), 0)
 await early.close()
 
 const b = await open(kind, 'file://' + page + '?from=17')
@@ -103,18 +103,18 @@ try {
   await b.click()
   check('plays from 17 s', await until(b, 'film.state().shown > 0 && film.state().film > 16.5'),
     await b.evaluate('film.state().first'))
-  check('fills the screen', await until(b, 'document.fullscreenElement', 60),
+  check('fills the screen', await until(b, 'document.fullscreenElement'),
     await b.evaluate('[innerWidth, innerHeight]'))
   check('goes on', await until(b, 'film.state().film > 18.5'), await b.evaluate('film.state()'))
-  check('is heard', await until(b, 'loud() > 0.001', 60), await b.evaluate('loud()'))
+  check('is heard', await until(b, 'loud() > 0.001'), await b.evaluate('loud()'))
   const together = '(s => s.heard && Math.abs(s.heard - s.film) < 0.02)(film.state())'
-  check('... together with the pictures', await until(b, together, 100), await b.evaluate('film.state()'))
+  check('... together with the pictures', await until(b, together), await b.evaluate('film.state()'))
   await b.key('m')
-  check('is muted by M', await until(b, 'gain.gain.value == 0 && loud() == 0', 60), await b.evaluate('loud()'))
+  check('is muted by M', await until(b, 'gain.gain.value == 0 && loud() == 0'), await b.evaluate('loud()'))
   await b.key('m')
-  check('... and heard again', await until(b, 'loud() > 0.001', 60), await b.evaluate('loud()'))
+  check('... and heard again', await until(b, 'loud() > 0.001'), await b.evaluate('loud()'))
   await b.key('f')
-  check('leaves the full screen by F', await until(b, '!document.fullscreenElement', 60), 0)
+  check('leaves the full screen by F', await until(b, '!document.fullscreenElement'), 0)
   await b.screenshot(`${out}/playing.png`)
   const stopped = await b.evaluate(`(async () => {
     const hide = yes => {
@@ -137,9 +137,9 @@ try {
   await later(500)
   check('pauses by a click', await at() == paused && paused > 0, paused)
   await b.key(' ')
-  check('... and goes on by space', await until(b, `film.state().film > ${paused}`, 60), await at())
+  check('... and goes on by space', await until(b, `film.state().film > ${paused}`), await at())
   await b.key('ArrowRight')
-  check('seeks by an arrow, and plays on', await until(b, `film.state().film > ${paused + 5.2}`, 60), await at())
+  check('seeks by an arrow, and plays on', await until(b, `film.state().film > ${paused + 5.2}`), await at())
   await b.resize(700, 600)
   check('is as large as its window', await until(b, 'document.querySelector("canvas").clientWidth == innerWidth'), 700)
   check('prints its statistics', /table +\d+/.test(await b.evaluate('film.statistics()')), 'table')
@@ -165,19 +165,19 @@ const site = `http://127.0.0.1:${server.address().port}`
 const shared = { chromium: ['/policy', '/sandbox'], firefox: ['/wasm', '/sandbox'], webkit: ['/wasm'] }
 for (const path of shared[kind]) {
   const s = await open(kind, `${site}${path}?full=0`), play = 'self.film && film.state().shown > 0'
-  await until(s, 'self.film?.state().ready > 2 || /cannot play/.test(document.body?.innerText)', 120)
+  await until(s, 'self.film?.state().ready > 2 || /cannot play/.test(document.body?.innerText)')
   const says = await s.evaluate('self.film ? "" : document.body.innerText')
   if (!says) await s.click()
-  const right = says ? /cannot play the film\.$/.test(says) : await until(s, play, 60)
+  const right = says ? /cannot play the film\.$/.test(says) : await until(s, play)
   check(path + ' plays, or says why it cannot', right, says)
   await s.close()
 }
 if (kind != 'firefox') {
   const hidden = await open(kind, site + '/frame')
-  check('loads hidden', await until(hidden, 'self.f?.contentWindow.film?.state().ready > 2', 120), 0)
+  check('loads hidden', await until(hidden, 'self.f?.contentWindow.film?.state().ready > 2'), 0)
   await hidden.evaluate('f.style.display = "block"')
   await hidden.click()
-  check('... and plays', await until(hidden, 'f.contentWindow.film.state().shown > 0', 60), 0)
+  check('... and plays', await until(hidden, 'f.contentWindow.film.state().shown > 0'), 0)
   const wide = await hidden.evaluate('f.contentDocument.querySelector("canvas").width')
   check('... in the size of its frame', wide == 1000, wide)
   await hidden.close()
