@@ -1,6 +1,6 @@
-// A browser under test: open('chromium' | 'firefox' | 'webkit', url, Chromium's options for OpenGL) -> { evaluate(text),
-// click(), key(name), resize(w, h), screenshot(file), close(), errors }. Chromium is controlled by pipes, Firefox by a
-// port (Marionette), and WebKit (WebKitGTK's MiniBrowser) by WebDriver.
+// A browser under test, without WebGL: open('chromium' | 'firefox' | 'webkit', url) -> { evaluate(text), click(),
+// key(name), resize(w, h), screenshot(file), close(), errors }. Chromium is controlled by pipes, Firefox by a port
+// (Marionette), and WebKit (WebKitGTK's MiniBrowser) by WebDriver.
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
 import { mkdtempSync, writeFileSync, readFileSync, rmSync } from 'node:fs'
@@ -12,10 +12,10 @@ const later = ms => new Promise(r => setTimeout(r, ms))
 const kWidth = 1280, kHeight = 720
 process.on('SIGTERM', () => process.exit(1)) // ends the browsers, too
 
-const chromium = async (url, profile, gl = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader']) => {
+const chromium = async (url, profile) => {
   const child = spawn('chromium', ['--headless=new', '--no-sandbox', '--user-data-dir=' + profile, '--no-first-run',
-    '--remote-debugging-pipe', '--disable-background-networking', ...gl, '--autoplay-policy=user-gesture-required',
-    `--window-size=${kWidth},${kHeight}`, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] })
+    '--remote-debugging-pipe', '--disable-background-networking', '--disable-gpu', '--disable-software-rasterizer',
+    '--autoplay-policy=user-gesture-required', `--window-size=${kWidth},${kHeight}`, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] })
   process.on('exit', () => child.kill())
   const waiting = new Map, errors = []
   const message = details => details.exception?.description ?? details.text
@@ -74,7 +74,7 @@ const kArrows = { ArrowLeft: '\ue012', ArrowRight: '\ue014' }
 const pressed = name => ['keyDown', 'keyUp'].map(type => ({ type, value: kArrows[name] ?? name }))
 
 const firefox = async (url, profile) => {
-  const prefs = { 'webgl.force-enabled': true, 'media.autoplay.blocking_policy': 0, 'marionette.port': 0,
+  const prefs = { 'webgl.disabled': true, 'media.autoplay.blocking_policy': 0, 'marionette.port': 0,
     'datareporting.policy.dataSubmissionEnabled': false, 'browser.shell.checkDefaultBrowser': false,
     'browser.aboutwelcome.enabled': false, 'devtools.console.stdout.content': true }
   writeFileSync(profile + '/user.js', Object.entries(prefs).map(([k, v]) => `user_pref("${k}", ${v});\n`).join(''))
@@ -182,9 +182,9 @@ const webkit = async (url, profile) => {
   }
 }
 
-export const open = async (kind, url, gl) => {
+export const open = async (kind, url) => {
   const profile = mkdtempSync(tmpdir() + '/odraz-browser-')
-  const browser = await { chromium, firefox, webkit }[kind](url, profile, gl)
+  const browser = await { chromium, firefox, webkit }[kind](url, profile)
   const ended = new Promise(r => browser.child.on('exit', r))
   browser.close = async () => {
     browser.child.kill()
