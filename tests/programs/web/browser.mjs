@@ -69,7 +69,8 @@ const result = ([value, wrong]) => {
   if (wrong) throw Error(wrong)
   return value
 }
-const kClick = [{ type: 'pointerMove', x: 900, y: 200 }, ...['pointerDown', 'pointerUp'].map(type => ({ type, button: 0 }))]
+const kMove = { type: 'pointerMove', x: 900, y: 200 }
+const kClick = [kMove, ...['pointerDown', 'pointerUp'].map(type => ({ type, button: 0 }))]
 const kArrows = { ArrowLeft: '\ue012', ArrowRight: '\ue014' }
 const pressed = name => ['keyDown', 'keyUp'].map(type => ({ type, value: kArrows[name] ?? name }))
 

@@ -48,7 +48,11 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, late, stan
     ran = 0
     constructor() { context = this }
     get currentTime() { return (this.ran + (this.state == 'running' && stood(clock - this.begun))) / 1e3 }
-    resume() { at(clock + (late ? 3000 : 100), () => { this.state == 'running' || (this.begun = clock), this.state = 'running' }) }
+    resume() {
+      at(clock + (late ? 3000 : 100), () => {
+        this.state == 'running' || (this.begun = clock), this.state = 'running'
+      })
+    }
     suspend() { this.ran = 1e3 * this.currentTime, this.state = 'suspended' }
     close() {}
     gain = { value: 1 }
