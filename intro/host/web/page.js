@@ -35,19 +35,19 @@ const release = why => {
 }
 
 // --- Each refresh of the screen ---
+const sounds = () => audio?.state == 'running' && audio.currentTime > 0.25 // some clocks start, and stand for a second
 const begin = t => {
   const needs = x.can(from) == kLater, share = x.ready()
   bar.style.width = 100 * (needs ? solved * 0.8 : 0.8 + share / 5) + '%'
   say(needs ? 'The light of the hall is being solved.' : '')
-  const sounds = audio?.state == 'running'
-  if (!sounds && t - since > 1500) silent = 1
-  const audible = silent || sounds && waiting.length > 3
+  if (!sounds() && t - since > 2500) silent = 1
+  const audible = silent || sounds() && waiting.length > 3
   if (audible && (share == 1 || x.can(from) == kNever)) bar.style.width = 0, release('start')
 }
 const step = (t = now()) => {
   if (over) return
   check()
-  if (silent && audio?.state == 'running') silent = 0, seek(0) // it was slow to start
+  if (silent && sounds()) silent = 0, seek(0) // it was slow to start
   if (holds.has('start')) begin(t)
   else if (going) {
     if (!silent && audio.currentTime > zero && audio.currentTime != heard) {
@@ -130,7 +130,7 @@ const main = async (wasm, scripts) => {
   module = await WebAssembly.compile(can([...kZero, ...kZero, ...kZero, 253, 133, 2]) ? wasm : plain(wasm))
   x = (await WebAssembly.instantiate(module, { env: { progress() {} } })).exports
   url = URL.createObjectURL(new Blob([scripts], { type: 'text/javascript' }))
-  duration = x.duration(), count = x.workers(cores)
+  duration = x.duration(), count = await measureWorkers(x.workers(navigator.hardwareConcurrency || 2))
   from = stopped = Math.max(0, Math.min(parseFloat(q.get('from')) || 0, duration - 1))
   prepare()
   startComposer()

@@ -19,6 +19,13 @@ const make = () => {
 const text = at => { let s = ''; for (const b = bytes(); b[at]; ) s += String.fromCharCode(b[at++]); return s }
 const load = hall => { const at = x.load(w, h, hall); if (at) postMessage({ wrong: text(at) }); return !at }
 const handlers = {
+  // Works for `ms` milliseconds, and posts the number of rounds (and the sum, so that it is computed)
+  spin(ms) {
+    let rounds = 0, sum = 0
+    for (const end = performance.now() + ms; performance.now() < end; ++rounds)
+      for (let i = 0; i < 1e4; ++i) sum += Math.sqrt(i)
+    postMessage([rounds, sum])
+  },
   trace(m, width, height) {
     module = m, w = width, h = height
     make()

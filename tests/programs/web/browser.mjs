@@ -75,7 +75,9 @@ const kArrows = { ArrowLeft: '\ue012', ArrowRight: '\ue014' }
 const pressed = name => ['keyDown', 'keyUp'].map(type => ({ type, value: kArrows[name] ?? name }))
 
 const firefox = async (url, profile) => {
-  const prefs = { 'webgl.disabled': true, 'media.autoplay.blocking_policy': 0, 'marionette.port': 0,
+  // (In half of all starts a separate process for sound, without a system bus, blocks the page)
+  const prefs = { 'webgl.disabled': true, 'media.cubeb.sandbox': false,
+    'media.autoplay.blocking_policy': 0, 'marionette.port': 0,
     'datareporting.policy.dataSubmissionEnabled': false, 'browser.shell.checkDefaultBrowser': false,
     'browser.aboutwelcome.enabled': false, 'devtools.console.stdout.content': true }
   writeFileSync(profile + '/user.js', Object.entries(prefs).map(([k, v]) => `user_pref("${k}", ${v});\n`).join(''))

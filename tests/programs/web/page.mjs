@@ -39,7 +39,7 @@ try {
 
   // --- Pictures, which one worker with the hall's light draws ---
   await b.evaluate(`(async () => {
-    const hall = ${kind != 'webkit'} && await new Promise((done, fail) => // WebKit's workers have no WebGL 2
+    const hall = await new Promise((done, fail) =>
       film.start(d => d.hall ? done(d.hall) : d.wrong && fail(d.wrong), 'solve', film.module, 320, 180))
     let answered
     const tracer = film.start(d => answered(d), 'trace', film.module, 320, 180)

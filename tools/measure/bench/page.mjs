@@ -1,7 +1,7 @@
-// node page.mjs times chromium|firefox|webkit PAGE SECOND...: prints the time of a picture of 1280x720 in `draft` on one
-// worker, as a CSV.
-// node page.mjs play chromium|firefox|webkit PAGE LENGTH SECOND...: opens the page, clicks it, and plays LENGTH seconds from
-// each SECOND. Prints the table of `--stats`, then a line "page,opens,first,MB before,MB at most": the seconds until
+// node page.mjs times BROWSER PAGE SECOND...: prints the time of a picture of 1280x720 in `draft` on one worker, as a
+// CSV. BROWSER: chromium, firefox or webkit.
+// node page.mjs play BROWSER PAGE LENGTH SECOND...: opens the page, clicks it, and plays LENGTH seconds from each
+// SECOND. Prints the table of `--stats`, then a line "page,opens,first,MB before,MB at most": the seconds until
 // the page is ready and from the click to the first picture, and the memory of the page's process.
 // Firefox and WebKit need a display.
 import { readFileSync, readdirSync } from 'node:fs'
@@ -60,7 +60,7 @@ const traced = async (t, warm, timed, fps) => {
 
 if (what == 'times')
   await opened('', async b => {
-    await until(b, 'film.state().hall || film.state().unlit') // solving the hall would disturb the times
+    await until(b, 'film.state().hall') // solving the hall would disturb the times
     console.log('second,ms')
     for (const t of words)
       console.log(`${t},${(await b.evaluate(`(${traced})(${t}, ${kWarm}, ${kTimed}, ${kFps})`)).toFixed(1)}`)

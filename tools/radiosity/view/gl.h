@@ -8,7 +8,8 @@ namespace odraz::radiosity {
 // clang-format off
 #define ODRAZ_VIEW_GL(F) \
     F(glUniform1i) F(glUniform1f) F(glUniform3f) F(glUniform2f) F(glDrawElements) F(glPolygonOffset) F(glDeleteTextures) \
-    F(glBufferSubData) F(glPixelStorei) F(glGetIntegerv) F(glGetStringi)
+    F(glBufferSubData) F(glPixelStorei) F(glGetIntegerv) F(glGetStringi) F(glCheckFramebufferStatus) \
+    F(glGetProgramiv) F(glGetUniformLocation) F(glVertexAttribIPointer)
 // clang-format on
 
 struct ViewGl : Gl {
