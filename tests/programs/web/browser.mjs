@@ -15,7 +15,8 @@ process.on('SIGTERM', () => process.exit(1)) // ends the browsers, too
 const chromium = async (url, profile) => {
   const child = spawn('chromium', ['--headless=new', '--no-sandbox', '--user-data-dir=' + profile, '--no-first-run',
     '--remote-debugging-pipe', '--disable-background-networking', '--disable-gpu', '--disable-software-rasterizer',
-    '--autoplay-policy=user-gesture-required', `--window-size=${kWidth},${kHeight}`, 'about:blank'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] })
+    '--autoplay-policy=user-gesture-required', `--window-size=${kWidth},${kHeight}`, 'about:blank'],
+    { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] })
   process.on('exit', () => child.kill())
   const waiting = new Map, errors = []
   const message = details => details.exception?.description ?? details.text
