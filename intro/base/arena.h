@@ -11,7 +11,7 @@ struct Arena {
     size_t size;
     size_t used;
     bool full = false; // some allocate() failed. After many calls it is enough to check this once
-    // Null, or gives memory back to the system, in whole pages. It must not be used again
+    // Null, or gives memory back to the system, in whole pages. That memory must not be used again
     void (*giveBack)(void *memory, size_t bytes) = nullptr;
 
     // Returns `count` zeroed Ts that start on a new cache line; null if they do not fit.

@@ -105,22 +105,27 @@ bool findFormFactors(const HemicubeMethod &method, Hemicubes &h, const Model &mo
         });
         if (workers.aborted()) return false;
         // Store the form factors above zero
+        size_t before = factors.used;
         for (int k = 0; k < batch; ++k) {
             const float *row = rows + (size_t)k * (size_t)rowFloats;
+            if (row[patchOf[k]] > 0) return false; // no patch sees itself: the ids are wrong
             FormFactorRow &to = factors.rows[patchOf[k]];
             Link *link = factors.links + factors.used, *end = factors.links + factors.capacity;
             to.links = link;
             for (int first = 0; first < rowFloats; first += 8)
                 for (int lanes = laneBits(load(row + first) > 0.f); lanes; lanes &= lanes - 1) {
                     int j = first + __builtin_ctz(lanes);
-                    if (link == end) return !(arena.full = true);
+                    if (link == end) {
+                        arena.full = true;
+                        return false;
+                    }
                     *link++ = {(uint32_t)j, row[j]};
                 }
             to.count = (int)(link - to.links);
             to.known = true;
             factors.used = (size_t)(link - factors.links);
         }
-        if (batch && !factors.used) return false; // no patch sees another: nothing was drawn
+        if (batch && factors.used == before) return false; // no patch sees another: nothing was drawn
         progress((float)i / (float)count);
     }
     return true;

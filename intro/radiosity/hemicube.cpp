@@ -205,8 +205,11 @@ bool drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
                        (float)(i / h.columns * 3 * h.px), size * 4e-7f);
     out.flush();
     h.ids[0] = kBackSide - 1; // no patch. It stays if nothing is read back
-    gl.glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_INT, h.ids);
-    for (int i = 0; i < width * height; ++i)
+    // Read the rows of the atlas that are used
+    int pixels = (count + h.columns - 1) / h.columns * 3 * h.px;
+    gl.glReadPixels(0, 0, width, pixels, GL_RED_INTEGER, GL_INT, h.ids);
+    pixels *= width;
+    for (int i = 0; i < pixels; ++i)
         if (h.ids[i] + 1 > (uint32_t)model.patchCount + 1) return false; // kBackSide + 1 is 0
     return true;
 }

@@ -4,7 +4,7 @@ namespace odraz {
 
 Posed poseAt(const Film &film, double seconds, const CameraKey *camera) {
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
-    // Without its light the hall is black: any other scene stands for it, at no brightness
+    // A hall without light cannot be posed: pose the film's first shot instead, faded to black
     if (kScenes[m.shot->scene].needsHall && !film.hall->solved()) m.shot = kFilm.shots, m.fade = 0;
     Posed now = {m.shot,
                  {m.storyRow, camera ? *camera : pose(m.shot->path, m.storyRow), film.hall, film.facts},

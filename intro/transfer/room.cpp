@@ -80,8 +80,8 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Sol
         fillLightmap(room, arena);
     if (arena.full) return "not enough memory: try a smaller --size";
     if (!solved)
-        return "cannot light the hall: OpenGL 3.3 cannot draw integers; its scenes are left out: "
-               "try a newer driver, or LIBGL_ALWAYS_SOFTWARE=1";
+        return "cannot light the hall: OpenGL 3.3 cannot draw integers: "
+               "try a newer driver or LIBGL_ALWAYS_SOFTWARE=1";
     method.close(room.radiosity.hemicubes);
     char *from = (char *)room.radiosity.factors.links; // solving allocates `matrices` later
     if (arena.giveBack) arena.giveBack(from, (size_t)((char *)room.gloss.matrices - from));

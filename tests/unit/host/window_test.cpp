@@ -2,6 +2,7 @@
 #include "host/window.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 #include <vector>
 
 // Defined here instead of by the system's window

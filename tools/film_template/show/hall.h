@@ -5,11 +5,7 @@
 // film.cpp.
 #pragma once
 
-#include "base/arena.h"
-#include "base/gl.h"
-#include "base/parallel.h"
-#include "base/progress.h"
-#include "trace/scene/scene.h"
+#include "radiosity/radiosity.h"
 
 namespace odraz {
 
@@ -20,14 +16,6 @@ inline constexpr size_t kRoomBytes = 0;
 
 inline void prepareHall(Hall &, Scene &) {}
 inline Hall hallSettings(const Hall &hall) { return hall; }
-struct HemicubeMethod;
-struct SolverHost {
-    const HemicubeMethod &method;
-    const Gl *gl;
-    Arena &arena;
-    Workers &workers;
-    const Progress &progress;
-};
 inline const char *solveRoom(Hall &, Scene &, const Hall &, const SolverHost &) { return nullptr; }
 
 } // namespace odraz
