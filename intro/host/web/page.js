@@ -130,7 +130,7 @@ const main = async (wasm, scripts) => {
   module = await WebAssembly.compile(can([...kZero, ...kZero, ...kZero, 253, 133, 2]) ? wasm : plain(wasm))
   x = (await WebAssembly.instantiate(module, { env: { progress() {} } })).exports
   url = URL.createObjectURL(new Blob([scripts], { type: 'text/javascript' }))
-  duration = x.duration(), count = await measureWorkers(x.workers(navigator.hardwareConcurrency || 2))
+  duration = x.duration(), count = await measureWorkers(x.workers(cores))
   from = stopped = Math.max(0, Math.min(parseFloat(q.get('from')) || 0, duration - 1))
   prepare()
   startComposer()

@@ -19,12 +19,14 @@ const make = () => {
 const text = at => { let s = ''; for (const b = bytes(); b[at]; ) s += String.fromCharCode(b[at++]); return s }
 const load = hall => { const at = x.load(w, h, hall); if (at) postMessage({ wrong: text(at) }); return !at }
 const handlers = {
-  // Works for `ms` milliseconds, and posts the number of rounds (and the sum, so that it is computed)
+  // Works for `ms` milliseconds, and posts the rounds in a millisecond (and the result, so that it is computed). Each
+  // step waits for the one before, so two threads of one processor do not slow each other down
   spin(ms) {
-    let rounds = 0, sum = 0
-    for (const end = performance.now() + ms; performance.now() < end; ++rounds)
-      for (let i = 0; i < 1e4; ++i) sum += Math.sqrt(i)
-    postMessage([rounds, sum])
+    let rounds = 0, v = 1, t
+    const began = performance.now()
+    for (; (t = performance.now() - began) < ms; ++rounds)
+      for (let i = 0; i < 1e4; ++i) v = Math.imul(v, 747796405) + 1 | 0
+    postMessage([rounds / t, v])
   },
   trace(m, width, height) {
     module = m, w = width, h = height
