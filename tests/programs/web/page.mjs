@@ -39,8 +39,8 @@ try {
 
   // --- Pictures, which one worker with the hall's light draws ---
   await b.evaluate(`(async () => {
-    const hall = await new Promise((done, fail) =>
-      film.start(d => d.hall ? done(d.hall) : d.wrong && fail(d.wrong), 'solve', film.module, 320, 180))
+    const hall = await new Promise(done =>
+      film.start(d => d.hall && done(d.hall), 'solve', film.module, 320, 180))
     let answered
     const tracer = film.start(d => answered(d), 'trace', film.module, 320, 180)
     const request = (...all) => new Promise(done => {
@@ -48,7 +48,7 @@ try {
       if (all.length) tracer.postMessage(all)
     })
     await request()
-    if (hall) await request('light', hall)
+    await request('light', hall)
     self.draw = async time => {
       const { rgba } = await request('picture', { time, level: 0, width: 0, height: 0 })
       return btoa(Array.from(rgba.filter((_, i) => i % 4 != 3), c => String.fromCharCode(c)).join(''))
