@@ -76,14 +76,14 @@ const kArrows = { ArrowLeft: '\ue012', ArrowRight: '\ue014' }
 const pressed = name => ['keyDown', 'keyUp'].map(type => ({ type, value: kArrows[name] ?? name }))
 
 const firefox = async (url, profile) => {
-  // (In half of all starts a separate process for sound, without a system bus, blocks the page)
-  const prefs = { 'webgl.disabled': true, 'media.cubeb.sandbox': false,
-    'media.autoplay.blocking_policy': 0, 'marionette.port': 0,
+  const prefs = { 'webgl.disabled': true, 'media.autoplay.blocking_policy': 0, 'marionette.port': 0,
     'datareporting.policy.dataSubmissionEnabled': false, 'browser.shell.checkDefaultBrowser': false,
     'browser.aboutwelcome.enabled': false, 'devtools.console.stdout.content': true }
   writeFileSync(profile + '/user.js', Object.entries(prefs).map(([k, v]) => `user_pref("${k}", ${v});\n`).join(''))
   const words = ['--no-remote', '--marionette', '--profile', profile, '--width', kWidth, '--height', kHeight]
-  const child = spawn('firefox-esr', words, { stdio: ['ignore', 'pipe', 'pipe'] })
+  // No sound: in one of five starts Firefox waits for PulseAudio without end when a page opens its sound
+  const env = { ...process.env, PULSE_SERVER: 'unix:/none' }
+  const child = spawn('firefox-esr', words, { stdio: ['ignore', 'pipe', 'pipe'], env })
   process.on('exit', () => child.kill())
   const errors = []
   let printed = '', port
