@@ -33,10 +33,10 @@ next_byte: // eax = offset of the byte in the image
 #ifndef NOTHING_IS_EARLY
     test eax, EARLY_STEP - 1
     jne 1f
-    cmp eax, [rbx + EARLY]
+    mov esi, [rbx + EARLY]
+    cmp eax, esi
     jb 1f
     // Call the early part: (stack at the program's start, bytes done, bytes in all)
-    mov esi, [rbx + EARLY]
     call protect
     lea rdi, [rsp + 48] // six values were pushed since then
     mov esi, [rbp + POSITION]
@@ -123,6 +123,7 @@ hash_next:
 2:  stosd
     loop hash_next
 
+    lea r8, [rbp + SLOTS]
     push 1
     pop r11
     push NIBBLE_SLOTS
@@ -131,7 +132,6 @@ next_bit: // eax = the step; NIBBLE_SLOTS or more: a nibble begins
     cmp al, NIBBLE_SLOTS
     jb 2f
     // Compute the nibble's hashes, and prefetch its slots
-    lea r8, [rbp + SLOTS]
     movzx r10d, byte ptr [rbx + CONTEXTS]
     lea rdi, [rbp + HASHES]
 1:  mov eax, [rdi]
@@ -158,7 +158,6 @@ next_bit: // eax = the step; NIBBLE_SLOTS or more: a nibble begins
 2:  mov [rbp + STEP], eax
 
     // Predict: find the counters
-    lea r8, [rbp + SLOTS]
     movzx r10d, byte ptr [rbx + CONTEXTS]
     lea rsi, [rbp + HASHES]
     lea rdi, [rbp + COUNTERS]
@@ -236,7 +235,7 @@ find:
     pop rsi
     shl esi, cl // the number of targets after a zero, and after a one
     push 2
-    pop r8
+    pop r15
 1:  mov eax, esi
     mov ecx, esi
 2:  movzx r10d, dl
@@ -248,7 +247,7 @@ find:
     cvtsi2ss xmm1, eax
     psubd xmm1, xmm0
     movaps xmm0, xmm1
-    dec r8d
+    dec r15d
     jne 1b
 3:  pslld xmm0, ODDS_SHIFT
     cvtdq2ps xmm0, xmm0
@@ -318,15 +317,15 @@ find:
     stosq
     mulss xmm0, [rbx + SCALE]
     cvttss2si edx, xmm0
-    cmp dword ptr [rax], 0
+    mov ecx, [rax]
+    test ecx, ecx
     jne 1f
     lea ecx, [rdx - HALF]
     shl ecx, SEEN_BITS
     mov cl, FIRST_TRUST
     mov [rax], ecx
-1:  mov eax, [rax]
-    sar eax, SEEN_BITS
-    lea eax, [rax + rdx * 2 + HALF]
+1:  sar ecx, SEEN_BITS
+    lea eax, [rcx + rdx * 2 + HALF]
     add eax, edx
     shr eax, PROBABILITY_BITS + 2 - SHARE_BITS
     or al, 1
@@ -383,9 +382,9 @@ find:
     call train
 
     // Adapt the counters, a context's three at once, then the correction's counter
-    lea r10d, [r9 - 1]
-    xor r10d, CERTAIN // CERTAIN for a one, its complement for a zero
-    movd xmm3, r10d
+    lea eax, [r9 - 1]
+    xor eax, CERTAIN // CERTAIN for a one, its complement for a zero
+    movd xmm3, eax
     pshufd xmm3, xmm3, 0
     pcmpeqd xmm4, xmm4
     psrld xmm4, 31 // 1 in each lane

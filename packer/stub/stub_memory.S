@@ -50,11 +50,11 @@
 .set AFTER, STEP + 4 // offset of the nibble's part of the counters that the last byte selects
 .set ROWS, AFTER + 4 // in reverse order of the sets, like the results
 .set BLOCK, ROWS + 8 * SETS
-.set HASHES, BLOCK + 8
-.set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS)
-.set COUNTERS, INPUTS + ROW
+.set COUNTERS, BLOCK + 8
 .set BYTE_SLOTS, COUNTERS + 8 * CONTEXT_COUNTERS * (MOST_CONTEXTS + 1) // the last entry is the correction's
-.set OPCODES, BYTE_SLOTS + 8 * (MOST_CONTEXTS + 1) // aligned
+.set HASHES, BYTE_SLOTS + 8 * (MOST_CONTEXTS + 1)
+.set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS)
+.set OPCODES, INPUTS + ROW // aligned
 .set FINAL_WEIGHTS, OPCODES + OPCODE_CLASSES
 .set WEIGHTS, FINAL_WEIGHTS + 4 * SETS * PHASES
 .set ROW, 16 * (1 + MOST_CONTEXTS)

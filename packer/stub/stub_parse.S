@@ -56,14 +56,13 @@ return:
 
 ends:
     or byte ptr [r13 + CODED_BYTE + CODED_MARKS], MARK_BEGIN
-    mov eax, [rbp + WRITTEN1]
-    mov [rbp + WRITTEN2], eax
     mov eax, [rbp + MODRM]
     and al, 0x38
     mov cl, [rbp + HIGH]
     and cl, 4
     or al, cl
-    mov [rbp + WRITTEN1], eax
+    xchg [rbp + WRITTEN1], eax
+    mov [rbp + WRITTEN2], eax
     mov rax, [rbp + OPCODE1]
     mov [rbp + OPCODE2], rax // and OPCODE3
     mov eax, [rbp + OPCODE]

@@ -4,7 +4,7 @@ pack=$BUILD/pack hello=$WORK/hello
 check "the example is built and packed" prints 'bytes left' bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK"
 check "it runs" exits 7 "hello, 1 words, 42" "$hello"
 check "it gets its arguments" exits 7 "hello, 3 words, 42" "$hello" a b
-check "its size is its payload and 3,165 bytes" prints '\(3165 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
+check "its size is its payload and 3,147 bytes" prints '\(3147 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
 check "without randomised addresses" exits 7 "hello, 1 words, 42" setarch -R "$hello"
 check "with closed descriptors" bash -c "'$hello' <&- >&- 2>&-; test \$? = 7"
 check "by another path" exits 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"
