@@ -14,13 +14,13 @@ struct Pair {
 Pair multiplyRow(const FormFactors &f, int patch, const float *values, int columns) {
     static_assert(kSolveBlock == 16);
     const Link *link = f.rows[patch].links, *end = link + f.rows[patch].count;
-    Pair sum = {};
+    Float8 a = {}, b = {}; // gcc would keep a Pair in memory
     for (; link < end; ++link) {
         const float *v = values + (size_t)link->patch * (size_t)columns;
-        sum.a = fmadd(load(v), link->share, sum.a);
-        sum.b = fmadd(load(v + 8), link->share, sum.b);
+        a = fmadd(load(v), link->share, a);
+        b = fmadd(load(v + 8), link->share, b);
     }
-    return sum;
+    return {a, b};
 }
 
 void solveBlock(System &s, int block, Workers &workers, float residual, int most) {
