@@ -1,11 +1,10 @@
 // page: makes one HTML file of a WebAssembly program and its scripts.
 //
 // The packer's model codes markup, scripts and program together (wasm_tracker.h). The page has a comment with
-// the decoder (decode.cpp), deflated, and the coded bytes. Each byte is XORed with KEY. A byte that HTML
-// would change, or that would end the comment, is escaped as 1, byte ^ 64. KEY is the one that needs the
-// fewest escapes. A browser reads a page that is opened as a file as text in windows-1252, and the script
-// converts its characters back to bytes. A server may name another charset; then the script fetches the page
-// again, as bytes.
+// the decoder (decode.cpp), deflated, and the coded bytes. Each block of BLOCK bytes is XORed with a key, the
+// byte before it, so that it has no byte that HTML would change or that would end the comment. A browser
+// reads a page that is opened as a file as text in windows-1252, and the script converts its characters back
+// to bytes. A server may name another charset; then the script fetches the page again, as bytes.
 #include "packer/model/encoder.h"
 #include "packer/model/search.h"
 #include "packer/web/wasm_tracker.h"
@@ -97,27 +96,29 @@ std::string deflated(const std::string &bytes) {
     return result;
 }
 
-// Whether this byte of a comment must be escaped after the byte `before`.
-bool mustEscape(unsigned char c, char before) {
-    return c == 0 || c == 1 || c == '\r' || (c == '>' && (before == '-' || before == '!'));
+// Whether HTML would change a byte of this text in a comment, or end the comment there.
+bool hasSpecial(const std::string &text) {
+    for (size_t i = 1; i < text.size(); ++i)
+        if (!text[i] || text[i] == '\r' || (text[i] == '>' && (text[i - 1] == '-' || text[i - 1] == '!')))
+            return true;
+    return false;
 }
 
-struct Escaped {
-    std::string bytes;
-    int key;
-};
-Escaped escaped(const std::string &bytes) {
-    Escaped best;
-    for (int key = 0; key < 256; ++key) {
-        std::string out;
-        for (char c : bytes) {
-            unsigned char masked = (unsigned char)(c ^ key);
-            if (mustEscape(masked, out.empty() ? '-' : out.back())) out += (char)1, masked ^= 64;
-            out += (char)masked;
-        }
-        if (!key || out.size() < best.bytes.size()) best = {out, key};
+// XORs each block of `size` bytes with a key that leaves no special byte, and puts the key before the block.
+// Returns an empty string if a block has no such key.
+std::string masked(const std::string &bytes, size_t size) {
+    std::string out = "-"; // the last byte of "<!--"
+    for (size_t at = 0; at < bytes.size(); at += size) {
+        std::string block;
+        int key = 0;
+        do {
+            if (++key > 255) return {};
+            block = '\0' + bytes.substr(at, size); // 0 becomes the key
+            for (char &c : block) c ^= (char)key;
+        } while (hasSpecial(out.back() + block));
+        out += block;
     }
-    return best;
+    return out.substr(1);
 }
 
 // Finds the code section. `all`: the scripts, then the WebAssembly program, from the offset `program` on.
@@ -177,29 +178,42 @@ void writeModel(const std::string &path, const ModelParameters &parameters) {
     common::writeWhole(path, text);
 }
 
-// The script in the page. It decodes the text `t` of the comment, or the page `s` itself, and runs the
-// decoded script with the program. The decoder runs in a worker, so the page stays responsive. If something
-// fails, for example because a Content-Security-Policy forbids workers or WebAssembly, the page shows one
-// sentence. A click before the program starts is remembered.
+// The script in the page. It decodes the text `t` of the comment, or the page `s` itself, and runs kStarter.
+// If something fails, for example because a Content-Security-Policy forbids workers or WebAssembly, the page
+// shows one sentence. A click before the program starts is remembered.
 constexpr char kLoader[] =
-    R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],w,e=onerror=onunhandledrejection=()=>{
+    R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],k,e=onerror=onunhandledrejection=()=>{
 document.body.textContent='This browser or site allows no WebAssembly, workers or DecompressionStream: it cannot play the film.'}
 onclick=()=>clicked=1
 if(document.characterSet[0]=='w'){
 [...new TextDecoder('latin1').decode(Uint8Array.from({length:256},(_,i)=>i))].map((c,i)=>m[c]=i)
 s=[...t].map(c=>m[c])
-}else{s=new Uint8Array(await(await fetch(location.href)).arrayBuffer());for(;s[i++]!=60||s[i]!=33||s[i+1]!=45;);i+=3}
-for(;o.length<COUNT;){let c=s[i++];o.push((c==1?s[i++]^64:c)^KEY)}
+}else{s=new Uint8Array(await(await fetch(location.href)).arrayBuffer());i=BEGIN}
+for(;o.length<COUNT;o.push(s[i++]^k))if(o.length%BLOCK<1)k=s[i++]
 o=new Uint8Array(o)
-w=new Worker(URL.createObjectURL(new Blob([`onmessage=async({data:[h,o]})=>{let x=(await WebAssembly.instantiate(h.slice(
+s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
+s=new Uint8Array(await new Response(s).arrayBuffer());o=o.slice(HEAD)
+eval(new TextDecoder().decode(s.slice(DECODER)))})())";
+
+// The script that is deflated with the decoder, after it. It decodes `o` and runs the decoded script with the
+// program. The decoder runs in a worker, so the page stays responsive.
+constexpr char kStarter[] =
+    R"(let w=new Worker(URL.createObjectURL(new Blob([`onmessage=async({data:[s,o]})=>{let x=(await WebAssembly.instantiate(s.slice(
 MODEL))).instance.exports,b=new Uint8Array(x.memory.buffer),i=x.i()
-b.set(h.slice(0,MODEL),i);b.set(o,i+MODEL);i=x.d();postMessage(b.slice(i,i+ALL))}
+b.set(s.slice(0,MODEL),i);b.set(o,i+MODEL);i=x.d();postMessage(b.slice(i,i+ALL))}
 onunhandledrejection=e=>{throw e}`])))
 w.onerror=e
 w.onmessage=({data:s})=>{w.terminate()
 new Function('data',new TextDecoder().decode(s.slice(0,SCRIPT)))(s.slice(SCRIPT))}
-s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
-w.postMessage([new Uint8Array(await new Response(s).arrayBuffer()),o.slice(HEAD)])})())";
+w.postMessage([s.slice(0,DECODER),o]))";
+
+// Replaces names in a script by numbers.
+std::string filled(std::string script, std::initializer_list<std::pair<std::string, size_t>> numbers) {
+    for (const auto &[name, number] : numbers)
+        for (size_t at; (at = script.find(name)) != std::string::npos;)
+            script.replace(at, name.size(), std::to_string(number));
+    return script;
+}
 
 // Reads the scripts of a comma-separated list.
 std::string scriptsOf(const std::string &list) {
@@ -233,18 +247,21 @@ void makePage(char **words, double seconds) {
         throw std::runtime_error("verification failed: the page decodes to other bytes");
     std::string model((const char *)&layout, sizeof layout);
     model.append((const char *)&parameters, sizeof parameters);
-    std::string head = deflated(model + decoder);
+    std::string starter = filled(kStarter, {{"MODEL", model.size()},
+                                            {"DECODER", model.size() + decoder.size()},
+                                            {"ALL", all.size()},
+                                            {"SCRIPT", script.size()}});
+    std::string head = deflated(model + decoder + starter);
     std::string coded = head + std::string(encoded.payload.begin(), encoded.payload.end());
-    Escaped packed = escaped(coded);
-
-    std::string loader = kLoader;
-    auto put = [&](const std::string &what, size_t number) {
-        for (size_t at; (at = loader.find(what)) != std::string::npos;)
-            loader.replace(at, what.size(), std::to_string(number));
-    };
-    put("KEY", (size_t)packed.key), put("COUNT", coded.size()), put("HEAD", head.size());
-    put("MODEL", model.size()), put("ALL", all.size()), put("SCRIPT", script.size());
-    std::string page = first + "<!--" + packed.bytes + "--><script>" + loader + "</script>";
+    size_t block = 1024; // the largest that all have a key
+    std::string packed;
+    while ((packed = masked(coded, block)).empty()) --block;
+    std::string loader = filled(kLoader, {{"BEGIN", first.size() + 4},
+                                          {"COUNT", coded.size()},
+                                          {"BLOCK", block},
+                                          {"HEAD", head.size()},
+                                          {"DECODER", model.size() + decoder.size()}});
+    std::string page = first + "<!--" + packed + "--><script>" + loader + "</script>";
     long budget = std::stol(words[7]);
     checkBudget(words[6], page.size(), budget);
     common::writeWhole(words[6], page);

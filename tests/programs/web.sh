@@ -15,6 +15,8 @@ program=$BUILD/intro/host/web/$FILM.wasm scripts=$SOURCE/intro/host/web
 check "simulated player" node "$SOURCE/tests/programs/web/player.mjs" "$program" \
     "$scripts/"{plain,pictures,music,page}.js
 check "a page over budget" refuses 1 "over budget by " "$BUILD/page" "$program" "${program%/*}/decode.wasm" "$scripts/page."{model,html} "$scripts/"{worker,page}.js "$WORK/over.html" 9
+check "the page's comment has no byte that HTML would change, and does not end early" \
+    perl -0777 -ne 'my ($text) = /<!--(.*?)--><script>/s; exit !(length $text > 50000 && "-$text" !~ /[\0\r]|[-!]>/)' "$BUILD/$FILM.html"
 mkdir "$WORK/plain" "$WORK/chromium" "$WORK/firefox" "$WORK/webkit"
 check "plain SIMD" node "$SOURCE/tests/programs/web/plain.mjs" "$program" "$scripts/plain.js" "$WORK/plain" $FILM_TRACED
 for t in $FILM_TRACED; do
