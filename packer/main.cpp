@@ -119,23 +119,23 @@ void packProgram(const PackOptions &o) {
 
     std::error_code none;
     auto before = std::filesystem::file_size(o.out, none);
-    auto size = (long)packed.bytes.size(), budget = o.budget.value_or(any ? kNoBudget : kUsualBudget);
-    Report report = makeReport(std::move(stretches), packed.bits, packed.bytes.size(), packed.overhead,
+    long budget = o.budget.value_or(any ? kNoBudget : kUsualBudget);
+    Report report = makeReport(std::move(stretches), packed.bits, packed.used, packed.overhead,
                                given.rooms ? &*given.rooms : nullptr);
     writeReports(o, report, program, budget, given.before);
     if (!o.saveModel.empty())
         common::writeWhole(o.saveModel, "# contexts for " + nameOf(o.in) + ", found by pack --effort\n" +
                                             printParameters(parameters));
-    checkBudget(o.out, packed.bytes.size(), budget);
+    checkBudget(o.out, packed, budget);
     writeBytes(o.out, packed.bytes, mode);
     if (!o.than.empty() && !given.before)
         std::fprintf(stderr, "pack: there is no %s yet, so nothing is compared: write it with --report\n",
                      o.than.c_str());
     if (o.text == "-") return;
-    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu in memory", o.out.c_str(), size,
-                packed.overhead, program.bytes.size());
-    if (!none) std::printf(", before %ld (%+ld)", (long)before, size - (long)before);
-    if (budget >= 0) std::printf(", %ld bytes left of %ld", budget - size, budget);
+    std::printf("%s: %s (%zu of them stub and headers) from %zu in memory", o.out.c_str(),
+                sizeText(packed).c_str(), packed.overhead, program.bytes.size());
+    if (!none) std::printf(", before %ld (%+ld)", (long)before, (long)packed.bytes.size() - (long)before);
+    if (budget >= 0) std::printf(", %ld bytes left of %ld", budget - (long)packed.used, budget);
     std::puts("");
     if (any) warn(o, program, appendedBytes(file), packed.seconds);
 }

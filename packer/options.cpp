@@ -75,7 +75,9 @@ PackOptions parseOptions(common::CommandLine &line) {
     line.option("-d", "FILE", o.unpack, "a packed file to unpack");
     line.group("How to pack");
     line.flag("--loader", o.loader, "pack as any program, even if IN was made for packing");
-    line.flag("--pe", o.pe, "write OUT for Windows; IN must be linked for it");
+    line.flag("--pe", o.pe,
+              "write OUT for Windows; IN must be linked for it. Zeros fill OUT up to a multiple of 512 "
+              "bytes; all others are the bytes used");
     line.flag("--plain", o.plain, "do not pack: write OUT with the program's memory image");
     line.flag("--fast", o.fast, "use few contexts: 10 % larger, starts in less than half the time");
     line.option(

@@ -29,14 +29,14 @@ void packFilm(char **words) {
     Program program = readProgram(file, pe ? kWindows : kLinux);
     PackedFile packed = makePacked(pe ? kPe : kElf, program, readParameters(model), safeName);
     auto stretches = attribute(file, common::readWhole(map), common::readWhole(symbols), program);
-    Report report = makeReport(stretches, packed.bits, packed.bytes.size(), packed.overhead);
+    Report report = makeReport(stretches, packed.bits, packed.used, packed.overhead);
     std::fputs(printReport(report).c_str(), stdout);
     common::writeWhole(reportPath, printJson(report));
-    checkBudget(out, packed.bytes.size(), budget);
+    checkBudget(out, packed, budget);
     writeBytes(out, packed.bytes, modeOf(in));
-    std::printf("%s: %zu bytes (%zu of them stub and headers) from %zu in memory, %ld bytes left of %ld\n",
-                out.c_str(), packed.bytes.size(), packed.overhead, program.bytes.size(),
-                budget - (long)packed.bytes.size(), budget);
+    std::printf("%s: %s (%zu of them stub and headers) from %zu in memory, %ld bytes left of %ld\n",
+                out.c_str(), sizeText(packed).c_str(), packed.overhead, program.bytes.size(),
+                budget - (long)packed.used, budget);
 }
 
 } // namespace

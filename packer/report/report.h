@@ -18,10 +18,10 @@ using Costs = std::map<std::string, Cost>;
 bool hasNames(const Costs &costs);
 
 // Costs are multiples of a sixteenth of a bit, so they add up exactly: the sum of `overhead`, the costs of
-// all sections and `rest` is the size of the file. Objects, rooms and symbols add up in the same way.
+// all sections and `rest` is `fileSize`. Objects, rooms and symbols add up in the same way.
 // (Without a map there are no objects and no rooms.)
 struct Report {
-    size_t fileSize = 0, overhead = 0; // bytes of the packed file; how many of them are not payload
+    size_t fileSize = 0, overhead = 0; // bytes used of the packed file; how many of them are not payload
     double rest = 0;                   // bits at the payload's end and of the padding to whole bytes
     Costs sections, objects, symbols, rooms;
     std::map<std::string, std::string> roomOf = {}; // room of each object

@@ -35,10 +35,6 @@ Elf64_Phdr segment(uint32_t type, uint32_t flags, uint64_t offset, uint64_t addr
     return {type, flags, offset, address, address, inFile, inMemory, align};
 }
 
-size_t fileSize(const PackedKind &kind, const ModelParameters &parameters, const Bytes &payload) {
-    return (overhead(kind, parameters) + payload.size() + 3) / 4 * 4;
-}
-
 // Joins headers, stub and payload section to a file of `size` bytes.
 template <class Front>
 Bytes assemble(const Front &front, const Bytes &stub, const Program &program,
@@ -94,7 +90,7 @@ NamedStub elfStub() { return {kStub, sizeof kStub, kMayNotRun}; }
 Bytes writeElf(const Program &program, const ModelParameters &parameters, const Bytes &payload,
                const std::string &safeName) {
     uint32_t base = program.base - kBelow;
-    size_t size = fileSize(kElf, parameters, payload);
+    size_t size = usedSize(kElf, parameters, payload);
     need(size <= kBelow, "too large: packed, it would be over 2 MiB");
     Front f = makeFront(base, base + sizeof f, program.slots);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
@@ -155,7 +151,7 @@ LoaderFront makeLoaderFront(const Program &program, size_t size) {
 
 Bytes writeLoader(const Program &program, const ModelParameters &parameters, const Bytes &payload,
                   const std::string &safeName) {
-    size_t size = fileSize(kLoader, parameters, payload);
+    size_t size = usedSize(kLoader, parameters, payload);
     return assemble(makeLoaderFront(program, size), loaderStub().with(safeName), program, parameters, payload,
                     size);
 }

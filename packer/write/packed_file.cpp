@@ -103,6 +103,10 @@ size_t overhead(const PackedKind &kind, const ModelParameters &parameters) {
     return sectionAt(kind) + sizeof(PayloadHeader) + masksSize(parameters) + kCheckSize;
 }
 
+size_t usedSize(const PackedKind &kind, const ModelParameters &parameters, const Bytes &payload) {
+    return (overhead(kind, parameters) + payload.size() + 3) / 4 * 4;
+}
+
 Bytes decodeWithStub(const PackedKind &kind, const Bytes &packed) {
     Bytes copy = packed;
     copy.resize(copy.size() + 8); // the stub may read a few bytes beyond the end
@@ -129,7 +133,8 @@ PackedFile makePacked(const PackedKind &kind, const Program &program, const Mode
                       const std::string &safeName) {
     Workspace workspace;
     Encoded encoded = encode(program.bytes, program.layout(), parameters, workspace);
-    PackedFile file = {kind.write(program, parameters, encoded.payload, safeName), overhead(kind, parameters),
+    PackedFile file = {kind.write(program, parameters, encoded.payload, safeName),
+                       usedSize(kind, parameters, encoded.payload), overhead(kind, parameters),
                        std::move(encoded.bits), 0};
     std::clock_t began = std::clock();
     bool same = decodeWithStub(kind, file.bytes) == program.bytes;
@@ -137,6 +142,11 @@ PackedFile makePacked(const PackedKind &kind, const Program &program, const Mode
     if (!same || readPacked(kind, file.bytes).bytes != program.bytes)
         throw std::runtime_error("the packed bytes do not decode to the program: nothing was written");
     return file;
+}
+
+std::string sizeText(const PackedFile &file) {
+    std::string text = std::to_string(file.used) + " bytes";
+    return file.used == file.bytes.size() ? text : text + " used of " + std::to_string(file.bytes.size());
 }
 
 void checkBudget(const std::string &path, size_t size, long budget) {
@@ -147,6 +157,10 @@ void checkBudget(const std::string &path, size_t size, long budget) {
                              " bytes (" + common::thousands((double)size) + " of " +
                              common::thousands((double)budget) + "): it is not written" +
                              (removed ? ", and the earlier one is removed" : ""));
+}
+
+void checkBudget(const std::string &path, const PackedFile &file, long budget) {
+    for (size_t size : {file.used, file.bytes.size()}) checkBudget(path, size, budget);
 }
 
 } // namespace pack

@@ -60,6 +60,10 @@ const PackedKind &kindOf(const Bytes &file);
 // Returns the bytes of a packed file that are not payload.
 size_t overhead(const PackedKind &kind, const ModelParameters &parameters);
 
+// Returns the bytes used of a packed file: all but the zeros that fill a file for Windows up to a multiple of
+// kPeFileAlign. They are whole words.
+size_t usedSize(const PackedKind &kind, const ModelParameters &parameters, const Bytes &payload);
+
 // Decodes a packed file with the stub's own code, in memory. Only for files that kind.write() has made.
 Bytes decodeWithStub(const PackedKind &kind, const Bytes &packed);
 
@@ -69,6 +73,7 @@ Program readPacked(const PackedKind &kind, const Bytes &file);
 // A packed file that was verified: the stub and the C++ decoder both return the program.
 struct PackedFile {
     Bytes bytes;
+    size_t used;             // usedSize()
     size_t overhead;         // bytes that are not payload
     std::vector<float> bits; // cost of each byte of the program
     double seconds;          // processor time for decoding with the stub
@@ -78,8 +83,13 @@ struct PackedFile {
 PackedFile makePacked(const PackedKind &kind, const Program &program, const ModelParameters &parameters,
                       const std::string &safeName);
 
+// Returns the file's size as text: "9 bytes" or, if not all are used, "9 bytes used of 512".
+std::string sizeText(const PackedFile &file);
+
 // Throws std::runtime_error if `size` is over the budget. A negative budget means no limit. Before it throws,
 // it removes an earlier file at `path`, so that nobody takes that file for this program.
 void checkBudget(const std::string &path, size_t size, long budget);
+// The same for the bytes used of a file, then for the whole file, whose zeros may exceed a budget, too.
+void checkBudget(const std::string &path, const PackedFile &file, long budget);
 
 } // namespace pack

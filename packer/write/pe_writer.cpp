@@ -139,7 +139,7 @@ PeFront makeFront(const Program &program, uint32_t size, const std::string &safe
 
 Bytes write(const Program &program, const ModelParameters &parameters, const Bytes &payload,
             const std::string &safeName) {
-    uint32_t size = fileWhole(overhead(kPe, parameters) + payload.size());
+    uint32_t size = fileWhole(usedSize(kPe, parameters, payload));
     need(size <= kBelow - 2 * kPeBaseAlign, "too large: packed, it would be nearly 2 MiB");
     PeFront f = makeFront(program, size, safeName);
     PeStart start = makeStart(program);

@@ -15,6 +15,8 @@ report 4000
 check "a room's bytes" prints '^trace +4000 ' rooms
 check "... and the programs' bytes" prints '^intro +100 ' rooms
 check "... the film's, and the change since the ledger" prints "^the film +6600 +65536 +58936 +$((6600 - $(sed -n 's/^ "file": \([0-9]*\),/\1/p' "$SOURCE/intro/size_ledger.json")))\$" rooms
+echo '"file": 65000,' >"$WORK/build/odraz-windows.json"
+check "... and the bytes used of the film for Windows" prints '^the \.exe +65000 +65536 +536$' rooms
 check "nothing on stderr while all rooms keep to their shares" test ! -s "$WORK/err"
 # Every folder of the engine has its row; maker belongs to odraz-debug
 (cd "$SOURCE/intro" && find . -mindepth 2 -name '*.cpp' -not -path './maker/*') | cut -d/ -f2 | sort -u >"$WORK/folders"

@@ -47,8 +47,14 @@ check "... its text is about sections" grep -q '^|   packed | section |$' d.md
 bash "$SOURCE/packer/example/build.sh" true . && bash "$SOURCE/packer/example/build.sh" true . --pe || exit 1
 check "a program made for packing" "${pack[@]}" hello.elf -o hello --html e.html --report e.json >/dev/null
 check "... adds up" eval 'sums e.html >/dev/null && json_sums e.json'
-check "... for Windows, with its zeros" "${pack[@]}" hello_windows.elf -o hello.exe --pe --html f.html --report f.json >/dev/null
+check "... for Windows" "${pack[@]}" hello_windows.elf -o hello.exe --pe --html f.html --report f.json >printed
+used=$(sed -n 's/^"file": \(.*\),/\1/p' f.json) size=$(stat -c %s hello.exe)
 check "... adds up" eval 'sums f.html >/dev/null && json_sums f.json'
+check "... to the bytes used, all but the zeros that fill the file" test $(((used + 511) / 512 * 512)) = "$size"
+check "... which count for the budget" \
+    grep -q "^hello.exe: $used bytes used of $size .* $((65536 - used)) bytes left of 65536\$" printed
+check "... but the file may not exceed it, either" eval '! "${pack[@]}" hello_windows.elf -o hello.exe --pe \
+    --budget $((size - 1)) >printed 2>refusal && grep -q "over budget by 1 bytes (" refusal'
 
 # --- Two builds ---
 sed -i 's/i \* 3 + 1/i * 3 + 1 + (i > 5 ? i \/ 7 : i << 20 ^ 0x12345678)/' folder/main.c

@@ -36,7 +36,7 @@ def figures(results):
     peer = 'POV-Ray +AM2 +A0.1 +R3'
     return f'''\
 - **Size:** {rounded(cell('size', 'Linux', packed))} bytes of 65,536, for Windows \
-{rounded(cell('size', 'Windows', packed))}, packed from {rounded(cell('size', 'Linux', linked))}: code to \
+{rounded(cell('size', 'Windows', packed))} used, packed from {rounded(cell('size', 'Linux', linked))}: code to \
 {span('packers', 'to xz', 2)} of `xz -9e`.
 - **Start:** the window after {rounded(cell('start', 'seconds until its window is seen', '`odraz`'), 1)} s, the first \
 picture after {rounded(cell('start', 'until the first picture', '`odraz`'), 1)} s, with the hall solved; \

@@ -19,13 +19,13 @@ def size(machine):
     names = 'odraz-safe', 'odraz', 'odraz-safe.exe', 'odraz.exe'
     linked, packed, linked_exe, packed_exe = ((machine.build / name).stat().st_size for name in names)
     linux, windows = (json.loads((machine.build / f'{name}.json').read_text()) for name in ('odraz', 'odraz-windows'))
-    coded = int(sum(part['bits'] for part in windows['sections'].values()) / 8)
+    used = windows['file']
     machine.note('cmake --build build --target film film_windows')
     lines = [('`odraz-safe`: linked and stripped', linked, linked_exe),
-             ('`odraz`: packed', packed, packed_exe),
+             ('`odraz`: packed', packed, used),
              ('of these, headers and stub', linux['overhead'], windows['overhead']),
-             ('... zeros up to a multiple of 512', '', packed_exe - windows['overhead'] - coded),
-             ('left of 65536', 65536 - packed, 65536 - packed_exe)]
+             ('zeros after them, up to a multiple of 512', '', packed_exe - used),
+             ('left of 65536', 65536 - packed, 65536 - used)]
     return [dict(zip(('', 'Linux', 'Windows'), line)) for line in lines]
 
 

@@ -30,7 +30,7 @@ SECTIONS = [
         parts=[
             table(film.size, '; Linux; Windows'),
             '''The size of the packed film varies by a few bytes with its commit's name. `tools/ledger rooms` prints the
-            size of each part.''']),
+            size of each part. For Windows, zeros fill the file; all figures but theirs are of the bytes used.''']),
     Section(
         'start', 'Start-up', 0.3,
         sources=['intro', 'packer'], programs=['odraz-safe', 'pack_film'], targets=['film'],

@@ -59,6 +59,10 @@ TEST(Pe, PacksFilesThatWindowsAcceptsAndThatReadBack) {
               "kernel32.dll: GetProcAddress LoadLibraryA LoadLibraryA GetProcAddress VirtualAlloc "
               "VirtualFree VirtualProtect GetStdHandle WriteFile ExitProcess");
     EXPECT_EQ(file.size() % 512, 0u);
+    // All bytes are used but the zeros before the check at the end
+    size_t used = usedSize(kPe, defaultParameters(), encoded.payload);
+    EXPECT_LT(file.size() - used, 512u);
+    EXPECT_EQ(Bytes(file.begin() + (long)used - 4, file.end() - 4), Bytes(file.size() - used, 0));
     EXPECT_LE(overhead(kPe, defaultParameters()), 3584u);
     EXPECT_EQ(decodeWithStub(kPe, file), p.bytes);
     Program back = readPacked(kPe, file);
