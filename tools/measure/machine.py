@@ -34,10 +34,10 @@ class Took:
 
 
 class Machine:
-    """The environment of a section: built programs, a working folder, its commands, and the values that its texts show."""
+    """The environment of a section: built programs, a working folder, the page, commands, and values that texts show."""
 
-    def __init__(self, build, work, built=True):
-        self.build, self.work, self.built = Path(build), Path(work), built
+    def __init__(self, build, work, built=True, page=None):
+        self.build, self.work, self.built, self.page = Path(build), Path(work), built, page
         self.kept = {}  # results that several parts share
         self.begin()
 

@@ -119,6 +119,13 @@ def columns(machine):
             f'{counting.spent(machine, solve) / 1e6:.0f} million instructions.')
 
 
+def hall(machine):
+    """The errors of the film's hall against path tracing, their causes, and other settings, with a plot."""
+    printed = machine.run('build/hall_light --causes --trade hall.svg').strip()
+    shutil.copy(machine.work / 'hall.svg', machine.page.parent)
+    return printed + '\n\n![errors of the hall against seconds](hall.svg)'
+
+
 def posing(machine):
     count = counting.counted(machine, counting.posed(machine, 'hall', '320x180'), 'posing')
     return f'Posing a picture of the hall, with all of its light: {count / 1e6:.1f} million instructions.'
@@ -179,8 +186,9 @@ def turning(machine):
 
 # --- Proofs ---
 
-TESTS = {'radiosity': ['form_factor_test'], 'show': ['hall_test'], 'sound': ['note_test', 'noise_test'],
-         'trace': ['adaptive_test', 'extremes_test'], 'transfer': ['spherical_harmonics_test']}
+TESTS = {'radiosity': ['form_factor_test'], 'show': ['hall_test', 'traced_hall_test'],
+         'sound': ['note_test', 'noise_test'], 'trace': ['adaptive_test', 'extremes_test'],
+         'transfer': ['spherical_harmonics_test', 'transfer_test']}
 
 
 def proofs(machine):

@@ -18,7 +18,7 @@ namespace {
 Workers serial = serialWorkers();
 
 SolvedHall &solved() {
-    static SolvedHall hall(kHallSettings, headlessGl(), serial);
+    static SolvedHall hall(kHallSettings, kDrawnHemicubes, headlessGl(), serial);
     return hall;
 }
 

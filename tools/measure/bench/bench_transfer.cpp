@@ -51,8 +51,8 @@ std::unique_ptr<SolvedHall> timeStartUp(const Gl &gl, Workers &workers) {
     std::unique_ptr<SolvedHall> solved;
     for (int round = 0; round < kRounds; ++round) {
         StepClock clock;
-        solved =
-            std::make_unique<SolvedHall>(kHallSettings, gl, workers, kRoomBytes, nullptr, clock.progress());
+        solved = std::make_unique<SolvedHall>(kHallSettings, kDrawnHemicubes, gl, workers, kRoomBytes,
+                                              nullptr, clock.progress());
         // The first step does not report its start, so it gets the time that the others leave
         clock.steps[0].seconds = solved->seconds;
         for (size_t i = 1; i < clock.steps.size(); ++i) clock.steps[0].seconds -= clock.steps[i].seconds;

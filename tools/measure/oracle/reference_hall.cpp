@@ -4,17 +4,18 @@
 
 namespace odraz::measure {
 
-SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t bytes,
-                       const std::function<void(LightBases &)> &change, const Progress &progress)
+SolvedHall::SolvedHall(const RadiositySettings &settings, const HemicubeMethod &method, const Gl &gl,
+                       Workers &workers, size_t bytes, const std::function<void(Hall &)> &change,
+                       const Progress &progress)
     : memory(bytes), scene(std::make_unique<Scene>()), hall(std::make_unique<Hall>()) {
     double began = common::processorSeconds();
     prepareHall(*hall, *scene);
-    if (change) change(hall->radiosity.bases);
+    if (change) change(*hall);
     if (!hall->radiosity.bases.fit()) throw std::runtime_error("too many light bases for the hall");
     if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings,
-                        {kDrawnHemicubes, &gl, memory.arena, workers, progress}))
+                        {method, &gl, memory.arena, workers, progress}))
         throw std::runtime_error("cannot solve the hall with these settings");
-    closeHemicubes(hall->radiosity.hemicubes);
+    method.close(hall->radiosity.hemicubes);
     seconds = common::processorSeconds() - began;
 }
 

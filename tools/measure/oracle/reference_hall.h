@@ -25,9 +25,10 @@ struct TexelPlanes {
 
 // The hall, solved with the given settings.
 struct SolvedHall {
-    // `change` may change the light bases before the hall is solved. Throws std::runtime_error.
-    SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t memory = kRoomBytes,
-               const std::function<void(LightBases &)> &change = {}, const Progress &progress = {});
+    // `change` may change the hall before it is solved. Throws std::runtime_error.
+    SolvedHall(const RadiositySettings &settings, const HemicubeMethod &method, const Gl &gl,
+               Workers &workers, size_t memory = kRoomBytes, const std::function<void(Hall &)> &change = {},
+               const Progress &progress = {});
 
     // Computes the glossy transfer of the floor. Throws std::runtime_error if the arena is full.
     void solveGloss(Arena &arena, Workers &workers);

@@ -11,7 +11,8 @@ namespace {
 // suns.
 SolvedHall solvedFor(const std::vector<Sky> &skies, const std::vector<Daylight> &days, const Gl &gl,
                      Workers &workers) {
-    return SolvedHall(kHallSettings, gl, workers, kRoomBytes, [&](LightBases &l) {
+    return SolvedHall(kHallSettings, kDrawnHemicubes, gl, workers, kRoomBytes, [&](Hall &hall) {
+        LightBases &l = hall.radiosity.bases;
         l.skyCount = 3 * (int)skies.size();
         l.skies = &skies;
         l.sky = [](const void *from, const Vec3x8 &d, Float8 *values) {
@@ -50,7 +51,7 @@ DayError errorOf(const TexelPlanes &relit, const TexelPlanes &exact, const float
 
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const Gl &gl, Workers &workers) {
     constexpr size_t kMost = 10; // skies of one solution
-    SolvedHall relit(kHallSettings, gl, workers);
+    SolvedHall relit(kHallSettings, kDrawnHemicubes, gl, workers);
     const Model &m = relit.hall->model;
     TexelPlanes relitPlanes(m.texelCount), exactPlanes(m.texelCount);
     std::vector<DayError> all;

@@ -57,21 +57,38 @@ public:
         }
     }
 
+    // Light by its way to a point.
+    struct Arriving {
+        Vec3d all, lamps, reflected; // see MeshProbe
+
+        void add(const Arriving &more, double share) {
+            all = all + more.all * share, lamps = lamps + more.lamps * share;
+            reflected = reflected + more.reflected * share;
+        }
+    };
     // The light that one path brings to the point p. It starts in cell k of a side x side grid over the
     // hemisphere. `backs` counts first rays that hit a back. `size`: size of the surface around the point.
-    Vec3d trace(Vec3d p, Vec3d n, double size, int k, int side, Sampler &sampler, int &backs) const {
-        Vec3d sum = {}, weight = {1, 1, 1};
+    Arriving trace(Vec3d p, Vec3d n, double size, int k, int side, Sampler &sampler, int &backs) const {
+        Arriving sum = {};
+        Vec3d weight = {1, 1, 1};
+        auto add = [&](Vec3d light, int depth) {
+            sum.all = sum.all + light;
+            if (depth > 0) sum.reflected = sum.reflected + light;
+        };
         for (int depth = 0;; ++depth) {
             Vec3d from = p + n * std::min(most, size * 1e-2);
             // At its first point, each path samples a different part of the lamps
             double pick = sampler.random();
             if (depth == 0) pick = ((double)((int64_t)k * 7919 % (side * side)) + pick) / (side * side);
-            sum = sum + weight * direct(from, n, pick, sampler);
+            add(weight * direct(from, n, pick, sampler), depth);
+            if (depth == 0) sum.lamps = sum.all;
             Vec3d d = byCosine(n, depth == 0 ? inCell(sampler, k, side) : inCell(sampler, 0, 1));
             Obstacles::Hit hit = obstacles.nearest(from, d);
-            if (!hit.met())
-                return surroundings.sky.width ? sum + weight * toDouble(surroundings.sky.radiance(toFloat(d)))
-                                              : sum;
+            if (!hit.met()) {
+                if (surroundings.sky.width)
+                    add(weight * toDouble(surroundings.sky.radiance(toFloat(d))), depth);
+                return sum;
+            }
             if (hit.back) {
                 backs += depth == 0;
                 return sum;
@@ -202,7 +219,7 @@ std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count) {
         Rgb arrives = {share(leaves.x, r.x, light.x), share(leaves.y, r.y, light.y),
                        share(leaves.z, r.z, light.z)};
         const Chart &c = solution.charts[chart];
-        probes.push_back({(int)chart, found.p, c.n, arrives, {}, 0, c.width + c.height});
+        probes.push_back({(int)chart, found.p, c.n, arrives, {}, {}, {}, 0, 0, c.width + c.height});
     }
     return probes;
 }
@@ -223,14 +240,17 @@ void tracePaths(const Mesh &mesh, const Surroundings &surroundings, std::vector<
         Vec3d p = toDouble(probe.p), normal = toDouble(probe.n);
         int backs = 0;
         // Trace two independent sets of paths: their difference is the noise
-        Vec3d means[2] = {};
-        for (Vec3d &mean : means) {
+        PathTracer::Arriving means[2] = {}, mean = {};
+        for (PathTracer::Arriving &one : means) {
             for (int k = 0; k < paths; ++k)
-                mean = mean + tracer.trace(p, normal, (double)probe.size, k, side, sampler, backs) / paths;
+                one.add(tracer.trace(p, normal, (double)probe.size, k, side, sampler, backs), 1. / paths);
+            mean.add(one, 0.5);
         }
-        probe.traced = toFloat((means[0] + means[1]) * 0.5);
-        double difference = brightness(means[0]) - brightness(means[1]);
-        probe.noise2 = difference * difference / 4;
+        auto noise2 = [](Vec3d a, Vec3d b) { return std::pow(brightness(a) - brightness(b), 2) / 4; };
+        probe.traced = toFloat(mean.all), probe.lamps = toFloat(mean.lamps);
+        probe.reflected = toFloat(mean.reflected);
+        probe.noise2 = noise2(means[0].all, means[1].all);
+        probe.reflectedNoise2 = noise2(means[0].reflected, means[1].reflected);
         inside[(size_t)i] = backs > paths / 2;
     });
     size_t kept = 0;

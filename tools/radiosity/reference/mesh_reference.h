@@ -12,8 +12,11 @@ struct MeshProbe {
     Vec3 p, n;
     Rgb solved;    // light of the solution: irradiance / pi
     Rgb traced;    // light of the paths
+    Rgb lamps;     // the part of `traced` that comes from suns, balls and emitting triangles, not reflected
+    Rgb reflected; // the part that surfaces have reflected; the rest is light of the sky
     double noise2; // an unbiased estimate of the variance of `traced`'s brightness
-    float size;    // width plus height of the chart
+    double reflectedNoise2; // the same of `reflected`
+    float size;             // width plus height of the chart
 };
 
 // Random points, spread by area over the surfaces of a solution that reflect.
