@@ -15,7 +15,8 @@ static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
 }
 
 // Makes the system for all bases, whose light is white. The direct light of a patch is the mean of its
-// texels. Returns false if the arena is full.
+// texels. A hidden patch, of which others may see a margin, gets its neighbours' light and a neighbour's row.
+// Returns false if the arena is full.
 static bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers) {
     System &s = r.system;
     int bases = r.bases.count();
@@ -32,6 +33,7 @@ static bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &
         meansOfPatches(model, r.direct[k], to, s.columns);
         for (int i = 0; i < model.patchCount; ++i, to += columns) to[1] = to[2] = to[0];
     });
+    fillPatches(model, r.factors, s.columns, s.direct, 0, model.patchCount);
     return true;
 }
 

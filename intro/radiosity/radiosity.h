@@ -10,6 +10,7 @@
 //   findFormFactors()  by hemicubes
 //   findDirectLight()  direct light on the texels
 //   tie()              hidden texels to their neighbours
+//   fillPatches()      hidden patches: direct light and a row from their neighbours
 //   solve()            the reflected light, until it hardly changes
 //   findIndirect()     the indirect light on patches
 //   fillPatches(), addToTexels()  from the patches to the texels

@@ -98,6 +98,7 @@ void fillPatches(const Model &model, const FormFactors &factors, int columns, fl
                 int n = c.firstPatch + v * c.patchesAcross + u;
                 if (!factors.rows[n].known) continue;
                 ++found;
+                factors.rows[i].links = factors.rows[n].links, factors.rows[i].count = factors.rows[n].count;
                 for (int k = 0; k < columns; k += 8) {
                     Float8 mean = load(to + k), next = load(valuesOf(n) + k);
                     store(to + k, fmadd(next - mean, broadcast(1.f / (float)found), mean));

@@ -36,8 +36,8 @@ inline void findIndirect(System &s, Workers &workers) {
     findIndirect(*s.factors, s.patches, s.columns, s.radiosity, s.indirect, workers);
 }
 
-// Gives patches without a known row the mean of their neighbours on the same chart. `values`:
-// [count][columns], for `count` patches from `first` on, which must be whole charts.
+// Gives patches without a known row the mean of their neighbours on the same chart, and a row of one of them.
+// `values`: [count][columns], for `count` patches from `first` on, which must be whole charts.
 void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first,
                  int count);
 
