@@ -38,14 +38,15 @@ struct Floor {
 } // namespace
 
 // Tests the sky, its clouds and the sun at every hour. The error is below one per cent and comes from bands
-// above the fourth. At dawn most light is the rose glow around the sun, which counts as part of the sun
-// although it is wide: there the error is three per cent of a dim light.
+// above the fourth, and from the glow near the sun, which counts as part of the sun although it is wide. It
+// falls into the openings of the windows, where texels are densest. At dawn most light is this glow: there
+// the error is three per cent of a dim light, at sunset one.
 TEST(Day, IsWithinAFewPerCentOfExactSolutions) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (const DayError &e : dayErrors({0, 1, 2, 3, 4, 5, 6}, headlessGl(), serial)) {
         std::printf("hour %g: %.2f %% of the lightmap, %.2f %% of all light\n", (double)e.hour, e.lightmap,
                     e.whole);
-        EXPECT_LT(e.whole, e.hour == 0 ? 3 : 1) << e.hour;
+        EXPECT_LT(e.whole, e.hour == 0 ? 3.5 : e.hour == 6 ? 1.2 : 1) << e.hour;
     }
 }
 
@@ -101,7 +102,8 @@ TEST(Gloss, AgreesWithRays) {
             error += (seen - exact) * (seen - exact), all += exact * exact;
         }
         std::printf("gloss against rays: %.1f %% rms\n", 100 * std::sqrt(error / all));
-        EXPECT_LT(std::sqrt(error / all), 0.13);
+        // The lobe covers a tenth of a hemicube: some 80 pixels, whose borders leave several per cent
+        EXPECT_LT(std::sqrt(error / all), 0.1);
     }
 }
 
