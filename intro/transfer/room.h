@@ -38,7 +38,7 @@ struct Room {
     bool solved() const { return map.charts; }
 };
 
-// Size of the arena for solving: enough for a room of 26,000 texels, 5,300 patches and 64 bases, with a
+// Size of the arena for solving: enough for a room of 29,000 texels, 6,000 patches and 64 bases, with a
 // quarter to spare.
 inline constexpr size_t kRoomBytes = (size_t)192 << 20;
 

@@ -192,8 +192,8 @@ SECTIONS = [
             squares do not quite sum up to the error's: a part of each is in the next.''',
             '''The last table changes the raster or the patches. The setting in bold ships. A finer raster hardly shows:
             what is off is the light between the centres of patches, most of all in the openings of the windows, where
-            lit surfaces meet. So the openings have the smallest patches, and the raster stays. Twice as fine patches
-            everywhere take four times as long. Rays are faster up to 24 pixels, OpenGL above; with a GPU it is OpenGL.
+            lit surfaces meet. So the openings have the smallest patches, and the raster stays. Half as wide patches
+            everywhere take three times as long. Rays are faster up to 24 pixels, OpenGL above; with a GPU it is OpenGL.
             The program draws its hemicubes, the page traces them.''',
             printed('build/bench_transfer'),
             methods.posing,
