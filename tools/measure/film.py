@@ -87,9 +87,12 @@ def film(machine):
 
 # --- What a viewer sees ---
 
-JUDGED = 'build/seen --length 0.1 --judged 320x180 '
-MACHINES = ' '.join(f'--machine {giga}' for giga in (4, 8, 16, 32, 64, 128))
-SCREENS = '--screen 1280x720 --screen 1920x1080 --screen 2560x1440'
+# Pictures are judged at the size that their costs are counted for, over windows of so many seconds in each shot
+MACHINES = {'1280x720': ((4, 8, 16, 32, 64, 128), 0.1), '1920x1080': ((16, 64), 0.05), '2560x1440': ((16, 64), 0.05)}
+
+
+def seen_command(screen, machines, length):
+    return ' '.join([f'build/seen --screen {screen} --length {length}', *(f'--machine {giga}' for giga in machines)])
 
 
 def count_costs(machine):
@@ -105,34 +108,35 @@ def cell_of(row):
 
 def seen(machine):
     """Yields cells: PSNR, FLIP, and the number of pictures shown in a second of the scene."""
-    looked, counted = (rows(machine.run(command)) for command in (
-        JUDGED + f'{MACHINES} {SCREENS}', f'build/seen {MACHINES} {SCREENS} --summary'))
-    rate = {(row['screen'], row['machine'], row['scene']): f" {float(row['a_second']):.0f}" for row in counted}
-    for row in looked:
-        key = row['screen'], row['machine'], row['scene']
-        yield f'{key[0]}: {key[1]}', key[2], cell_of(row) + rate.get(key, '')
+    for screen, (machines, length) in MACHINES.items():
+        command = seen_command(screen, machines, length)
+        rate = {(row['machine'], row['scene']): f" {float(row['a_second']):.0f}"
+                for row in rows(machine.run(command + ' --summary', noted=False))}
+        for row in rows(machine.run(command)):
+            shown = rate.get((row['machine'], row['scene']), '')
+            yield f"{screen}: {row['machine']}", row['scene'], cell_of(row) + shown
+    for row in rows(machine.run(seen_command('1280x720', [16], 0.1) + ' --judged 320x180')):
+        yield 'judged at 320x180: 16', row['scene'], cell_of(row)
 
 
 def between(machine):
-    """The error of draft, play and an in-between in the middle of each scene, and what such pictures cost."""
-    text = (SOURCE / 'tools/measure/seen/costs.csv').read_text()
-    costs = [{key: float(cell) for key, cell in row.items()} for row in rows(text) if row['width'] == '1280']
-    begin = 0
-    for scene in rows(machine.run('build/seen --machine 16 --summary', noted=False)):
-        end = begin + float(scene['seconds'])
-        frame = int((begin + end) / 2) * 60
-        for name in 'live', 'play', 'draft', 'reference':
-            machine.run(f'build/odraz-safe --dump {name} --from {frame / 60:g} --to {(frame + 1.5) / 60:.3f} --fps 60 '
-                        f'--size 640x360 --quality {name}', noted=not begin)
-        line = {'scene': scene['scene']}
-        for name in 'live', 'play', 'draft':
-            files = [f'{folder}/frame-{frame + 1:06}.ppm' for folder in (name, 'reference')]
-            line['flip_' + name], _, line[name] = machine.errors(*files)
-        for name, gap, level in ('m_draft', 0, 2), ('m_play', 0, 1), ('m2', 2, 1), ('m4', 4, 1), ('m6', 6, 1):
-            line[name] = round(statistics.mean((row['serial'] + row['parallel']) / 1e3 for row in costs if (
-                row['gap'], row['level']) == (gap, level) and begin <= row['seconds'] < end))
+    """Yields rows by scene: the error of draft, play and in-betweens against `film`, and what such pictures cost."""
+    kinds = {'play': ('0', 'play'), 'draft': ('0', 'draft'), **{f'b{gap}': (gap, 'play') for gap in '246'}}
+    levels = {'1': 'play', '2': 'draft'}
+    counted = [row for row in rows((SOURCE / 'tools/measure/seen/costs.csv').read_text()) if row['width'] == '1280']
+    costs = {(float(row['seconds']), row['gap'], levels[row['level']]): float(row['serial']) + float(row['parallel'])
+             for row in counted}
+    moments = machine.run('build/probe --list', noted=False).split()[1::3]
+    found = rows(machine.run('build/probe --errors truths --setting play --setting draft --gap 0 --gap 2 --gap 4 '
+                             '--gap 6 ' + ' '.join(f'--at {at}' for at in moments)))
+    for scene in dict.fromkeys(row['scene'] for row in found):
+        line = {'scene': scene}
+        for name, kind in kinds.items():
+            of = [row for row in found if (row['scene'], row['gap'], row['level']) == (scene, *kind)]
+            error = statistics.mean(10 ** (-float(row['srgb_db']) / 10) for row in of)
+            line[name] = f'{-10 * math.log10(error):.1f}'
+            line['m_' + name] = f"{statistics.mean(costs[(float(row['seconds']), *kind)] for row in of) / 1e3:.0f}"
         yield line
-        begin = end
 
 
 def played_and_simulated(machine):
@@ -222,6 +226,6 @@ def page_scenes(machine):
 
 
 def page_seen(machine):
-    machines = ' '.join(f'--machine {giga}' for giga in (8, 16, 32, 64))
-    for row in rows(machine.run(JUDGED + f"{machines} --page {machine.facts['ratio']} --screen 1280x720")):
+    command = seen_command('1280x720', (8, 16, 32, 64), 0.05)
+    for row in rows(machine.run(f"{command} --page {machine.facts['ratio']}")):
         yield row['machine'], row['scene'], cell_of(row)

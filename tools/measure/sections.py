@@ -53,7 +53,7 @@ SECTIONS = [
             '''{piece} seconds around every other cut between scenes were played at 1280x720, on a display in memory
             with software OpenGL, which runs on the same cores. The governor is on. Times are by the clock.''']),
     Section(
-        'seen', 'What a viewer sees, by machine and screen', 2.5,
+        'seen', 'What a viewer sees, by machine and screen', 8,
         sources=['intro/play', 'intro/timeline', 'intro/trace', 'intro/show', 'tools/measure/seen',
                  'tools/measure/seen/costs.csv'],
         programs=['seen', 'odraz-debug'], packages=[*PICTURES, 'xvfb', 'libglfw3-dev'],
@@ -63,9 +63,10 @@ SECTIONS = [
             '''The film's own player and governor, simulated on machines of G times 10^9 instructions a second, with
             7 G a core. The costs of pictures are counted (`seen/costs.csv`), for in-betweens by their gap. A cell has
             the PSNR in sRGB (dB), FLIP, and the number of pictures shown in a second of the scene. At each sixtieth of
-            a second the picture on the screen is compared with the same moment in `film` quality, for a tenth of a
-            second in the middle of each shot. All pictures are shrunk alike, to a screen of 320x180. So machines and
-            screens differ in the number of pictures and in their quality.''',
+            a second the picture on the screen is compared with the same moment in `film` quality, at the size of the
+            screen: for a tenth of a second in the middle of each shot at 1280x720, for half of that on larger screens.
+            FLIP is of every fifth of these pictures. The last row was judged at 320x180, with all pictures shrunk
+            alike, as in earlier versions: there outlines are four times as large a part of the picture.''',
             'This machine, played and simulated:',
             table(film.played_and_simulated, '''scene; giga = G instructions; shown = shown a second: played;
                 model_shown = simulated; change = change (%); traced = traced a second: played;
@@ -73,18 +74,14 @@ SECTIONS = [
             '''Pictures shown and traced in a second of the scene, at 1280x720, on a display in memory, whose software
             OpenGL runs on the same cores. The level is 0 for `film`, 1 for `play`, 2 for `draft`.''']),
     Section(
-        'between', 'In-betweens against traced pictures', 0.4,
-        sources=['intro/trace', 'intro/show', 'tools/measure/seen/costs.csv'],
-        programs=['odraz-safe', 'seen', 'compare'], packages=PICTURES,
+        'between', 'In-betweens against traced pictures', 0.6,
+        sources=['intro/trace', 'intro/show', 'tools/measure/seen/costs.csv'], programs=['probe'],
         parts=[
-            table(film.between, '''scene; live = in-between, dB; play = play; draft = draft;
-                flip_live = FLIP: in-between; flip_play = play; flip_draft = draft;
-                m2 = M instructions: in-between at a gap of 2; m4 = 4; m6 = 6; m_play = play; m_draft = draft'''),
-            '''PSNR in sRGB and mean FLIP against `reference`, at 640x360, of a picture in the middle of each scene. The
-            in-between is made from two pictures of `play` whose gap is 2 sixtieths of a second; `play` and `draft` are
-            traced for its moment. Instructions are of whole pictures at 1280x720: the means over the scene, from
-            `seen/costs.csv`, with gaps in sixtieths. "What a viewer sees" has in-betweens at the gaps that the player
-            chooses.''']),
+            table(film.between, '''scene; play = play, dB; draft = draft; b2 = in-between at a gap of 2; b4 = 4; b6 = 6;
+                m_play = M instructions: play; m_draft = draft; m_b2 = in-between at a gap of 2; m_b4 = 4; m_b6 = 6'''),
+            '''PSNR in sRGB against `film` at 1280x720, and the instructions of such pictures (`seen/costs.csv`): the
+            means over moments six seconds apart. In-betweens are half-way between two pictures of `play`, whose gap is
+            in sixtieths of a second. "What a viewer sees" has in-betweens at the gaps that the player chooses.''']),
     Section(
         'page', 'The film as a page', 3.6,
         sources=['intro', 'packer/model', 'packer/web', 'tests/programs/web/browser.mjs',
@@ -107,10 +104,11 @@ SECTIONS = [
             WebKit draw on a display in memory by software OpenGL, Chromium without a display; all use the two cores
             that also trace. Memory is the proportional set size of the process that shows the page.''',
             matrix(film.page_seen, 'G instructions a second'),
-            '''What a viewer sees at 1280x720, simulated as in "What a viewer sees, by machine and screen", but with the
-            page's own player, one worker per core, and pictures that cost {ratio} times as much as natively: the PSNR
-            in sRGB (dB) and FLIP. A core of x86-64 has 7 G. On ARM64 the page takes 3.2 to 3.7 times the instructions
-            of the native film on x86-64, counted once under an emulator.''']),
+            '''What a viewer sees at 1280x720, simulated and judged as in "What a viewer sees, by machine and screen",
+            for a twentieth of a second in each shot, but with the page's own player, one worker per core, and pictures
+            that cost {ratio} times as much as natively: the PSNR in sRGB (dB) and FLIP. A core of x86-64 has 7 G. On
+            ARM64 the page takes 3.2 to 3.7 times the instructions of the native film on x86-64, counted once under an
+            emulator.''']),
     Section(
         'scenes', 'The tracer: qualities, knobs, and the parts of a picture', 2.0,
         sources=['intro/base', 'intro/trace', 'intro/show', 'intro/transfer', 'tools/measure/bench'],

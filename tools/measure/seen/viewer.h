@@ -6,6 +6,7 @@
 #include "tools/measure/seen/shown.h"
 #include "tools/picture/flip.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -15,14 +16,15 @@ namespace odraz::measure {
 struct SeenErrors {
     int sixtieths = 0;
     int fresh = 0; // sixtieths with a new picture
+    int flips = 0; // sixtieths whose FLIP is in `flip`: every fifth one
     double flip = 0;
     double linear = 0, srgb = 0; // mean squared difference of each picture, 0 .. 255^2
 
     void add(const SeenErrors &more) {
-        sixtieths += more.sixtieths, fresh += more.fresh;
+        sixtieths += more.sixtieths, fresh += more.fresh, flips += more.flips;
         flip += more.flip, linear += more.linear, srgb += more.srgb;
     }
-    double meanFlip() const { return flip / sixtieths; }
+    double meanFlip() const { return flip / std::max(1, flips); }
     double linearPsnr() const; // dB, at most kMostPsnr
     double srgbPsnr() const;
 };
@@ -56,7 +58,7 @@ private:
     // The film's pictures by sixtieths, kept because several lists are compared with them
     struct Truth {
         std::vector<uint8_t> rgb;
-        pictures::SeenPicture perceived;
+        pictures::SeenPicture perceived = {}; // empty until a FLIP needs it
     };
     std::map<long, Truth> truths;
     long mostTruths;
