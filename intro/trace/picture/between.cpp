@@ -31,7 +31,7 @@ constexpr float kBright = 0.25f, kSlides = 0.2f;
 constexpr float kBlinding = 2.5f;      // in multiples of white; see join()
 constexpr int kSamples = 3;            // number of samples in a pixel that is traced again
 constexpr float kSampleStep = 0.33f;   // distance between these, across and down, in pixels
-constexpr float kFetchedShare = 0.2f;  // share of the fetched radiance in a pixel that is traced again
+constexpr float kFetchedShare = 0.5f;  // share of the fetched radiance in a pixel that is traced again
 constexpr int kInside = kTile * kTile; // added to the number of a pixel that one shape fills
 constexpr int kMaxRetraced = kTile * kTile / 8; // pixels; a tile with more is traced as a whole
 
@@ -248,19 +248,22 @@ ODRAZ_INLINE bool isPlain(const int32_t *shape) {
     return !any(edge != 0);
 }
 
-// A plain block's corners (upper left and right, lower left and right) in the earlier and the later picture.
-struct BlockCorners {
-    float x[8], y[8];
+// Where a plain block's pixels are in a traced picture: the upper row, and the step to the next row.
+struct BlockRows {
+    Float8 x, y, stepX, stepY;
 
-    // Interpolates the coordinates of a row of the block from its four corners; `down` is 0 .. 1.
-    ODRAZ_INLINE static Float8 row(const float *v, float down) {
-        float left = v[0] + (v[2] - v[0]) * down, right = v[1] + (v[3] - v[1]) * down;
-        return fmadd(toFloat(kLanes), (right - left) * (1.f / (kBlock - 1)), broadcast(left));
+    // v: the corners' coordinates: upper left and right, lower left and right.
+    ODRAZ_INLINE static void spread(const float *v, Float8 &upper, Float8 &step) {
+        constexpr float kPerStep = 1.f / (kBlock - 1);
+        float across = (v[1] - v[0]) * kPerStep;
+        upper = fmadd(toFloat(kLanes), across, broadcast(v[0]));
+        step = fmadd(toFloat(kLanes), ((v[3] - v[2]) * kPerStep - across) * kPerStep,
+                     broadcast((v[2] - v[0]) * kPerStep));
     }
 };
-// Computes the corners. Returns false if one is outside its picture.
+// Computes these. Returns false if a corner is outside its picture.
 ODRAZ_INLINE bool carryCorners(const Sources &from, int id, float px, float py, const float *along,
-                               BlockCorners &corners) {
+                               BlockRows (&rows)[2]) {
     constexpr int kEnd = kBlock - 1;
     const Carry &c = from.carry[0][id], &d = from.carry[1][id];
     Float8 x = px + Float8{0, kEnd, 0, kEnd, 0, kEnd, 0, kEnd},
@@ -277,8 +280,12 @@ ODRAZ_INLINE bool carryCorners(const Sources &from, int id, float px, float py, 
     if (any(ahead <= kAhead)) return false;
     Float8 inverse = 1.f / ahead;
     x = fmadd(row(c.h[0], d.h[0]), inverse, -0.5f), y = fmadd(row(c.h[1], d.h[1]), inverse, -0.5f);
-    store(corners.x, x);
-    store(corners.y, y);
+    float across[8], down[8];
+    store(across, x), store(down, y);
+    for (int i = 0; i < 2; ++i) {
+        BlockRows::spread(across + 4 * i, rows[i].x, rows[i].stepX);
+        BlockRows::spread(down + 4 * i, rows[i].y, rows[i].stepY);
+    }
     const Frame &f = from.before, &g = from.after;
     return !any((min(x, y) < 0.f) | (x > (float)min(f.width, g.width) - 1.01f) |
                 (y > (float)min(f.height, g.height) - 1.01f));
@@ -294,18 +301,20 @@ ODRAZ_INLINE void put(const Tile &t, int x, int y, const Rgb8 &v) {
 // Makes a block of pixels. Appends the numbers of those to be traced to b.retraced; returns the new count.
 ODRAZ_INLINE int makeBlock(const Sources &from, const Tile &t, BetweenScratch &b, int x, int top, int count) {
     const int at = top * kRow + x, id = b.shape[at];
-    BlockCorners c;
+    BlockRows rows[2];
     bool plain =
         isPlain(b.shape + at) && carryCorners(from, id, (float)(t.x0 + x) + 0.5f, (float)(t.y0 + top) + 0.5f,
-                                              b.along + at + kRow + 1, c);
+                                              b.along + at + kRow + 1, rows);
     for (int y = top; y < min(top + kBlock, t.height); ++y) {
         Reused reused;
         if (plain) {
-            float down = (float)(y - top) * (1.f / (kBlock - 1));
-            Fetched before = fetch(from.before, from.carry[0][id].shape, BlockCorners::row(c.x, down),
-                                   BlockCorners::row(c.y, down)),
-                    after = fetch(from.after, from.carry[1][id].shape, BlockCorners::row(c.x + 4, down),
-                                  BlockCorners::row(c.y + 4, down));
+            Float8 down = broadcast((float)(y - top));
+            auto fetchRow = [&](const Frame &f, int i) {
+                const BlockRows &r = rows[i];
+                return fetch(f, from.carry[i][id].shape, fmadd(r.stepX, down, r.x),
+                             fmadd(r.stepY, down, r.y));
+            };
+            Fetched before = fetchRow(from.before, 0), after = fetchRow(from.after, 1);
             Blend both = blend(from, from.trust[id], before, after);
             if (laneBits(both.agrees & ((before.coverage & after.coverage) > 1)) == 255) {
                 put(t, x, y, both.radiance);

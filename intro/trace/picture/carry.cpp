@@ -67,7 +67,11 @@ void markQuads(Frame &f, Workers &workers) {
 }
 
 Fetched fetch(const Frame &f, int shape, Float8 x, Float8 y) {
-    Float8 column = floor(x), row = floor(y), u = x - column, w = y - row;
+    // Interpolate by smooth steps: linear weights would blur outlines
+    auto smooth = [](Float8 u) { return u * u * fmadd(u, -2.f, 3.f); };
+    Float8 column = floor(x), row = floor(y), u = smooth(x - column), w = smooth(y - row);
+    // The weights of the four pixels around the point
+    Float8 lowerRight = u * w, upperRight = u - lowerRight, lower = w - lowerRight, upper = 1.f - u - lower;
     // Neighbouring pixels mostly map to neighbouring pixels. So instead of gathering, load once for each
     // distinct offset. (Lanes that read beyond the end of a plane read the next one.)
     const ptrdiff_t stride = f.stride;
@@ -77,17 +81,15 @@ Fetched fetch(const Frame &f, int shape, Float8 x, Float8 y) {
         const ptrdiff_t first = offset[__builtin_ctz((unsigned)left)];
         Int8 here = offset == (int32_t)first;
         left &= ~laneBits(here);
-        // Read the shapes of the four pixels around the point, and interpolate their radiance
-        Int8 quad = loadInts(f.quads + first), id = quad & 0xffff;
         auto mix = [&](const float *p) {
             p += first;
-            Float8 a = load(p), b = load(p + stride);
-            a = fmadd(u, load(p + 1) - a, a);
-            b = fmadd(u, load(p + stride + 1) - b, b);
-            return fmadd(w, b - a, a);
+            return fmadd(load(p + stride + 1), lowerRight,
+                         fmadd(load(p + stride), lower, fmadd(load(p + 1), upperRight, load(p) * upper)));
         };
         found.radiance =
             select(here, Rgb8{mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])}, found.radiance);
+        // Read the shapes of the four pixels
+        Int8 quad = loadInts(f.quads + first), id = quad & 0xffff;
         found.coverage |= here & ((id == shape) | (id == kManyShapes)) & (quad >> 16);
     }
     return found;
