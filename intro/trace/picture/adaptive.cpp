@@ -194,7 +194,7 @@ void sampleInside(Tile &t, int count) {
                 for (uint32_t k : c) add(corners, radianceOf(s.corners[k]));
                 if (from) inside = __m128{s.light[0][p], s.light[1][p], s.light[2][p], 0};
                 for (int k = from; k < to; ++k, ++v) add(inside, *v);
-                if (again && exceeds(hi - lo, q.edge * 2)) pixels[kept++] = a;
+                if (again && exceeds(hi - lo, q.again)) pixels[kept++] = a;
                 __m128 sum = _mm_max_ps(corners * cornerWeight + inside * insideWeight, darkest);
                 for (int k = 0; k < 3; ++k) s.light[k][p] = inside[k], s.rest[k][p] = sum[k];
                 s.shape[p] = kMixed;

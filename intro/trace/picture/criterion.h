@@ -57,14 +57,6 @@ ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
     return (same & kSameId) && c.id ? (int)c.shape() : -1;
 }
 
-// Whether rays measure how much of a pixel each shape covers (fill.cpp): in `draft`, and blends close to it.
-[[gnu::cold]] inline bool countsCoverage(const Tile &t, const uint32_t *c) {
-    const Sample *s = t.s.corners;
-    int one = shapeOrSky(s[c[0]]);
-    return t.quality.edge > 0.3f && exceeds(rangeOf(t.s, c), t.quality.markThreshold) &&
-           (shapeOrSky(s[c[1]]) != one || shapeOrSky(s[c[2]]) != one || shapeOrSky(s[c[3]]) != one);
-}
-
 // Why a square splits. Hidden: its corners are alike, but a shape may be hidden between them.
 enum class Split { No, Differs, Hidden };
 
@@ -82,12 +74,10 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
         if (marks || textured || lamps) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
-    if (size == 2 && !(same & kSameId) && t.scene.lines == 0 && countsCoverage(t, c) &&
-        !exceeds(difference, t.quality.edge))
-        return Split::No;
     // Where shapes meet, also compare textures; in scenes with lines between patches, always split
     if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)) ||
-        (!(same & kSameId) && (t.scene.lines != 0 || radianceExceeds(t, c, t.quality.markThreshold))))
+        (!(same & kSameId) &&
+         (t.scene.lines != 0 || radianceExceeds(t, c, min(t.quality.markThreshold, t.quality.outline)))))
         return Split::Differs;
     return mayHide(t, a, size, shapeOf(s, c[0], same)) ? Split::Hidden : Split::No;
 }
@@ -115,19 +105,15 @@ ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float 
     return differs(1, 0) || differs(0, 1) || differs(2, 1) || differs(1, 2);
 }
 
-// In `draft`, shadow edges split if the intensity differs by more than this: they would show stairs.
-inline constexpr float kHardShadow = 0.35f;
-
 // Whether a pixel splits: by intensities and hidden shapes alone. A texture has a filter of its own.
 ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;
     int same = alike(s, c);
-    if (t.quality.fine > 2)
-        return ((same & 3) == kSameId && exceeds(rangeOf(s, c), kHardShadow)) ||
-               (s.thin.images < s.thin.count && mayHideThin(t, a, 1, s.thin.images));
+    if (t.quality.fine > 2) return false;
     int shape = shapeOf(s, c[0], same);
     bool calm = shape >= 0 && !exceeds(rangeOf(s, c), t.quality.edge);
-    return (!calm && radianceExceeds(t, c, t.quality.edge)) || mayHide(t, a, 1, shape);
+    return (!calm && radianceExceeds(t, c, same & kSameId ? t.quality.edge : t.quality.outline)) ||
+           mayHide(t, a, 1, shape);
 }
 
 } // namespace odraz

@@ -46,31 +46,6 @@ struct Bilinear {
     }
 };
 
-// The colour of a pixel in a square whose corners show several shapes. Eight rays count how much of the pixel
-// each shape covers. They are not shaded: a shape has its corners' colour; rays that hit none get the mean.
-[[gnu::noinline, gnu::cold]] static __m128 colourByCoverage(const Tile &t, int x, int y, const uint32_t *c,
-                                                            const __m128 *colour, __m128 mean) {
-    Ray8 ray = {broadcast(t.view.eye),
-                normalize(t.view.direction(load(kInsideX) + ((float)(t.x0 + x) + 0.5f),
-                                           load(kInsideY) + ((float)(t.y0 + y) + 0.5f)))};
-    Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
-    int shape[6] = {-1, -1}; // -1: the sky
-    for (int k = 0; k < 4; ++k) {
-        int id = shape[k + 2] = shapeOrSky(t.s.corners[c[k]]);
-        // Intersect a shape only once if consecutive corners show it, as most do
-        if (id >= 0 && id != shape[k] && id != shape[k + 1])
-            updateNearest(hit, distance(t.scene.shapes[id], ray), id);
-    }
-    __m128 sum = mean;
-    for (int k = 0; k < 4; ++k) {
-        int id = shape[k + 2], corners = 0;
-        for (int i = 2; i < 6; ++i) corners += shape[i] == id;
-        float share = (float)__builtin_popcount((unsigned)laneBits(hit.shape == id)) / (float)(8 * corners);
-        sum += (colour[k] - mean) * share;
-    }
-    return sum;
-}
-
 // Keeps a row of fewer than eight pixels until its neighbours are filled, too.
 ODRAZ_INLINE static void keepRow(float (&to)[3][kTile * kTile + 8], int p, int size, const Rgb8 &v) {
     Int8 inside = kLanes < size;
@@ -100,17 +75,13 @@ void fill(Tile &t, Square q, int size) {
         light[i] = fourOf(k.light);
         rest[i] = lit ? fourOf(k.rest) : radianceOf(k);
     }
-    bool counting = size <= 2 && !same && countsCoverage(t, c);
-    if (size == 1 || counting) {
+    if (size == 1) {
         __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
         __m128 white = _mm_set1_ps(whiteOf(t.scene)), r = {}, darkest = rest[0];
         for (__m128 &v : rest) darkest = _mm_min_ps(darkest, v), v = _mm_min_ps(v, white), r += v * 0.25f;
-        for (int i = 0; i < size * size; ++i) {
-            int x = i % size, y = i / size, p = at + y * kTile + x;
-            __m128 v = _mm_max_ps(counting ? colourByCoverage(t, x0 + x, y0 + y, c, rest, r) : r, darkest);
-            for (int k = 0; k < 3; ++k) s.light[k][p] = l[k], s.rest[k][p] = v[k];
-            s.shape[p] = shape;
-        }
+        r = _mm_max_ps(r, darkest);
+        for (int k = 0; k < 3; ++k) s.light[k][at] = l[k], s.rest[k][at] = r[k];
+        s.shape[at] = shape;
         return;
     }
     // Interpolate row by row; a row is one packet

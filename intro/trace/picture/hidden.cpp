@@ -114,7 +114,6 @@ void findBallsAndThinShapes(Tile &t) {
     else
         for (int i = 0; i < t.scene.shapeCount; ++i) add(i);
     // Add the images of glowing shapes in flat mirrors and balls
-    s.thin.images = s.thin.count;
     for (int k = -t.scene.shapeCount; k < s.discs.count; ++k) {
         const Shape &mirror = t.scene.shapes[k < 0 ? ~k : s.discs.shape[k]];
         float reflect = t.scene.materials[mirror.material].reflect;
@@ -150,15 +149,11 @@ static bool mayHideBall(const Tile &t, float x, float y, float half, int shape) 
     return false;
 }
 
-bool mayHideShape(const Tile &t, Square q, int size, int shape) {
-    float half = (float)size * 0.5f;
-    return mayHideBall(t, (float)q.x + half, (float)q.y + half, half, shape) || mayHideThin(t, q, size, 0);
-}
-
-bool mayHideThin(const Tile &t, Square q, int size, int first) {
+// Whether a square may show a thin shape.
+static bool mayHideThin(const Tile &t, Square q, int size) {
     const ThinShapes &s = t.s.thin;
     float half = (float)size * 0.5f, x = (float)q.x + half, y = (float)q.y + half;
-    for (int i = first & -8; i < s.count; i += 8) {
+    for (int i = 0; i < s.count; i += 8) {
         // Find the line's point nearest to the square's centre, then the square's point nearest to that
         Float8 dx = x - load(s.x + i), dy = y - load(s.y + i), alongX = load(s.alongX + i),
                alongY = load(s.alongY + i), radius = load(s.radius + i);
@@ -166,11 +161,16 @@ bool mayHideThin(const Tile &t, Square q, int size, int first) {
         Float8 share = saturate(along / max(square, 1e-12f));
         dx = max(abs(fmadd(share, -alongX, dx)) - half, 0.f),
         dy = max(abs(fmadd(share, -alongY, dy)) - half, 0.f);
-        if (any((fmadd(dx, dx, dy * dy) <= radius * radius) & (radius < half * 1.1f) & (kLanes >= first - i) &
+        if (any((fmadd(dx, dx, dy * dy) <= radius * radius) & (radius < half * 1.1f) &
                 (kLanes < s.count - i)))
             return true;
     }
     return false;
+}
+
+bool mayHideShape(const Tile &t, Square q, int size, int shape) {
+    float half = (float)size * 0.5f;
+    return mayHideBall(t, (float)q.x + half, (float)q.y + half, half, shape) || mayHideThin(t, q, size);
 }
 
 } // namespace odraz

@@ -11,8 +11,6 @@ void findBallsAndThinShapes(Tile &t);
 
 // Whether a square may show a shape that no corner shows. All corners show `shape`; -1: the sky, or several.
 bool mayHideShape(const Tile &t, Square q, int size, int shape);
-// Whether a square may show one of the thin shapes from index `first` on.
-bool mayHideThin(const Tile &t, Square q, int size, int first);
 ODRAZ_INLINE bool mayHide(const Tile &t, Square q, int size, int shape) {
     return (t.s.discs.count | t.s.thin.count) && mayHideShape(t, q, size, shape);
 }

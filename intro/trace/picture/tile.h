@@ -35,7 +35,7 @@ struct Discs {
 
 // Long and thin shapes that the corners may miss: all points within `radius` of a line, in pixels.
 struct ThinShapes {
-    int count, images;                                      // images: index of the first mirror image
+    int count;
     float x[kThinShapes + 8], y[kThinShapes + 8];           // one end
     float alongX[kThinShapes + 8], alongY[kThinShapes + 8]; // from that end to the other
     float radius[kThinShapes + 8];
@@ -91,9 +91,6 @@ ODRAZ_INLINE void cornersOf(Square q, int size, uint32_t *c) {
 // curve rises little.) Of the limits 0.7, 1, 1.5 and 2.5, times exposure, 1 comes closest to pictures with
 // four times as many pixels a side that were scaled down after the tone curve.
 inline float whiteOf(const Scene &scene) { return 1 / scene.exposure; }
-
-// The shape that a corner shows; -1: the sky.
-ODRAZ_INLINE int shapeOrSky(const Sample &s) { return (int)(s.id + 7) / 8 - 1; }
 
 // Positions of samples in a pixel, from its centre. A search found them, together with the weights of the
 // corners (adaptive.cpp), as the best estimate of how much of a pixel lies beyond an edge that crosses it.

@@ -44,6 +44,8 @@ std::vector<Knob> knobsOf(Quality &q) {
         {"threshold", nullptr, &q.threshold, {}},
         {"markThreshold", nullptr, &q.markThreshold, {}},
         {"edge", nullptr, &q.edge, {}},
+        {"outline", nullptr, &q.outline, {}},
+        {"again", nullptr, &q.again, {}},
         {"textureEdge", nullptr, &q.textureEdge, {}},
         {"markWeight", nullptr, &q.markWeight, {}},
         {"cutoff", nullptr, &q.cutoff, {}},

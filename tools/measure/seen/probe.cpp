@@ -50,12 +50,11 @@ struct Kind {
 };
 Kind ofLevel(int gap, const char *level) { return {gap, level, settingOf(std::string("level=") + level)}; }
 
-// The kinds in costs.csv. Between two levels the cost is nearly linear. At `play` and `draft` it drops, since
-// only there the smallest squares become larger. How much of an in-between is traced again depends on gap and
-// level.
+// The kinds in costs.csv. Between two levels the cost is nearly linear. At `play` it drops, since only there
+// the smallest squares become larger. How much of an in-between is traced again depends on gap and level.
 std::vector<Kind> countedKinds(bool large) {
     std::vector<Kind> kinds = {ofLevel(0, "1"), ofLevel(0, "2")};
-    for (const char *level : {"0", "0.99", "1.99"})
+    for (const char *level : {"0", "0.99"})
         if (!large) kinds.push_back(ofLevel(0, level));
     for (int gap : {2, 4, 6})
         for (const char *level : {"1", "2", "0"})
