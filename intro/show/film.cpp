@@ -5,37 +5,40 @@
 
 namespace odraz {
 
-// `.pace`: build/seen measured the penalties at quality `play` and near `film`; they were then adjusted by
-// hand for the best result on machines that execute 16 to 64 G instructions a second.
-// tools/measure/seen/costs measured `.halving`.
+// `.pace`: the penalties were computed from the errors of `play` and of in-betweens that build/probe prints
+// at 1280x720, then adjusted by hand for the best result on machines that execute 16 to 64 G instructions a
+// second. `.halving` follows from the counted costs.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point",
      .pose = posePoint,
      .id = kPoint,
-     .pace = Pace{.halving = 1.7f, .penalty = {0, 0.4f, 0.7f, 0.7f, 1.2f}}},
-    {.name = "table", .pose = poseTable, .id = kTable, .pace = Pace{.penalty = {0, 0.4f, 1, 1.3f, 25}}},
+     .pace = Pace{.halving = 1.4f, .penalty = {0, 0.1f, 0.3f, 0.5f, 0.8f}}},
+    {.name = "table",
+     .pose = poseTable,
+     .id = kTable,
+     .pace = Pace{.halving = 0.9f, .penalty = {0, 0.5f, 1.5f, 2.5f, 25}}},
     {.name = "flake", .pose = poseFlake, .id = kFlake, .pace = Pace{.penalty = {0, 0.5f, 1.7f, 2.1f, 9}}},
     {.name = "patches",
      .pose = posePatches,
      .letter = letterPatches,
      .id = kPatches,
      .needsHall = true,
-     .pace = Pace{.leastWidth = 1280, .halving = 2.5f, .penalty = {0, 0.5f, 1.6f, 2.1f, 8.2f}}},
+     .pace = Pace{.leastWidth = 1280, .halving = 2.5f, .penalty = {0, 1, 3, 4, 10}}},
     {.name = "hall",
      .pose = poseDay,
      .id = kHall,
      .needsHall = true,
-     .pace = Pace{.halving = 2.4f, .penalty = {0, 0.2f, 0.9f, 2.4f, 6}}},
+     .pace = Pace{.halving = 1.6f, .penalty = {0, 0.9f, 6, 9, 12}}},
     {.name = "odraz",
      .pose = poseOdraz,
      .id = kOdraz,
      .needsHall = true,
-     .pace = Pace{.leastWidth = 1280, .halving = 1.6f, .penalty = {0, 0.6f, 1, 1.2f, 3}}},
+     .pace = Pace{.leastWidth = 1152, .halving = 1.3f, .penalty = {0, 0.9f, 2.2f, 2.8f, 15}}},
     {.name = "credits",
      .pose = poseCredits,
      .letter = letterCredits,
      .id = kCredits,
-     .pace = Pace{.leastWidth = 1280, .halving = 1.6f, .penalty = {0, 0.1f, 0.1f, 0.3f, 0.6f}}},
+     .pace = Pace{.leastWidth = 1280, .halving = 2.4f, .penalty = {0, 0.3f, 0.8f, 1.5f, 3}}},
 };
 static_assert(inOrder(kScenes, &SceneEntry::id, kSceneCount), "a row for every scene, in the enum's order");
 
