@@ -53,7 +53,7 @@ SECTIONS = [
             '''{piece} seconds around every other cut between scenes were played at 1280x720, on a display in memory
             with software OpenGL, which runs on the same cores. The governor is on. Times are by the clock.''']),
     Section(
-        'seen', 'What a viewer sees, by machine and screen', 8,
+        'seen', 'What a viewer sees, by machine and screen', 6.5,
         sources=['intro/play', 'intro/timeline', 'intro/trace', 'intro/show', 'tools/measure/seen',
                  'tools/measure/seen/costs.csv'],
         programs=['seen', 'odraz-debug'], packages=[*PICTURES, 'xvfb', 'libglfw3-dev'],
@@ -83,7 +83,7 @@ SECTIONS = [
             means over moments six seconds apart. In-betweens are half-way between two pictures of `play`, whose gap is
             in sixtieths of a second. "What a viewer sees" has in-betweens at the gaps that the player chooses.''']),
     Section(
-        'page', 'The film as a page', 3.6,
+        'page', 'The film as a page', 4.2,
         sources=['intro', 'packer/model', 'packer/web', 'tests/programs/web/browser.mjs',
                  'tools/measure/bench/page.mjs', 'tools/measure/seen/costs.csv'],
         programs=['odraz.html', 'odraz-safe', 'seen'], targets=['film_web'],
