@@ -88,7 +88,7 @@ def film(machine):
 # --- What a viewer sees ---
 
 # Pictures are judged at the size that their costs are counted for, over windows of so many seconds in each shot
-MACHINES = {'1280x720': ((4, 8, 16, 32, 64, 128), 0.1), '1920x1080': ((16, 64), 0.05), '2560x1440': ((16, 64), 0.05)}
+MACHINES = {'1280x720': ((4, 8, 16, 32, 64, 128), 0.1), '1920x1080': ((16, 128), 0.05), '2560x1440': ((16, 64), 0.05)}
 
 
 def seen_command(screen, machines, length):
