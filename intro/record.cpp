@@ -36,16 +36,16 @@ std::string listOf(Rows rows) {
     double next = INFINITY;
     for (size_t i = rows.size(); i--;)
         if (rows[i].at >= 0) next = rows[i].at = std::min(rows[i].at, next);
-    std::string text = "at,time,kind,level,width,height\n";
+    std::string text = "at,time,kind,level,width,height,seconds\n";
     for (size_t i = 0; i < rows.size(); ++i) {
         const ShownPicture &row = rows[i];
         size_t later = i;
         while (rows[later].between()) ++later;
         const FinishedPicture &traced = rows[later].made;
         char line[160];
-        std::snprintf(line, sizeof line, "%.6f,%.6f,%s,%.4f,%d,%d\n", row.at, row.made.time,
+        std::snprintf(line, sizeof line, "%.6f,%.6f,%s,%.4f,%d,%d,%.6f\n", row.at, row.made.time,
                       row.between() ? "between" : "traced", (double)traced.level, traced.size.width,
-                      traced.size.height);
+                      traced.size.height, (double)(row.made.trace + row.made.make));
         text += line;
     }
     return text;

@@ -13,6 +13,9 @@ check "... which shows the film in order, nothing before its time" table "$list"
     'if ($2 < last || ($1 >= 0 && $1 < $2)) wrong = 1; last = $2; shown += $1 >= 0; if ($4 > 2 || $5 > 160 || $6 > 90) wrong = 1' \
     '!wrong && shown > 0 && lines <= 181 && last < 53.5'
 check "seen sums it up" prints '^flake,[0-9.]+,[0-9]+,[0-9]+,[0-9]+,' "$BUILD/seen" "$list" --summary
+check "... and simulates it on a machine as fast" prints '^simulated,flake,[0-9.]+,[0-9]+,' \
+    "$BUILD/seen" "$list" --simulate --screen 160x90 --summary --since 51.5
+check "--simulate without a list" refuses 2 "--simulate needs a list" "$BUILD/seen" --machine 8 --simulate --summary
 at=$(awk -F, 'NR > 1 && $1 >= 0 { printf "%.3f", $1 + 0.001; exit }' "$list") # when the first picture is on the screen
 check "... and judges it" \
     prints '^flake,30,[0-9]+,0\.[0-9]+,[0-9.]+,[0-9.]+$' "$BUILD/seen" "$list" --at "$at" --screen 160x90

@@ -25,7 +25,8 @@ struct SeenOptions {
     int cores = 0;
     double length = 0.5; // seconds of a window
     double page = 0;     // cost of a picture on the page relative to the native film; 0: not the page
-    bool onlyList = false, onlySummary = false;
+    double since = 0;    // first second of the summary
+    bool simulates = false, onlyList = false, onlySummary = false;
 };
 
 common::CommandLine::Read numbersTo(std::vector<double> &to, const std::string &option, common::Range range) {
@@ -41,7 +42,9 @@ void check(const common::CommandLine &line, SeenOptions &o) {
         if (line.has(option) && !met) line.refuse(std::string(option) + " needs " + what);
     };
     if (o.list.empty() != machine) line.refuse("give either a list or --machine");
-    needs("--cores", machine, "--machine");
+    needs("--cores", machine || o.simulates, "--machine or --simulate");
+    needs("--simulate", !machine && o.onlySummary, "a list and --summary");
+    needs("--since", o.onlySummary, "--summary");
     needs("--page", machine, "--machine");
     needs("--list", machine, "--machine");
     if (o.screens.empty()) o.screens = {"1280x720"};
@@ -71,6 +74,9 @@ SeenOptions read(common::CommandLine &line) {
                 "compare a window that begins at this moment; repeatable");
     line.flag("--list", o.onlyList, "only print the list of pictures");
     line.flag("--summary", o.onlySummary, "only print what was shown, by scene");
+    line.option("--since", "S", o.since, {0, duration()}, "begin the summary at this second");
+    line.flag("--simulate", o.simulates,
+              "simulate the list's part of the film, too, on a machine that is as fast in each second");
     line.option(
         "--pictures", "FOLDER", o.pictures,
         "write the pictures on the screen and the film's: 052000-3.png and 052000-3-truth.png for the "
@@ -121,7 +127,13 @@ std::vector<JudgedPlayer> playersOf(const SeenOptions &o, const CostOf &costs) {
             players.push_back({name, screen, machine, simulate(costs, machine, 0, duration())});
         }
         if (!o.machines.empty()) continue;
-        players.push_back({"", screen, machineOf(o, 0, size), common::parseFile(o.list, parseShown)});
+        SimulatedMachine machine = machineOf(o, 0, size);
+        std::vector<ShownPicture> list = common::parseFile(o.list, parseShown);
+        players.push_back({o.simulates ? "played," : "", screen, machine, list});
+        if (!o.simulates) continue;
+        machine.rateAt = ratesOf(list, costs, machine);
+        list = simulate(costs, machine, list.front().time, list.back().time + 1 / 60.);
+        players.push_back({"simulated,", screen, machine, list});
     }
     return players;
 }
@@ -167,11 +179,11 @@ int run(common::CommandLine &line) {
         std::fputs(printShown(players[0].list).c_str(), stdout);
         return 0;
     }
-    std::string head = asked.machines.empty() ? "" : "screen,machine,";
+    std::string head = asked.simulates ? "player," : asked.machines.empty() ? "" : "screen,machine,";
     if (asked.onlySummary) {
         std::puts((head + kSummaryHead).c_str());
         for (const JudgedPlayer &p : players)
-            std::fputs(printSummary(summary(p.list, costs, p.machine), p.name).c_str(), stdout);
+            std::fputs(printSummary(summary(p.list, costs, p.machine, asked.since), p.name).c_str(), stdout);
         return 0;
     }
     for (JudgedPlayer &p : players) {

@@ -13,7 +13,7 @@ namespace odraz::measure {
 
 namespace {
 
-constexpr char kHead[] = "at,time,kind,level,width,height";
+constexpr char kHead[] = "at,time,kind,level,width,height,seconds";
 
 } // namespace
 
@@ -36,8 +36,8 @@ void forRows(const std::string &csv, const std::string &head,
 std::string printShown(const std::vector<ShownPicture> &list) {
     std::string text = common::format("%s\n", kHead);
     for (const ShownPicture &s : list)
-        common::append(text, "%.6f,%.6f,%s,%.4f,%d,%d\n", s.at, s.time, s.between ? "between" : "traced",
-                       (double)s.level, s.width, s.height);
+        common::append(text, "%.6f,%.6f,%s,%.4f,%d,%d,%.6f\n", s.at, s.time, s.between ? "between" : "traced",
+                       (double)s.level, s.width, s.height, s.seconds);
     return text;
 }
 
@@ -48,9 +48,9 @@ std::vector<ShownPicture> parseShown(const std::string &csv) {
         ShownPicture s = {};
         char kind[16], extra;
         double level;
-        common::need(std::sscanf(line.c_str(), "%lf,%lf,%15[a-z],%lf,%d,%d%c", &s.at, &s.time, kind, &level,
-                                 &s.width, &s.height, &extra) == 6,
-                     "a row needs the six values \"" + std::string(kHead) + "\"");
+        common::need(std::sscanf(line.c_str(), "%lf,%lf,%15[a-z],%lf,%d,%d,%lf%c", &s.at, &s.time, kind,
+                                 &level, &s.width, &s.height, &s.seconds, &extra) == 7,
+                     "a row needs the seven values \"" + std::string(kHead) + "\"");
         s.between = std::string(kind) == "between";
         s.level = (float)level;
         common::need(s.between || std::string(kind) == "traced",
@@ -60,6 +60,7 @@ std::vector<ShownPicture> parseShown(const std::string &csv) {
         common::need(level >= 0 && level <= Governor::kSteps, "the level must be 0 to 2");
         common::need(s.width >= 16 && s.height >= 16 && s.width <= kMaxWidth && s.height <= kMaxHeight,
                      "a picture cannot have this size");
+        common::need(s.seconds >= 0 && std::isfinite(s.seconds), "it was made in negative time");
         common::need(s.at < 0 || s.at >= lastAt, "it was shown before the previous row");
         lastAt = std::max(s.at, lastAt);
         common::need(!s.between || !list.empty(), "an in-between needs a traced picture before it");

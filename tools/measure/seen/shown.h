@@ -9,11 +9,12 @@
 namespace odraz::measure {
 
 struct ShownPicture {
-    double at;         // seconds of the film at which the screen began to show it; negative: never
-    double time;       // seconds of the film that it shows
-    bool between;      // made from the traced pictures before and after it in the list
-    float level;       // quality, if it was traced: 0 film, 1 play, 2 draft, or between these
-    int width, height; // pixels traced; an in-between has the size of the next traced picture
+    double at;          // seconds of the film at which the screen began to show it; negative: never
+    double time;        // seconds of the film that it shows
+    bool between;       // made from the traced pictures before and after it in the list
+    float level;        // quality, if it was traced: 0 film, 1 play, 2 draft, or between these
+    int width, height;  // pixels traced; an in-between has the size of the next traced picture
+    double seconds = 0; // that making it took
 };
 
 // Calls `row` for each row of a CSV after its first line, which must be `head`. Throws Refused; if `row`
@@ -21,7 +22,7 @@ struct ShownPicture {
 void forRows(const std::string &csv, const std::string &head,
              const std::function<void(const std::string &line)> &row);
 
-// A list as CSV, in order of time: "at,time,kind,level,width,height", where the kind is "traced" or
+// A list as CSV, in order of time: "at,time,kind,level,width,height,seconds", where the kind is "traced" or
 // "between". parseShown() throws Refused with the line's number.
 std::string printShown(const std::vector<ShownPicture> &list);
 std::vector<ShownPicture> parseShown(const std::string &csv);

@@ -1,5 +1,6 @@
 #include "tools/measure/seen/simulated.h"
 
+#include "tools/common/command_line.h"
 #include "tools/common/text.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/measure/seen/simulated_player.h"
@@ -24,6 +25,25 @@ PictureCost costWith(const CostOf &costOf, const SimulatedMachine &machine, cons
 double presenting(const SimulatedMachine &machine) {
     return machine.presenting * machine.width * machine.height;
 }
+
+// What was made and shown in a part of a list.
+struct Work {
+    double made = 0, busy = 0; // instructions and seconds of making pictures
+    int shown = 0;
+    void add(const std::vector<ShownPicture> &list, size_t i, const CostOf &costOf,
+             const SimulatedMachine &machine) {
+        PictureCost cost = costWith(costOf, machine, list[i], madeFrom(list, i));
+        // Other cores wait during the serial part, but not on the page
+        made += cost.serial * (machine.workers ? 1 : machine.cores) + cost.parallel;
+        busy += list[i].seconds;
+        shown += list[i].at >= 0;
+    }
+    // Instructions a second, within some per cent: about half of the pictures are shown while others are
+    // made, the other half while the player waits.
+    double rate(const SimulatedMachine &machine, double seconds) const {
+        return busy > 0 ? made / busy + shown * presenting(machine) / seconds / 2 : 0;
+    }
+};
 
 class Simulation : public SimulatedPlayer {
 public:
@@ -58,6 +78,7 @@ public:
         list.push_back(traced);
         list.back().time = m.time;
         list.back().between = m.time != traced.time;
+        list.back().seconds = (double)(m.trace + m.make);
         return SimulatedPlayer::add(m);
     }
 
@@ -66,6 +87,7 @@ private:
 
     // Advances the clock by the time of a picture. Pictures shown meanwhile take their share of all cores.
     void make(const ShownPicture &s, const MadeFrom &madeFrom) {
+        if (machine.rateAt) machine.rate = machine.rateAt(s.time);
         PictureCost cost = costWith(costOf, machine, s, madeFrom);
         int64_t end = moment + nanosecondsOf(cost.serial / core() + cost.parallel / machine.rate);
         for (int shownBefore = -1; shownBefore != presented;) {
@@ -115,10 +137,12 @@ public:
     int64_t tracing(const FinishedPicture &m) {
         ShownPicture &s = made[m.time] = {-1, m.time, false, m.level, m.size.width, m.size.height};
         PictureCost cost = costWith(costOf, machine, s, {s, s});
-        return nanosecondsOf((cost.serial + cost.parallel) * machine.cores / machine.rate);
+        s.seconds = (cost.serial + cost.parallel) / machine.rate; // shared by all workers
+        return nanosecondsOf(s.seconds * machine.cores);
     }
     int64_t show(const FinishedPicture &m, double at) {
         made[m.time].at = at;
+        made[m.time].seconds = (double)m.trace / machine.workers; // with what was lost to showing
         return nanosecondsOf(presenting(machine) / machine.rate);
     }
 
@@ -138,10 +162,10 @@ std::vector<ShownPicture> simulate(const CostOf &costOf, const SimulatedMachine 
 }
 
 std::vector<PlayedScene> summary(const std::vector<ShownPicture> &list, const CostOf &costOf,
-                                 const SimulatedMachine &machine) {
+                                 const SimulatedMachine &machine, double since) {
     std::vector<PlayedScene> scenes;
     if (list.empty()) return scenes;
-    double from = list.front().time, to = list.back().time + 1 / kScreenRate;
+    double from = std::max(since, list.front().time), to = list.back().time + 1 / kScreenRate;
     for (const Span &shot : shots()) {
         double begin = std::max(from, shot.from), end = std::min(to, shot.to);
         if (begin >= end) continue;
@@ -150,21 +174,38 @@ std::vector<PlayedScene> summary(const std::vector<ShownPicture> &list, const Co
         scenes.back().seconds += end - begin;
     }
     for (PlayedScene &scene : scenes) {
+        Work work;
         for (size_t i = 0; i < list.size(); ++i) {
             const ShownPicture &s = list[i];
-            if (sceneAt(s.time) != scene.scene) continue;
+            if (s.time < since || sceneAt(s.time) != scene.scene) continue;
             ++(s.between ? scene.between : scene.traced);
             scene.shown += s.at >= 0;
             scene.level += s.between ? 0 : (double)s.level;
             scene.width += s.between ? 0 : s.width;
-            PictureCost cost = costWith(costOf, machine, s, madeFrom(list, i));
-            scene.rate += cost.serial + cost.parallel + (s.at >= 0) * presenting(machine);
+            work.add(list, i, costOf, machine);
         }
-        scene.rate /= scene.seconds;
+        scene.rate = work.rate(machine, scene.seconds);
         scene.level /= std::max(1, scene.traced);
         scene.width /= std::max(1, scene.traced);
     }
     return scenes;
+}
+
+std::function<double(double)> ratesOf(const std::vector<ShownPicture> &list, const CostOf &costOf,
+                                      const SimulatedMachine &machine) {
+    common::need(!list.empty(), "no picture was shown");
+    double from = list.front().time, length = list.back().time + 1 / kScreenRate - from;
+    std::vector<Work> works(std::max<size_t>(1, (size_t)length)); // the last one may be longer than a second
+    auto second = [from, last = works.size() - 1](double time) {
+        return std::min(last, (size_t)std::max(0., time - from));
+    };
+    for (size_t i = 0; i < list.size(); ++i) works[second(list[i].time)].add(list, i, costOf, machine);
+    std::vector<double> rates;
+    for (const Work &work : works) {
+        rates.push_back(work.rate(machine, &work == &works.back() ? length - (double)(works.size() - 1) : 1));
+        common::need(rates.back() > 0, "no picture was made in a whole second: record the list again");
+    }
+    return [=](double time) { return rates[second(time)]; };
 }
 
 std::string printSummary(const std::vector<PlayedScene> &scenes, const std::string &before) {

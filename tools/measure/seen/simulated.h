@@ -26,6 +26,7 @@ struct SimulatedMachine {
     double presenting = kPresenting; // instructions per pixel of the screen
     double enlarging = kEnlarging;   // instructions per pixel of the screen
     std::function<Pace(int scene)> paceOf = odraz::paceOf;
+    std::function<double(double seconds)> rateAt = {}; // replaces `rate` in the film's own player
     int workers = 0; // workers of the page's player, one per core; 0: the film's own player
 };
 
@@ -46,13 +47,18 @@ struct PlayedScene {
     double seconds;             // time of the scene in the list
     int traced, between, shown; // numbers of pictures
     double level, width;        // means of the traced pictures
-    double rate;                // instructions a second that making and showing the pictures took
+    double rate;                // instructions a second while pictures were made; 0: not known
 };
-// The scenes that a list shows, in the film's order, from its first picture to its last one.
+// The scenes that a list shows, in the film's order, from `since` or its first picture to its last one.
 std::vector<PlayedScene> summary(const std::vector<ShownPicture> &list, const CostOf &costOf,
-                                 const SimulatedMachine &machine);
+                                 const SimulatedMachine &machine, double since = 0);
 // The scenes as rows of a CSV, each preceded by `before`; the last column is in 10^9 instructions a second.
 inline constexpr char kSummaryHead[] = "scene,seconds,traced,between,shown,a_second,level,width,giga";
 std::string printSummary(const std::vector<PlayedScene> &scenes, const std::string &before);
+
+// For SimulatedMachine::rateAt: the instructions that the machine executed in each second of a list. Throws
+// Refused if no picture was made in one.
+std::function<double(double)> ratesOf(const std::vector<ShownPicture> &list, const CostOf &costOf,
+                                      const SimulatedMachine &machine);
 
 } // namespace odraz::measure

@@ -11,7 +11,7 @@ using namespace odraz::measure;
 
 namespace {
 
-constexpr char kShownHead[] = "at,time,kind,level,width,height\n";
+constexpr char kShownHead[] = "at,time,kind,level,width,height,seconds\n";
 
 // The list of a player that is never late: `rate` pictures a second from one moment to another, each shown
 // from its own time until the next one. One picture in `every` is traced, the others are in-betweens.
@@ -40,20 +40,22 @@ TEST(Shown, ListsAreWrittenAndRead) {
 TEST(Shown, WhatIsWrongIsReported) {
     EXPECT_THROW(parseShown(""), common::Refused);
     EXPECT_THROW(parseShown("at,time\n"), common::Refused);
-    EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n1,1\n").substr(0, 7), "line 3:");
+    EXPECT_EQ(wrongIn("1,1,traced,1,64,36,0.01\n1,1\n").substr(0, 7), "line 3:");
     for (const char *row :
-         {"1,1,made,1,64,36", "1,1,traced,3,64,36", "1,1,traced,nan,64,36", "1,1,traced,1,0,36",
-          "1,1,traced,1,64,36,7", "nan,1,traced,1,64,36", "1,-1,traced,1,64,36", "1,1,between,1,64,36"})
+         {"1,1,made,1,64,36,0.01", "1,1,traced,3,64,36,0.01", "1,1,traced,nan,64,36,0.01",
+          "1,1,traced,1,0,36,0.01", "1,1,traced,1,64,36,0.01,7", "nan,1,traced,1,64,36,0.01",
+          "1,-1,traced,1,64,36,0.01", "1,1,between,1,64,36,0.01", "1,1,traced,1,64,36",
+          "1,1,traced,1,64,36,-1", "1,1,traced,1,64,36,nan"})
         EXPECT_NE(wrongIn(std::string(row) + "\n"), "") << row;
-    const std::string first = "1,1,traced,1,64,36\n", second = "2,2,between,1,64,36\n",
-                      third = "2.5,2.5,between,1,64,36\n", last = "3,3,traced,1,64,36\n";
+    const std::string first = "1,1,traced,1,64,36,0.01\n", second = "2,2,between,1,64,36,0.01\n",
+                      third = "2.5,2.5,between,1,64,36,0.01\n", last = "3,3,traced,1,64,36,0.01\n";
     EXPECT_EQ(wrongIn(first + second + last), "");
     EXPECT_EQ(wrongIn(first + second + third + last), "");
     EXPECT_NE(wrongIn(first + second), "");
-    EXPECT_NE(wrongIn(first + "2,2,between,1,32,36\n" + third + last), "");
-    EXPECT_NE(wrongIn(first + second + "3,3,traced,1,32,36\n"), "");
-    EXPECT_NE(wrongIn("2,1,traced,1,64,36\n1,2,traced,1,64,36\n"), "");
-    EXPECT_NE(wrongIn("2,2,traced,1,64,36\n" + first), "");
+    EXPECT_NE(wrongIn(first + "2,2,between,1,32,36,0.01\n" + third + last), "");
+    EXPECT_NE(wrongIn(first + second + "3,3,traced,1,32,36,0.01\n"), "");
+    EXPECT_NE(wrongIn("2,1,traced,1,64,36,0.01\n1,2,traced,1,64,36,0.01\n"), "");
+    EXPECT_NE(wrongIn("2,2,traced,1,64,36,0.01\n" + first), "");
 }
 
 TEST(Shown, TheLatestOneIsOnScreen) {
