@@ -15,10 +15,14 @@ namespace {
 
 constexpr double kScreenRate = 60;
 
-// The cost of making a picture, and of scaling it up, from the traced pictures `from`.
+// The cost of making a picture, and of scaling it up, from the traced pictures `from`. The first pictures
+// fill both slots and the first buffer.
 PictureCost costWith(const CostOf &costOf, const SimulatedMachine &machine, const ShownPicture &s,
-                     const MadeFrom &from) {
-    PictureCost cost = costOf({s.time, s.level, (double)s.width * s.height, from.gap()});
+                     const MadeFrom &from, size_t madeBefore) {
+    double pixels = (double)s.width * s.height, gap = from.gap();
+    PictureCost cost = costOf({s.time, s.level, pixels, gap});
+    cost.parallel += pixels * ((gap > 0 ? machine.carryingWaits : machine.tracingWaits) +
+                               (madeBefore <= kSlots) * machine.touching);
     if (s.width < machine.width) cost.parallel += machine.enlarging * machine.width * machine.height;
     return cost;
 }
@@ -32,7 +36,7 @@ struct Work {
     int shown = 0;
     void add(const std::vector<ShownPicture> &list, size_t i, const CostOf &costOf,
              const SimulatedMachine &machine) {
-        PictureCost cost = costWith(costOf, machine, list[i], madeFrom(list, i));
+        PictureCost cost = costWith(costOf, machine, list[i], madeFrom(list, i), i);
         // Other cores wait during the serial part, but not on the page
         made += cost.serial * (machine.workers ? 1 : machine.cores) + cost.parallel;
         busy += list[i].seconds;
@@ -88,7 +92,7 @@ private:
     // Advances the clock by the time of a picture. Pictures shown meanwhile take their share of all cores.
     void make(const ShownPicture &s, const MadeFrom &madeFrom) {
         if (machine.rateAt) machine.rate = machine.rateAt(s.time);
-        PictureCost cost = costWith(costOf, machine, s, madeFrom);
+        PictureCost cost = costWith(costOf, machine, s, madeFrom, made++);
         int64_t end = moment + nanosecondsOf(cost.serial / core() + cost.parallel / machine.rate);
         for (int shownBefore = -1; shownBefore != presented;) {
             shownBefore = presented;
@@ -110,6 +114,7 @@ private:
     double to;                             // seconds of the film
     std::vector<ShownPicture> list;        // indexed by the queue's numbers
     ShownPicture before = {}, traced = {}; // the last two traced pictures
+    size_t made = 0;                       // pictures made so far
     unsigned last = 0;                     // number of the picture that was shown last
     int presented = 0;                     // pictures shown so far
 };
@@ -136,7 +141,7 @@ public:
     Traceable traceable(double) const { return Traceable::Now; }
     int64_t tracing(const FinishedPicture &m) {
         ShownPicture &s = made[m.time] = {-1, m.time, false, m.level, m.size.width, m.size.height};
-        PictureCost cost = costWith(costOf, machine, s, {s, s});
+        PictureCost cost = costWith(costOf, machine, s, {s, s}, made.size() - 1);
         s.seconds = (cost.serial + cost.parallel) / machine.rate; // shared by all workers
         return nanosecondsOf(s.seconds * machine.cores);
     }

@@ -27,7 +27,9 @@ std::vector<ShownPicture> played(double giga, double cheaper = 1) {
             PictureCost c = cost(p);
             return PictureCost{c.serial / cheaper, c.parallel / cheaper};
         },
-        {giga * 1e9, 4, 1280, 720, kPresenting / cheaper, kEnlarging / cheaper}, kFrom, kTo);
+        {giga * 1e9, 4, 1280, 720, kPresenting / cheaper, kEnlarging / cheaper, kTracingWaits / cheaper,
+         kCarryingWaits / cheaper, kTouching / cheaper},
+        kFrom, kTo);
 }
 
 TEST(Simulated, ListsAreWellFormed) {
@@ -68,6 +70,7 @@ Charged charged(Governor::Cadence cadence, double from, double to) {
         return PictureCost{3e6, p.pixels * (p.gap ? 100 : 1500 * std::pow(2, 1 - p.level))};
     };
     SimulatedMachine machine = {20e9, 4, 1280, 720};
+    machine.tracingWaits = machine.carryingWaits = machine.touching = 0;
     machine.paceOf = [=](int) {
         Pace pace;
         for (int c = 1; c < kCadences; ++c) pace.penalty[c] = c == cadence ? 0 : 99;
@@ -131,6 +134,26 @@ TEST(Simulated, CoresShareWhatIsParallel) {
     EXPECT_GT(shown(1, {50e6, 1}), 2.9 * shown(8, {50e6, 1}));
 }
 
+// Pictures take the time of their pixels' waits, and the first three that of new memory.
+TEST(Simulated, PixelsWaitForMemory) {
+    SimulatedMachine machine = {20e9, 4, 1280, 720};
+    CostOf nothing = [](const PictureKind &) { return PictureCost{0, 0}; };
+    machine.paceOf = [](int) { // pairs
+        Pace pace;
+        for (int c = 0; c < kCadences; ++c) pace.penalty[c] = c == Governor::kPairs ? 0 : 99;
+        return pace;
+    };
+    machine.presenting = 0;
+    std::vector<ShownPicture> list = simulate(nothing, machine, 2, 4);
+    ASSERT_GT(list.size(), 100u);
+    for (size_t i = 0; i < list.size(); ++i) {
+        double waits = (list[i].between ? kCarryingWaits : kTracingWaits) + (i < 3) * kTouching,
+               enlarging = list[i].width < 1280 ? kEnlarging * 1280 * 720 : 0;
+        EXPECT_NEAR(list[i].seconds * machine.rate, waits * list[i].width * list[i].height + enlarging, 1e3)
+            << i;
+    }
+}
+
 // A list shows how fast its machine was, also while the player had nothing to do.
 TEST(Simulated, TheMachinesRateIsFound) {
     for (int workers : {0, 4})
@@ -139,7 +162,8 @@ TEST(Simulated, TheMachinesRateIsFound) {
             machine.workers = workers;
             std::vector<ShownPicture> list = simulate(cost, machine, kFrom, kTo);
             for (const PlayedScene &scene : summary(list, cost, machine, kFrom + 1))
-                EXPECT_NEAR(scene.rate / machine.rate, 1, 0.03) << giga << ' ' << scene.scene;
+                EXPECT_NEAR(scene.rate / machine.rate, 1, 0.03)
+                    << giga << ' ' << scene.scene;
             if (workers) continue;
             auto rates = ratesOf(list, cost, machine);
             for (double at = kFrom; at < kTo; ++at) EXPECT_NEAR(rates(at) / machine.rate, 1, 0.04) << at;
