@@ -198,9 +198,6 @@ SECTIONS = [
             The program draws its hemicubes, the page traces them.''',
             printed('build/bench_transfer'),
             methods.posing,
-            '''The last table has the errors of the relit hall against solutions for exactly that sky and sun, from the
-            same form factors: the error of 25 coefficients and 28 suns alone. Night, lanterns and strips are exact by
-            construction, except for the night's clouds.''',
             matrix(methods.environments, 'the vault by environment and bands: rms %, by rows / by clusters'),
             methods.subspaces,
             '''The vault has {vault} and the default number of clusters, four for each function of the bands. The second

@@ -1,12 +1,10 @@
-// bench_transfer: times the hall's transfer, at start-up and per frame, and measures the error of the relit
-// hall over the day.
+// bench_transfer: times the hall's transfer, at start-up and per frame.
 #include "tools/common/clock.h"
 #include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
 #include "tools/engine/machine.h"
-#include "tools/measure/oracle/transfer.h"
+#include "tools/measure/oracle/reference_hall.h"
 
-#include <cmath>
 #include <cstdio>
 
 namespace odraz::measure {
@@ -97,27 +95,13 @@ void timeRelighting(SolvedHall &solved, Workers &workers) {
     show("door of light, night", {kNight, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
 }
 
-void printDayErrors(const Gl &gl, Workers &workers) {
-    std::printf("\n| hour | | rms error of the light from the lightmap, %% | rms error of all light, %% |\n"
-                "|---|---|---|---|\n");
-    std::vector<float> all;
-    for (int i = 0; i < 2 * kNight - 1; ++i) all.push_back((float)i * 0.5f + (i % 2 ? 0.125f : 0));
-    for (const DayError &e : dayErrors(all, gl, workers))
-        std::printf("| %.3f | %s | %.2f | %.2f |\n", (double)e.hour,
-                    std::fmod(e.hour, 0.25f) == 0 ? "a sun was solved there" : "between two suns", e.lightmap,
-                    e.whole);
-}
-
 int run(common::CommandLine &line) {
-    line.about("Times the hall's transfer, and measures the error of the relit hall over the day. Prints "
-               "tables in\nMarkdown.");
+    line.about("Times the hall's transfer. Prints tables in Markdown.");
     line.parse();
     Gl gl = openGl();
     Workers workers = allProcessors();
     std::unique_ptr<SolvedHall> solved = timeStartUp(gl, workers);
     timeRelighting(*solved, workers);
-    solved.reset();
-    printDayErrors(gl, workers);
     return 0;
 }
 

@@ -24,23 +24,6 @@ struct HallSetting {
 
     bool operator==(const HallSetting &) const = default;
 };
-// All rasters with the patches that ship, all patches with the raster that ships, and pairs between them. The
-// last two have the patches that ship, with other cells in them.
-constexpr HallSetting kTried[] = {{8},
-                                  {16},
-                                  {24},
-                                  {32},
-                                  {48},
-                                  {64},
-                                  {8, 1},
-                                  {16, 1},
-                                  {16, 3},
-                                  {24, 3},
-                                  {32, 3},
-                                  {16, 4},
-                                  {32, 4},
-                                  {.block = 1, .cells = 0.5f},
-                                  {.block = 4, .cells = 2}};
 constexpr float kExact = 1e-6f; // a residual that leaves no error
 
 // The share of texels, in percent, that are off by more than 5 % of the reference.
@@ -108,7 +91,13 @@ public:
         std::printf(
             "\n| pixels | cells along a patch | samples in it | patches | noon, rms %% | evening, rms %% | s "
             "by OpenGL | s by rays |\n|---|---|---|---|---|---|---|---|\n");
-        for (const HallSetting &setting : kTried) printSetting(setting, plot);
+        auto tryAll = [&](std::initializer_list<int> rasters, int block, float cells = 1) {
+            for (int px : rasters) printSetting({.px = px, .block = block, .cells = cells}, plot);
+        };
+        tryAll({8, 16, 24, 32, 48, 64}, 2);
+        tryAll({8, 16}, 1), tryAll({16, 24, 32}, 3), tryAll({16, 32}, 4);
+        // The patches that ship, with other cells in them
+        tryAll({16}, 1, 0.5f), tryAll({16}, 4, 2);
         common::writeWhole(file, pictures::svg(plot));
     }
 

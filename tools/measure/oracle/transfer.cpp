@@ -1,6 +1,5 @@
 #include "tools/measure/oracle/transfer.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace odraz::measure {
@@ -50,30 +49,27 @@ DayError errorOf(const TexelPlanes &relit, const TexelPlanes &exact, const float
 } // namespace
 
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const Gl &gl, Workers &workers) {
-    constexpr size_t kMost = 10; // skies of one solution
     SolvedHall relit(kHallSettings, kDrawnHemicubes, gl, workers);
     const Model &m = relit.hall->model;
     TexelPlanes relitPlanes(m.texelCount), exactPlanes(m.texelCount);
+    std::vector<Sky> skies;
+    std::vector<Daylight> days;
+    for (float hour : hours) {
+        days.push_back(daylightAt(hour));
+        skies.push_back(days.back().sky);
+    }
+    SolvedHall exact = solvedFor(skies, days, gl, workers);
     std::vector<DayError> all;
-    for (size_t first = 0; first < hours.size(); first += kMost) {
-        std::vector<Sky> skies;
-        std::vector<Daylight> days;
-        for (size_t i = first; i < std::min(first + kMost, hours.size()); ++i) {
-            days.push_back(daylightAt(hours[i]));
-            skies.push_back(days.back().sky);
-        }
-        SolvedHall exact = solvedFor(skies, days, gl, workers);
-        for (size_t i = 0; i < days.size(); ++i) {
-            LightVector own = {};
-            int sky = 3 * (int)i, sun = exact.hall->radiosity.bases.firstSun() + (int)i;
-            own.bounced[sky] = {1, 0, 0}, own.bounced[sky + 1] = {0, 1, 0}, own.bounced[sky + 2] = {0, 0, 1};
-            own.bounced[sun] = days[i].sunlight - days[i].sky.near * kNearGlow;
-            relight(exact.hall->radiosity, exact.hall->model, own, exactPlanes.plane);
-            relight(relit.hall->radiosity, m, lightVector({hours[first + i], {}, {}, 1}), relitPlanes.plane);
-            all.push_back(
-                errorOf(relitPlanes, exactPlanes, exact.hall->radiosity.direct[sun], m.texelCount, days[i]));
-            all.back().hour = hours[first + i];
-        }
+    for (size_t i = 0; i < days.size(); ++i) {
+        LightVector own = {};
+        int sky = 3 * (int)i, sun = exact.hall->radiosity.bases.firstSun() + (int)i;
+        own.bounced[sky] = {1, 0, 0}, own.bounced[sky + 1] = {0, 1, 0}, own.bounced[sky + 2] = {0, 0, 1};
+        own.bounced[sun] = days[i].sunlight - days[i].sky.near * kNearGlow;
+        relight(exact.hall->radiosity, exact.hall->model, own, exactPlanes.plane);
+        relight(relit.hall->radiosity, m, lightVector({hours[i], {}, {}, 1}), relitPlanes.plane);
+        all.push_back(
+            errorOf(relitPlanes, exactPlanes, exact.hall->radiosity.direct[sun], m.texelCount, days[i]));
+        all.back().hour = hours[i];
     }
     return all;
 }

@@ -13,6 +13,7 @@ struct DayError {
     float hour;
     double lightmap, whole; // rms, percent: of the light in the lightmap; of all light, with the sun's
 };
+// For at most 10 hours, since each has three skies.
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const Gl &gl, Workers &workers);
 
 } // namespace odraz::measure
