@@ -52,10 +52,10 @@ picture after {rounded(cell('start', 'until the first picture', '`odraz`'), 1)} 
 - **Radiosity** of {rounded(cell('radiosity', 'triangles', 'columns'))} triangles: \
 {rounded(cell('radiosity', 'odraz, s', 'columns'), 1)} s (the thesis: {cell('radiosity', 'the thesis, s', 'columns')} \
 s), {rounded(cell('radiosity', 'median of 1,000 places, %', 'columns'), 1)} % off path tracing in the median.
-- **The hall:** 64 lights solved in {rounded(cell('hall', 'processor s, the median of 5', 'all'), 1)} s and relit in \
-{rounded(cell('hall', 'all texels', 'noon'), 1)} ms a picture; all light of noon is \
-{rounded(cell('hall', 'all light: rms %', 'noon'), 1)} % off path tracing (rms), reflected light \
-{rounded(cell('hall', 'reflected light: rms %', 'noon'), 1)} %.
+- **The hall:** 64 lights solved in {rounded(cell('hall', 'processor s, the median of 5', 'all'), 1)} s, relit in \
+{rounded(cell('hall', 'all texels', 'noon'), 1)} ms a picture; reflected light \
+{rounded(cell('hall', 'reflected light: rms %', 'noon'), 1)} % off path tracing, all \
+{rounded(cell('hall', 'all light: rms %', 'noon'), 1)} %.
 '''
 
 
