@@ -14,7 +14,7 @@ TITLES = {'play,grid=1': 'one sample a pixel', 'play,grid=2': 'four samples a pi
           f'{"play" if level < 1 else "draft"}, {level % 1:g}' for level in (0.25, 0.5, 0.75, 1.25, 1.5, 1.75)}}
 KNOBS = [*SETTINGS, 'play,grid=2', *(name for name in TITLES if name[:5] == 'level'), *(
     f'play,{knob}={value}' for knob, values in (
-        ('fine', ('1,again=0.12', 4, 8)), ('coarse', (4, 8, 32)), ('threshold', (0.01, 0.02, 0.08)),
+        ('fine', ('1,again=0.12',)), ('coarse', (4, 8, 32)), ('threshold', (0.01, 0.02, 0.08)),
         ('markThreshold', (0, 0.1)),
         ('edge', (0.03, 0.12, 0.2, 0.4)), ('outline', (0.06,)), ('markWeight', (0.1,)), ('depth', (2, 3)),
         ('cutoff', ('1/10', '1/160')))

@@ -104,7 +104,7 @@ int splitSquares(Tile &t, int count, int size) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
     Square *squares = s.squares[0], *next = s.squares[1];
-    int rough = 0, finest = q.fine >> 2;
+    int rough = 0;
     for (; count; size /= 2) {
         int splits = 0, half = size / 2, left = 0;
         for (int i = 0; i < count; ++i) {
@@ -112,7 +112,7 @@ int splitSquares(Tile &t, int count, int size) {
             uint32_t c[4];
             cornersOf(a, size, c);
             if (size > 1) {
-                Split why = size > finest ? splitsSquare(t, a, size, c) : Split::No;
+                Split why = splitsSquare(t, a, size, c);
                 if (why != Split::No)
                     splits += quarter(t, a, half, why, next + splits);
                 else
@@ -131,7 +131,7 @@ int splitSquares(Tile &t, int count, int size) {
             Square *more = s.squares[2];
             int kept = 0, found = 0;
             for (int i = 0; i < left; ++i)
-                if (size > finest && splitsBySides(s, squares[i], size, q.markThreshold))
+                if (splitsBySides(s, squares[i], size, q.markThreshold))
                     more[found++] = squares[i];
                 else
                     squares[kept++] = squares[i];

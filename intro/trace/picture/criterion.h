@@ -109,7 +109,6 @@ ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float 
 ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;
     int same = alike(s, c);
-    if (t.quality.fine > 2) return false;
     int shape = shapeOf(s, c[0], same);
     bool calm = shape >= 0 && !exceeds(rangeOf(s, c), t.quality.edge);
     return (!calm && radianceExceeds(t, c, same & kSameId ? t.quality.edge : t.quality.outline)) ||

@@ -247,7 +247,7 @@ TEST(Governor, MixesQualities) {
         EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
     // A blend takes all its other settings from a named quality
     for (auto [level, like] :
-         {std::pair{1.f, QualityName::Play}, {1.99f, QualityName::Play}, {2, QualityName::Draft}}) {
+         {std::pair{0.99f, QualityName::Film}, {1, QualityName::Play}, {2, QualityName::Draft}}) {
         g.coarseness = level;
         EXPECT_EQ(g.quality().fine, kQualities[(int)like].fine) << level;
     }

@@ -39,7 +39,7 @@ std::vector<Knob> knobsOf(Quality &q) {
     return {
         {"grid", &q.grid, nullptr, upTo(16)},
         {"coarse", &q.coarse, nullptr, {4, 8, 16, 32}},
-        {"fine", &q.fine, nullptr, {1, 2, 4, 8}},
+        {"fine", &q.fine, nullptr, {1, 2}},
         {"depth", &q.depth, nullptr, upTo(kMaxDepth)},
         {"threshold", nullptr, &q.threshold, {}},
         {"markThreshold", nullptr, &q.markThreshold, {}},
@@ -99,8 +99,8 @@ Quality settingOf(const std::string &words) {
         turn(setting, knob, number(knob, change.substr(equals + 1)));
         comma = next;
     }
-    if (!setting.grid && (setting.fine > setting.coarse || !setting.fine))
-        throw common::Refused("a setting without a grid needs 1 <= fine <= coarse");
+    if (!setting.grid && !(setting.fine && setting.coarse))
+        throw common::Refused("a setting without a grid needs fine and coarse");
     return setting;
 }
 

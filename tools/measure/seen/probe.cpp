@@ -50,8 +50,8 @@ struct Kind {
 };
 Kind ofLevel(int gap, const char *level) { return {gap, level, settingOf(std::string("level=") + level)}; }
 
-// The kinds in costs.csv. Between two levels the cost is nearly linear. At `play` it drops, since only there
-// the smallest squares become larger. How much of an in-between is traced again depends on gap and level.
+// The kinds in costs.csv. Between two levels the cost is nearly linear. At `play` it drops, since pixels
+// take three samples there, not twelve. How much of an in-between is traced again depends on gap and level.
 std::vector<Kind> countedKinds(bool large) {
     std::vector<Kind> kinds = {ofLevel(0, "1"), ofLevel(0, "2")};
     for (const char *level : {"0", "0.99"})
