@@ -81,7 +81,7 @@ template <bool kBetweens> struct GovernorOf {
     // --- How the cadence is chosen ---
 
     // With each step of coarseness the squared error grows by 2^kGrowth: 6.9 dB. In the mean over the scenes
-    // it is 4 dB from `play` to `draft`, more towards `film`, and more where fewer pixels are traced.
+    // it is 4 dB from `play` to `draft`, and more elsewhere. With less than 6.9 dB the cadence would swing.
     static constexpr float kGrowth = 2.3f;
     // The cadence changes once another one's error has been less than kMargin times its own for kWait
     // sixtieths of a second. After the first picture of a scene any lower error is enough, at once. Later
@@ -198,7 +198,7 @@ template <bool kBetweens> struct GovernorOf {
         if (reduced) excess -= clamp(excess, -kDeadBand, kDeadBand);
         float move = clamp(excess, kLeastExcess, kMostExcess) * kGain * (float)kGap[cadence];
         if (excess > kAlarm && coarseness + 1 < coarsest()) move = 1;
-        // Return to all pixels if there is time for samples within them
+        // Return to all pixels if there is time for them
         reduced &= coarseness > kSteps ||
                    tracing * kAllPixelsCost + (float)kInBetweens[cadence] * making > budget(cadence);
         setCoarseness(clamp(coarseness + move, reduced ? kSteps : kFinest, coarsest()));

@@ -1,7 +1,7 @@
 # odraz-debug records the pictures that it showed while it played; build/seen judges them.
 #   shown.sh BUILD
 . "$(dirname "$0")/display.sh"
-needs_built odraz-debug seen
+needs_built odraz-debug seen probe
 start_display 320x200
 list=$WORK/shown.csv
 record() { timeout "$PATIENCE" "$BUILD/odraz-debug" --shown "$@" --size 160x90 --mute >"$WORK/out" 2>"$WORK/err"; }
@@ -36,6 +36,10 @@ check "several screens without --judged" refuses 2 "several screens need --judge
 
 check "writes to standard output" \
     eval '"$BUILD/odraz-debug" --shown - --from 50 --to 50.5 --size 64x36 --mute | grep -q "^at,time,kind"'
+probe=("$BUILD/probe" --at 52 --size 64x36 --gap 2 --errors "$WORK/truths")
+check "probe prints errors" prints '^52,2,draft edge=0.1,64,36,.*,flake,[0-9.]+$' "${probe[@]}" --setting draft,edge=0.1
+check "... and keeps the film's picture by its size" test "$(ls "$WORK/truths")" = 52.0000-64x36.rgb
+check "--gap without --setting" refuses 2 "--gap needs --setting" "${probe[@]}"
 
 # Errors are reported in one line
 debug=("$BUILD/odraz-debug" --size 64x36 --mute --from 50 --to 50.3 --shown)

@@ -148,8 +148,8 @@ def played_and_simulated(machine):
     with machine.display():
         for begin in around_cuts(machine):
             machine.run(f'build/odraz-debug --shown shown.csv --mute --from {begin} --to {begin + PIECE}')
-            printed = rows(machine.run(f'build/seen shown.csv --simulate --cores {PROCESSORS} --since {begin + SETTLED} '
-                                       '--summary'))
+            printed = rows(machine.run(f'build/seen shown.csv --simulate --cores {PROCESSORS} '
+                                       f'--since {begin + SETTLED} --summary'))
             for scene in dict.fromkeys(row['scene'] for row in printed):
                 real, model = (row for row in printed if row['scene'] == scene)
                 line = {'scene': scene, 'giga': f"{float(real['giga']):.1f}"}

@@ -34,7 +34,7 @@ class Took:
 
 
 class Machine:
-    """The environment of a section: built programs, a working folder, the page, commands, and values that texts show."""
+    """The environment of a section: built programs, a working folder, the page, commands, and values shown in texts."""
 
     def __init__(self, build, work, built=True, page=None):
         self.build, self.work, self.built, self.page = Path(build), Path(work), built, page

@@ -2,11 +2,11 @@
 //
 // As in the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of every
 // light, (c) the hits of secondary rays and the texture cells there, (d) the intensities. (a) to (c) are
-// marks, which every Sample has. Only (d) decides whether a pixel gets samples inside. Squares and pixels
-// also split where there may be a shape that no corner shows (hidden.h), and squares where a sample on one of
-// their sides, traced for a neighbour, differs. The Quality has the thresholds. A new criterion belongs in
-// splitsSquare() and splitsPixel(), a new mark in marksOf(). Where a square splits, meanSuffices() decides
-// which of the new corners need not be traced.
+// marks, which every Sample has. Only (d) decides whether a pixel gets samples inside, at a lower threshold
+// where (a) differs. Squares and pixels also split where there may be a shape that no corner shows
+// (hidden.h), and squares where a sample on one of their sides, traced for a neighbour, differs. The Quality
+// has the thresholds. A new criterion belongs in splitsSquare() and splitsPixel(), a new mark in marksOf().
+// Where a square splits, meanSuffices() decides which of the new corners need not be traced.
 #pragma once
 
 #include "trace/picture/hidden.h"

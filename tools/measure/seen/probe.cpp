@@ -1,6 +1,7 @@
 // probe: prints what pictures of the film cost, in instructions, and how far they are from `film`. It counts
 // only if tools/measure/seen/costs has built it.
 #include "tools/common/text.h"
+#include "tools/common/whole_file.h"
 #include "tools/measure/bench/setting.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/picture/psnr.h"
@@ -73,19 +74,18 @@ struct ProbeOptions {
 
 // The film's picture, in sRGB. The folder keeps it.
 std::vector<uint8_t> truthOf(Intro &intro, double seconds, const std::string &folder) {
-    std::string path = common::format("%s/%.4f-%d.rgb", folder.c_str(), seconds, intro.width);
+    auto path = common::format("%s/%.4f-%dx%d.rgb", folder.c_str(), seconds, intro.width, intro.height);
     std::vector<uint8_t> rgb((size_t)intro.width * (size_t)intro.height * 3);
     auto bytes = [&] { return reinterpret_cast<char *>(rgb.data()); };
     if (std::ifstream(path, std::ios::binary).read(bytes(), (std::streamsize)rgb.size())) return rgb;
     rgb = rgbOf(picture(intro, 0, seconds, kQualities[(int)QualityName::Film]));
-    std::ofstream(path, std::ios::binary).write(bytes(), (std::streamsize)rgb.size());
+    common::writeWhole(path, {bytes(), rgb.size()});
     return rgb;
 }
 
 // Makes pictures of a moment and prints their rows.
 void probe(Intro &intro, double seconds, const std::vector<Kind> &kinds, const std::string &folder) {
-    std::vector<uint8_t> truth;
-    if (!folder.empty()) truth = truthOf(intro, seconds, folder);
+    auto truth = folder.empty() ? std::vector<uint8_t>() : truthOf(intro, seconds, folder);
     for (const auto &[gap, name, quality] : kinds) {
         for (int i = 0; gap && i < 2; ++i) picture(intro, i, seconds + kSixtieth * gap * (i - 0.5), quality);
         parallel = 0;
@@ -132,26 +132,26 @@ int run(common::CommandLine &line) {
         "repeatable");
     sizeOption(line, "--size", o.size, "the size of the pictures that are probed (default 1280x720)");
     line.option("--errors", "FOLDER", o.truths,
-                "add the scene, and the PSNR in sRGB against `film`, whose pictures the folder keeps");
+                "add the scene and the sRGB PSNR to `film`. FOLDER keeps `film`, and is for one commit");
     line.flag("--list", o.list, "only print the moments to count in every shot");
     line.parse();
     if (o.list) {
         for (double seconds : moments()) std::printf("%g\n", seconds);
         return 0;
     }
+    if (!o.gaps.empty() && o.settings.empty()) throw common::Refused("--gap needs --setting");
     if (o.at.empty()) o.at = moments();
-    std::printf("seconds,gap,level,width,height,serial,parallel%s\n",
-                o.truths.empty() ? "" : ",scene,srgb_db");
     if (!o.truths.empty()) std::filesystem::create_directories(o.truths);
     std::vector<Kind> kinds;
     if (o.gaps.empty()) o.gaps = {0};
+    for (std::string &words : o.settings) std::replace(words.begin(), words.end(), ',', ' '); // as tradeoff
     for (int gap : o.gaps)
         for (const std::string &words : o.settings) kinds.push_back({gap, words, settingOf(words)});
+    if (!o.size.width && !kinds.empty()) o.size = {1280, 720};
     std::vector<IntroSettings> sizes = {{480, 270}, {1280, 720}};
-    if (o.size.width)
-        sizes = {o.size};
-    else if (!kinds.empty())
-        sizes = {{1280, 720}};
+    if (o.size.width) sizes = {o.size};
+    std::printf("seconds,gap,level,width,height,serial,parallel%s\n",
+                o.truths.empty() ? "" : ",scene,srgb_db");
     Workers workers = oneWorker();
     for (IntroSettings size : sizes) {
         size.pairs = true;

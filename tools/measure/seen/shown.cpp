@@ -60,7 +60,7 @@ std::vector<ShownPicture> parseShown(const std::string &csv) {
         common::need(level >= 0 && level <= Governor::kSteps, "the level must be 0 to 2");
         common::need(s.width >= 16 && s.height >= 16 && s.width <= kMaxWidth && s.height <= kMaxHeight,
                      "a picture cannot have this size");
-        common::need(s.seconds >= 0 && std::isfinite(s.seconds), "it was made in negative time");
+        common::need(s.seconds >= 0 && std::isfinite(s.seconds), "the seconds must be 0 or more");
         common::need(s.at < 0 || s.at >= lastAt, "it was shown before the previous row");
         lastAt = std::max(s.at, lastAt);
         common::need(!s.between || !list.empty(), "an in-between needs a traced picture before it");

@@ -10,7 +10,7 @@ namespace odraz::measure {
 namespace {
 
 constexpr int kScreenRate = 60;
-constexpr long kTruePixels = 24 << 20; // limit for all kept pictures of the film; a pixel takes 3 bytes
+constexpr long kTruePixels = 24 << 20; // most kept: a pixel takes 3 bytes, and 20 more where FLIP is computed
 // FLIP takes longer than all else, so it is computed in every fifth sixtieth: 5 has no divisor in
 // common with the gaps of in-betweens. It is the third one of a window.
 constexpr long kFlipStep = 5, kFlipFirst = 2;
