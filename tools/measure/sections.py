@@ -195,10 +195,9 @@ SECTIONS = [
             texel. Their squares do not quite sum up to the error's, since a part of each is in the next.''',
             '''The last table changes the raster or the patches. The setting in bold ships. A finer raster hardly shows:
             what is off is the light between the centres of patches. With cells of .2 m in the openings of the windows,
-            as wide as before, reflected light was 12.1 % off at noon and in the evening (in all of this film's versions
-            up to b47d5b74), in 5 % less time: lit surfaces meet there. Half as wide patches everywhere take three times
-            as long. Rays are faster up to 24 pixels. Both methods have OpenGL's errors here. The program draws its
-            hemicubes, the page traces them.''',
+            where lit surfaces meet, reflected light was 12.1 % off at noon and in the evening, in 5 % less time; now
+            they are .14 m wide. Half as wide patches everywhere take three times as long. Rays are faster up to 24
+            pixels. Both methods have OpenGL's errors here. The program draws its hemicubes, the page traces them.''',
             printed('build/bench_transfer'),
             methods.posing,
             matrix(methods.environments, 'the vault by environment and bands: rms %, by rows / by clusters'),
