@@ -5,12 +5,12 @@
 
 namespace odraz {
 
-// Returns a scene's limits for the page. A browser takes twice the film's time, and too few pictures look
-// worse than too few pixels; scenes that may not shrink keep their width, since lines as wide as a pixel
-// would break into pieces. No in-betweens are made: one takes two thirds of a traced picture's time, and
-// needs both neighbours, which other workers hold. All are traced: 60 a second, or 30, by kPairs.
+// Returns a scene's limits for the page. A browser takes twice the time of the film, and too few pictures
+// look worse than too few pixels. No in-betweens are made: one takes two thirds of the time of a traced
+// picture, and needs both neighbours, which other workers hold. So all pictures are traced: 60 a second, or
+// 30, which are the governor's pairs without in-betweens.
 inline Pace pageOf(Pace p) {
-    if (p.leastWidth < 1280) p.leastWidth = 480; // pixels
+    p.leastWidth = min(p.leastWidth, 480); // pixels
     p.penalty[Governor::kPairs] = p.penalty[Governor::kThirty];
     for (int c = Governor::kPairs + 1; c < kCadences; ++c) p.penalty[c] = 1e9f;
     return p;
