@@ -69,7 +69,8 @@ void build(Hall &hall) {
         Vec3 lo = {-kX - kDeep, kSill, centre - kWindow}, deep = {kDeep, 0, 0},
              tall = {0, kLintel - kSill, 0};
         Vec3 wide = {0, 0, 2 * kWindow};
-        // The steepest indirect light is here, where lit surfaces meet: with cells of 0.2 m the error at noon is 12 % instead of 8
+        // The steepest indirect light is here, where lit surfaces meet: with cells of 0.2 m the error at noon
+        // is 12 % instead of 8
         m.addRect(lo, wide, deep, kWall, 0.14f);        // sill
         m.addRect(lo + tall, deep, wide, kWall, 0.14f); // lintel
         m.addRect(lo, deep, tall, kWall, 0.14f);        // jambs

@@ -162,8 +162,7 @@ TEST(Simulated, TheMachinesRateIsFound) {
             machine.workers = workers;
             std::vector<ShownPicture> list = simulate(cost, machine, kFrom, kTo);
             for (const PlayedScene &scene : summary(list, cost, machine, kFrom + 1))
-                EXPECT_NEAR(scene.rate / machine.rate, 1, 0.03)
-                    << giga << ' ' << scene.scene;
+                EXPECT_NEAR(scene.rate / machine.rate, 1, 0.03) << giga << ' ' << scene.scene;
             if (workers) continue;
             auto rates = ratesOf(list, cost, machine);
             for (double at = kFrom; at < kTo; ++at) EXPECT_NEAR(rates(at) / machine.rate, 1, 0.04) << at;
