@@ -298,10 +298,20 @@ TEST(Extremes, SizeDoesNotMatter) {
     }
 }
 
-TEST(Extremes, NoLightNoMemoryNoTime) {
-    TestRoom dark({0, 2, 0}), small({0, 2, 0}), left({0, 2, 0});
-    dark.r->bases.lampCount = 0; // no light basis at all
-    ASSERT_TRUE(dark.solve());
+TEST(Extremes, ARoomWithoutLightIsBlack) {
+    TestRoom room({0, 2, 0});
+    room.r->bases.lampCount = 0; // no light basis at all
+    ASSERT_TRUE(room.solve());
+    std::vector<float> plane((size_t)room.model->texelCount + 8, 1);
+    float *out[3] = {plane.data(), plane.data(), plane.data()};
+    LightVector light = {};
+    light.bounced[0] = light.direct[0] = {1, 1, 1};
+    relight(*room.r, *room.model, light, out);
+    for (int i = 0; i < room.model->texelCount; ++i) ASSERT_EQ(plane[(size_t)i], 0) << i;
+}
+
+TEST(Extremes, FailsWithoutMemoryOrTime) {
+    TestRoom small({0, 2, 0}), left({0, 2, 0});
     EXPECT_FALSE(small.solve({.links = 1000}));
     static const int gone = 1;
     left.workers.abort = &gone;

@@ -116,7 +116,7 @@ TEST(Flip, SeesEdgesMoreThanSlopes) {
     EXPECT_GT(middle(picture(step)), 1.5 * middle(picture(slope)));
 }
 
-TEST(Psnr, InLinearLightWeighsWhatIsBright) {
+TEST(Psnr, OfLinearLightCountsAStepMoreWhereItIsBright) {
     Bytes dark = plain(20, 20, 20), darker = plain(10, 10, 10), bright = plain(240, 240, 240),
           brighter = plain(250, 250, 250);
     EXPECT_DOUBLE_EQ(psnr(dark, darker), psnr(bright, brighter));
