@@ -8,8 +8,8 @@
 
 using namespace odraz;
 
-// Flicker is an error that changes: if a camera moves by a quarter of a pixel per picture, the error
-// must hardly change between pictures.
+// Flicker is an error that changes: if a camera moves by a quarter of a pixel per picture, the error changes
+// by less than a level of 255, the least step of a screen, and less than one pixel per picture jumps.
 TEST(AdaptiveFaults, DoesNotFlicker) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     constexpr int kWidth = 320, kHeight = 180, kPictures = 8;
@@ -21,8 +21,8 @@ TEST(AdaptiveFaults, DoesNotFlicker) {
         TracedPicture play = traced(*scene, camera, named(QualityName::Play), kWidth, kHeight),
                       truth = traced(*scene, camera, named(QualityName::Reference), kWidth, kHeight);
         std::vector<int> &error = errors.emplace_back();
-        for (int k = 0; k < kWidth * kHeight * 4; ++k)
-            error.push_back(play.frame.rgba[k] - truth.frame.rgba[k]);
+        for (int k = 0; k < kWidth * kHeight * 3; ++k)
+            error.push_back(play.at(k / 3, k % 3) - truth.at(k / 3, k % 3));
     }
     double squares = 0;
     int jumps = 0, count = 0;
@@ -33,10 +33,10 @@ TEST(AdaptiveFaults, DoesNotFlicker) {
             jumps += std::abs(change) > 48;
             ++count;
         }
-    double db = pictures::psnr(squares, (size_t)count / 4 * 3), share = 100. * jumps / count;
-    std::printf("flicker: %.1f dB, %.4f %% of values change by more than 48\n", db, share);
-    EXPECT_GT(db, 36);
-    EXPECT_LT(share, 0.05);
+    double rms = std::sqrt(squares / count);
+    std::printf("flicker: %.2f levels rms, %d values change by more than 48\n", rms, jumps);
+    EXPECT_LT(rms, 1);
+    EXPECT_LT(jumps, 3 * (kPictures - 1));
 }
 
 // Where squares meet, the picture must be as smooth as inside them. A viewer does not notice the grid if
@@ -160,15 +160,16 @@ static int blinks(QualityName quality, const std::function<void(Scene &)> &pose)
     return dark;
 }
 
-// The dim highlight of a ball of six pixels is found in most positions between the corners of squares.
-TEST(AdaptiveFaults, HighlightsOfSmallBallsSeldomBlink) {
+// The dim highlight of a ball of six pixels is found wherever it lies between the corners of squares. (In
+// draft it blinks in 15 positions, so it sparkles, which is a fault.)
+TEST(AdaptiveFaults, HighlightsOfSmallBallsDoNotBlinkInPlay) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
         s.add(sphere({0, 0, 0}, 0.22f, s.add(Material{.specular = 0.8f, .exponent = 90})));
         s.add(Light{{60, 50, 100}, {4e4f, 4e4f, 4e4f}});
     };
     EXPECT_LE(blinks(QualityName::Draft, pose), 4 * kSparkles);
-    EXPECT_LE(blinks(QualityName::Play, pose), 2 * kSparkles);
+    EXPECT_LE(blinks(QualityName::Play, pose), kSparkles);
 }
 
 // The image of a lamp in a small ball, less than a pixel wide, is found in every position. (If it lights only
@@ -281,10 +282,12 @@ TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
 }
 
 // Compares the light of a whole picture with the light of a picture traced in full, for cameras that turn by
-// a seventh of a pixel each: the means are nearly equal, and no picture loses half of its light.
-static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName name, double off) {
+// a seventh of a pixel each: the means differ by at most `off`, and single pictures by `mostOff`. A fifth is
+// 1 dB, about the least change that is seen in a moving point of light.
+static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName name, double off,
+                            double mostOff = 0.2) {
     constexpr int kCameras = 15;
-    double mean = 0;
+    double mean = 0, least = 9, most = 0;
     for (int i = 0; i < kCameras; ++i) {
         auto light = [&](QualityName n) {
             CameraKey turned = camera;
@@ -296,14 +299,15 @@ static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName n
             return sum;
         };
         double share = light(name) / light(QualityName::Reference);
-        EXPECT_NEAR(share, 1, 0.5) << (int)name << ' ' << i;
-        mean += share / kCameras;
+        EXPECT_NEAR(share, 1, mostOff) << (int)name << ' ' << i;
+        mean += share / kCameras, least = std::min(least, share), most = std::max(most, share);
     }
-    std::printf("%s keeps %.3f of the light\n", named(name).name, mean);
+    std::printf("%s keeps %.3f of the light, %.3f to %.3f\n", named(name).name, mean, least, most);
     EXPECT_NEAR(mean, 1, off) << (int)name;
 }
 
-// The image of a tube in a mirroring ball or wall, a pixel wide or less, has neither gaps nor dashes.
+// The image of a tube in a mirroring ball or wall, a pixel wide or less, has no long gaps. (It has dashes: in
+// single pictures it loses up to 45 % of its light in the ball and 32 % in the wall, which is a fault.)
 TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (bool wall : {false, true}) {
@@ -313,7 +317,7 @@ TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
         s->add(cylinder({1, 0.5f, 8}, wall ? 0.02f : 0.09f, 0.5f, tube));
         s->finish();
         for (QualityName name : {QualityName::Draft, QualityName::Play})
-            expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.15);
+            expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.15, wall ? 0.35 : 0.46);
     }
 }
 
@@ -325,7 +329,7 @@ TEST(AdaptiveFaults, KeepsTheLightOfLampsInGlass) {
     s->add(sphere({0, 0, 0}, 1, s->add(Material{.ior = 1.5f})));
     s->add(sphere({-1.6f, 0.7f, -3}, 0.06f, lamp));
     s->finish();
-    expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 24}, QualityName::Draft, 0.1);
+    expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 24}, QualityName::Draft, 0.05);
 }
 
 // A highlight that is smaller than a square is never lost either.
@@ -337,6 +341,7 @@ TEST(AdaptiveFaults, KeepsTheLightOfSmallHighlights) {
         s->add(Light{{3 + x, 2, 8}, {40, 40, 40}});
         s->finish();
         for (QualityName name : {QualityName::Draft, QualityName::Play, QualityName::Film})
-            expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.2);
+            expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name,
+                            name == QualityName::Draft ? 0.15 : 0.05);
     }
 }

@@ -86,7 +86,7 @@ TEST(Adaptive, TakesEverySize) {
 
 // Compares the shape shown in every pixel with rays through the pixels' middles: no small shape is lost or
 // misplaced. Compares interpolated pixels with the same quality without squares wider than a pixel.
-TEST(Adaptive, MistakesNoPixel) {
+TEST(Adaptive, EachPixelShowsTheShapeInItsMiddle) {
     struct {
         const char *name;
         void (*pose)(Scene &);
