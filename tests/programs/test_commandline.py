@@ -1,0 +1,67 @@
+"""Wrong options and failing outputs give one helpful line and the right exit status; no file is half-written."""
+import re
+import shlex
+import subprocess
+
+import pytest
+
+from running import FILM, SOURCE, needs, redirected, refuses, run
+
+SMALL = ('--size', '64x36', '--from', 2, '--to', 2.2, '--quality', 'draft')
+
+
+def test_prints_name_version_and_commit_in_one_line(film):
+    # The commit is unknown only where there is no repository
+    committed = run('git', '-C', SOURCE, 'rev-parse', 'HEAD', status=None).returncode == 0
+    commit = r'[0-9a-f]{12}\+?' if committed else 'unknown'
+    assert re.fullmatch(rf'{FILM} \d+\.\d+\.\d+ {commit}\n', run(film, '--version').stdout)
+
+
+def test_help_names_every_option(film):
+    usage = run(film, '--help').stdout
+    assert usage.startswith('usage')
+    options = set(re.findall(r'"(--[a-z]+)"', (SOURCE / 'intro/options.cpp').read_text()))
+    assert options and options <= set(re.findall(r'--\w+', usage))
+
+
+@pytest.mark.parametrize('status, text, options', [
+    (2, "unknown option '--nope'", ['--nope']),
+    (2, "beyond the film's end", ['--to', 999]),
+    (2, "not 'a?b?[31m'", ['--fps', 'a\nb\33[31m']),  # unprintable characters, in one line
+    (1, 'cannot write /proc/frame-000050.ppm', ['--dump', '/proc', *SMALL])])
+def test_refuses(film, status, text, options):
+    refuses(status, text, film, *options)
+
+
+@pytest.mark.parametrize('text, options', [
+    ('no space left', ['--help']),
+    ('cannot write standard output: no space left', ['--dump', '-', *SMALL])])
+def test_reports_a_full_disk(film, text, options):
+    refuses(1, text, *redirected('>/dev/full', film, *options))
+
+
+def test_reports_a_closed_pipe(film, background):
+    program = background(film, '--dump', '-', '--size', '320x180', '--quality', 'draft', stdout=subprocess.PIPE)
+    with program.process.stdout as pipe:
+        assert len(pipe.read(99)) == 99
+    assert program.ended() == 1
+    assert re.fullmatch('.*cannot write standard output: the pipe was closed.*\n', program.errors())
+
+
+def test_writes_no_picture_to_a_terminal(film):
+    needs('script')
+    result = run('script', '-qec', shlex.join(map(str, (film, '--dump', '-', *SMALL))), '/dev/null', status=None)
+    assert result.returncode != 0
+    assert 'binary data to the terminal' in result.stdout and 'P6' not in result.stdout
+
+
+@pytest.mark.parametrize('closed', ['<&-', '>&-', '2>&-', '<&- >&- 2>&-'])
+def test_dumps_with_closed_descriptors(film, tmp_path, closed):
+    """No file gets the number of a closed standard descriptor: there are five whole pictures, and nothing else."""
+    run(*redirected(closed, film, '--dump', tmp_path / 'frames', *SMALL))
+    sizes = {file.name: file.stat().st_size for file in (tmp_path / 'frames').iterdir()}
+    assert sizes == {f'frame-{n:06}.ppm': 64 * 36 * 3 + 13 for n in range(50, 55)}
+
+
+def test_an_empty_interval_makes_no_frames(film):
+    assert run(film, '--dump', '-', '--from', 3, '--to', 3).stdout == ''
