@@ -1,0 +1,187 @@
+"""The shipped files: their segments, imports, instructions and libraries. In a long run: the same commit makes the same
+bytes when it is built and packed in another place."""
+import functools
+import os
+import re
+from pathlib import Path
+
+import pytest
+
+from running import BUILD, SOURCE, needs, run
+
+needs('readelf', 'objdump', 'strip')
+AVX = r'%ymm|\bv[a-z0-9]+[ps][sd] '
+RED_ZONE = r'[^x]-0x[0-9a-f]+\(%rsp'
+both = pytest.mark.parametrize('name', ['odraz', 'odraz-safe'])
+
+
+@functools.cache
+def printed(*command):
+    return run(*command).stdout
+
+
+def code_of(name):
+    return printed('objdump', '-d', '--no-show-raw-insn', BUILD / name)
+
+
+def found(pattern, text):
+    """The lines that match. The text must not be empty."""
+    assert text
+    return [line for line in text.splitlines() if re.search(pattern, line)]
+
+
+@both
+def test_it_is_a_fixed_base_executable(name):
+    assert 'EXEC (Executable' in printed('readelf', '-lW', BUILD / name)
+
+
+@both
+def test_no_segment_is_writable_and_executable(name):
+    segments = printed('readelf', '-lW', BUILD / name)
+    assert not found('(LOAD|GNU_STACK) .* RWE', segments)
+    assert found('GNU_STACK .* RW ', segments)
+
+
+@both
+def test_it_needs_one_library_which_is_found(name):
+    assert len(found('NEEDED', printed('readelf', '-dW', BUILD / name))) == 1
+    assert 'libdl.so.2 => /' in printed('ldd', BUILD / name)
+
+
+def test_it_imports_two_functions():
+    imports = re.findall(r'R_X86_64_(\w+) +\w+ (.*) \+', printed('readelf', '-rW', BUILD / 'odraz-safe'))
+    assert imports == [('GLOB_DAT', 'dlopen'), ('GLOB_DAT', 'dlsym')]
+
+
+def test_there_are_no_constructors():
+    assert not found('init_array|ctors', printed('readelf', '-SW', BUILD / 'odraz.elf'))
+
+
+def test_it_has_no_path_of_the_build_machine():
+    assert str(SOURCE).encode() not in (BUILD / 'odraz-safe').read_bytes()
+
+
+# They give other results on other makers' processors, and pictures must not differ
+def test_no_instruction_is_approximate():
+    assert not found('v?(rcp|rsqrt)[0-9]*[ps]s', code_of('odraz.elf'))
+    assert found('v?(sqrt|div)ps', code_of('odraz.elf'))  # such a search finds others
+
+
+# It runs before the processor is checked
+@pytest.mark.parametrize('name', ['libhost.a', 'libhost_windows.a'] + [
+    f'intro/CMakeFiles/{film}.elf.dir/start/{part}.cpp.o' for film, parts in [
+        ('odraz', ['answers', 'early', 'linux/entry', 'start', 'memory']),
+        ('odraz-windows', ['windows/entry', 'windows/command_line'])] for part in parts])
+def test_code_that_starts_the_film_uses_no_avx(name):
+    assert not found(AVX, code_of(name))
+
+
+def test_a_search_for_avx_would_find_it():
+    assert found(AVX, code_of('odraz.elf'))
+
+
+# The pages that are decoded first hold only code that runs before the rest is decoded
+def early(lines):
+    """The objects in these pages, by the linker's map; except for the table of qualities, which any may contain."""
+    objects, is_early, section = set(), False, ''
+    for line in lines:
+        if re.match(r'\.[a-zA-Z]', line):
+            is_early = re.match(r'\.early(data)?( |$)', line)
+        if re.match(r' \.[a-z]', line):
+            section = line.split()[0]
+        part = re.search(r' 0x0*[1-9a-f][0-9a-f]* (\S*/)?(\S+\.o\)?)$', line)
+        if is_early and part and 'kQualities' not in section:
+            objects.add(part[2])
+    return objects
+
+
+NEUTRAL = {'answers.cpp.o', 'early.cpp.o', 'libengine.a(text.cpp.o)', 'liboptions.a(options.cpp.o)',
+           'liboutput.a(output.cpp.o)'}
+HOST = ['clock', 'cpu', 'error', 'files', 'library', 'process', 'threads', 'window']
+LINUX = NEUTRAL | {f'libhost.a({part}.cpp.o)' for part in HOST}
+WINDOWS = NEUTRAL | {'command_line.cpp.o'} | {
+    f'libhost_windows.a({part}.cpp.o)' for part in (*HOST, 'calls', 'context')}
+
+
+@pytest.mark.parametrize('name, objects', [('odraz', LINUX), ('odraz-windows', WINDOWS)])
+def test_these_objects_and_no_others_are_decoded_first(name, objects):
+    assert early((BUILD / f'{name}.map').read_text().splitlines()) == objects
+
+
+@pytest.mark.parametrize('intruder', [
+    'libplay.a(film_clock.cpp.o)', 'libengine.a(clock.cpp.o)', 'intro/CMakeFiles/odraz.elf.dir/main.cpp.o'])
+def test_an_intruder_in_that_part_would_be_found(intruder):
+    line = f' .text.intruder 0x0000000000402000       0x29 {intruder}'
+    lines = re.sub(r'^\.early .*', rf'\g<0>\n{line}', (BUILD / 'odraz.map').read_text(), flags=re.M).splitlines()
+    assert early(lines) == LINUX | {Path(intruder).name}
+
+
+# The film for Windows, made from the same objects
+def test_the_film_for_windows_names_five_libraries():
+    names = re.findall(rb'[a-z0-9_-]+\.(?:dll|drv)', (BUILD / 'odraz-safe.exe').read_bytes().lower())
+    libraries = [b'gdi32.dll', b'kernel32.dll', b'opengl32.dll', b'user32.dll', b'winmm.dll']
+    assert {next((known for known in libraries if name.endswith(known)), name) for name in names} == set(libraries)
+
+
+def test_the_film_for_windows_imports_from_one_library():
+    assert re.findall('DLL Name: (.*)', printed('objdump', '-p', BUILD / 'odraz.exe')) == ['kernel32.dll']
+
+
+@pytest.mark.parametrize('name', ['odraz.elf', 'odraz-windows.elf'])
+def test_code_uses_neither_the_red_zone_nor_segments(name):
+    assert not found(RED_ZONE, code_of(name))
+    assert not found('%[fg]s:', code_of(name))
+
+
+@pytest.mark.parametrize('option, pattern', [('-fstack-protector-all', '%fs:'), ('-fno-stack-protector', RED_ZONE)])
+def test_the_red_zone_and_segments_would_be_found(option, pattern, tmp_path):
+    code = 'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
+    run(*f'g++ -O2 -fno-pic {option} -x c++ -c -o {tmp_path}/made.o -'.split(), input=code)
+    assert found(pattern, code_of(tmp_path / 'made.o'))
+
+
+# Windows calls one of the film's functions, which must restore all of these registers
+def test_functions_that_windows_calls_save_xmm6_to_xmm15():
+    functions = code_of('libhost_windows.a').split('\n\n')
+    receiving = [function for function in functions if re.match('[0-9a-f]+ <.*receive.*>:', function)]
+    saved = re.findall(r'movaps +%xmm([0-9]+),[(0-9]', ''.join(receiving))
+    assert sorted(set(map(int, saved))) == list(range(6, 16))
+
+
+# OpenGL drivers that compile shaders for the processor may have such memory, so this picture needs no OpenGL. The film
+# waits, since the pipe is too small for it
+def test_while_the_film_runs_no_memory_is_writable_and_executable(background):
+    reading, writing = os.pipe()
+    dump = '--dump - --from 20 --to 20.04 --size 1280x720 --quality draft'
+    film = background(BUILD / 'odraz', *dump.split(), stdout=writing)
+    os.close(writing)
+    with open(reading, 'rb', buffering=0) as pipe:
+        assert pipe.read(2) == b'P6'
+        maps = Path(f'/proc/{film.pid}/maps').read_text()
+    assert found('^00400000-[0-9a-f]* r-xp', maps), 'it is not unpacked'
+    assert not found('rwx', maps)
+
+
+@pytest.fixture(scope='module')
+def second(work):
+    """The folder of another build, with the film for Linux stripped."""
+    generator = re.search('^CMAKE_GENERATOR:INTERNAL=(.*)', (BUILD / 'CMakeCache.txt').read_text(), re.M)[1]
+    run('cmake', '-G', generator, '-S', SOURCE, '-B', work / 'second/build')
+    build = 'cmake --build second/build --target odraz.elf odraz-windows.elf pack -j 2'
+    run(*build.split(), cwd=work, timeout=None)  # it may take longer than PATIENCE on a busy machine
+    run(*'strip --strip-all -o odraz-safe odraz.elf'.split(), cwd=work / 'second/build')
+    return work / 'second/build'
+
+
+MODEL = f'--model {SOURCE}/intro/odraz.model --safe-name odraz-safe'
+
+
+@pytest.mark.long
+@pytest.mark.parametrize('name, made_by', [
+    ('odraz-safe', 'true'),
+    ('odraz', f'./pack odraz-safe -o odraz {MODEL}'),  # from the stripped film, and by build/ from the one with symbols
+    ('odraz-safe.exe', './pack odraz-windows.elf -o odraz-safe.exe --pe --plain'),
+    ('odraz.exe', f'./pack odraz-windows.elf -o odraz.exe --pe {MODEL}')])
+def test_another_build_makes_the_same(name, made_by, second):
+    run(*made_by.split(), cwd=second)
+    run('cmp', BUILD / name, second / name)
