@@ -1,0 +1,88 @@
+"""Where a machine lacks something, the film prints one line on standard error and exits with status 1."""
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from running import BUILD, FILM, check_bytes, lacking, needs, number, refuses, run
+
+SAFE = BUILD / f'{FILM}-safe'
+PLAIN = ('--dump', '-', '--from', 20, '--to', 20.04, '--size', '64x36')
+HALL = ('--dump', '-', '--from', 120, '--to', 120.04, '--size', '64x36')
+
+
+def draws(*command, **options):
+    """Asserts that a command writes a picture of 64x36, and returns it."""
+    picture = run(*command, text=False, **options).stdout
+    assert len(picture) == 64 * 36 * 3 + 13
+    return picture
+
+
+def test_refuses_to_play_without_a_display(film):
+    refuses(1, 'no X display', film)
+
+
+@pytest.mark.parametrize('library, text, options', [
+    ('libX11.so.6', 'libX11.so.6 is missing', []),
+    ('libpthread.so.0', 'libpthread.so.0', ['--dump', '-', '--threads', 2]),
+    ('libEGL.so.1', 'no headless OpenGL 3.3: install', HALL)])
+def test_names_what_is_missing(film, tmp_path, library, text, options):
+    refuses(1, text, film, *options, env=lacking(library, tmp_path))
+
+
+@pytest.mark.parametrize('variable, text', [
+    ('LIBGL_DRIVERS_PATH=/none', 'no headless OpenGL 3.3: install'),  # one line, though Mesa prints more
+    ('MESA_EXTENSION_OVERRIDE=-GL_EXT_texture_integer', 'cannot light the hall: OpenGL 3.3 cannot draw integers')])
+def test_refuses_the_hall_where_opengl_lacks_something(film, variable, text):
+    refuses(1, text, 'env', variable, film, *HALL)
+
+
+def test_needs_no_opengl_for_an_empty_interval_of_the_hall(film, tmp_path):
+    run(film, '--dump', '-', '--from', 100, '--to', 100, env=lacking('libEGL.so.1', tmp_path))
+
+
+def test_reports_too_little_memory(film):
+    refuses(1, 'not enough memory', 'prlimit', f'--as={300000 * 1024}', film, '--dump', '-', '--size', '7680x4320')
+
+
+def test_reports_too_little_memory_for_opengl():
+    text = 'not enough memory for OpenGL: raise ulimit -v'
+    refuses(1, text, 'prlimit', f'--as={700000 * 1024}', SAFE, *HALL[:-1], '1x1')
+
+
+@pytest.mark.parametrize('name', [FILM, f'{FILM}-safe'])
+def test_takes_less_than_512_mb_for_a_picture_of_the_hall(name, background):
+    film = background(BUILD / name, '--dump', '-', '--from', 100, '--to', 100.04, stdout=subprocess.PIPE)
+    with film.process.stdout as pipe:
+        magic = pipe.read(2)
+        # The picture does not fit into the pipe: the film waits while writing, when its memory has reached its peak
+        most = number(r'^VmHWM:\s*(\d+) kB', Path(f'/proc/{film.pid}/status').read_text()) // 1024
+        rest = pipe.read()
+    assert magic == b'P6' and len(rest) == 1280 * 720 * 3 + 16 - 2
+    assert 100 < most < 512
+
+
+def test_draws_all_but_the_hall_where_written_memory_may_not_be_executed(mdwe):
+    draws(SAFE, *PLAIN, preexec_fn=mdwe)
+    refuses(1, 'SELinux forbids code that OpenGL generates: allow it', SAFE, *HALL, preexec_fn=mdwe)
+
+
+def test_draws_the_hall(film):
+    draws(film, *HALL)
+
+
+def test_draws_without_the_libraries_of_the_window_and_without_address_randomisation(film, tmp_path):
+    folders = (lacking(library, tmp_path)['LD_LIBRARY_PATH'] for library in ('libX11.so.6', 'libGL.so.1'))
+    picture = draws(film, *PLAIN, env={'LD_LIBRARY_PATH': ':'.join(map(str, folders))})
+    check_bytes(draws('setarch', '-R', film, *PLAIN), picture)
+
+
+def test_reports_a_processor_of_2008(film):
+    needs('qemu-x86_64')
+    refuses(1, 'AVX2', 'qemu-x86_64', '-cpu', 'Nehalem', film, '--version')
+
+
+def test_runs_on_a_processor_of_2013(film):
+    needs('qemu-x86_64')
+    # qemu prints on stderr which features it cannot emulate
+    assert run('qemu-x86_64', '-cpu', 'Haswell', film, '--version').stdout.startswith(FILM)
