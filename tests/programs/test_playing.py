@@ -1,0 +1,109 @@
+"""The film plays its music to ALSA's file device, to a PulseAudio server that stops and is killed, and to no device.
+(playback_test tests that a film that was stopped continues where it stopped.)"""
+import signal
+from pathlib import Path
+
+import pytest
+
+from recordings import RATE, Server, frames_of, is_loud, is_music, music_of
+from running import BUILD, FILM, refuses, wait_for
+
+if not Path('/usr/share/alsa/alsa.conf').exists():
+    pytest.skip('libasound2 is not installed', allow_module_level=True)
+SAFE = BUILD / f'{FILM}-safe'  # the packed film is the same program and starts seconds later
+
+
+@pytest.fixture(scope='module')
+def music():
+    return music_of(SAFE, 12)
+
+
+@pytest.fixture
+def screen(display):
+    return display()
+
+
+@pytest.fixture
+def play(screen, tmp_path):
+    """play(OPTION...) plays the film, which must print nothing. devices: ALSA's configuration."""
+    def play(*options, devices=None):
+        if devices:
+            (tmp_path / 'alsa.conf').write_text(devices)
+            screen.env['ALSA_CONFIG_PATH'] = tmp_path / 'alsa.conf'
+        assert screen.run(SAFE, '--window', '--size', '160x90', *options).stderr == ''
+    return play
+
+
+@pytest.fixture
+def into_file(play, tmp_path):
+    """Plays the film to ALSA's file device, and returns what that gets; None if it is not opened."""
+    file = tmp_path / 'played'
+    devices = f"""pcm.!default {{ type file slave.pcm "nothing" file "{file}" format "raw" }}
+pcm.nothing {{ type null }}
+"""
+
+    def into_file(*options):
+        file.unlink(missing_ok=True)
+        play(*options, devices=devices)
+        return frames_of(file.read_bytes()) if file.exists() else None
+    return into_file
+
+
+# On a busy machine the film drops sound, as intended: then it is played again
+
+def test_a_device_gets_what_wav_writes_sample_for_sample(into_file, music):
+    def frames_of_music():
+        sound = into_file('--to', 3)
+        return sound is not None and is_music(sound, music, 1, most=0) and len(sound)
+    assert wait_for(frames_of_music) < 4 * RATE
+
+
+def test_plays_from_the_middle_with_its_sound(into_file):
+    wait_for(lambda: (sound := into_file('--from', 50, '--to', 51.5)) is not None and is_loud(sound))
+
+
+def test_mute_plays_in_silence(into_file):
+    assert into_file('--mute', '--to', 1) is None
+
+
+def test_mute_is_for_playing_alone(tmp_path):
+    refuses(2, '--mute is for playing', SAFE, '--mute', '--wav', tmp_path / 'none')
+
+
+def test_plays_without_a_device(play):
+    play('--to', 1, devices='pcm.!default { type hw card 31 }\n')
+
+
+def test_plays_where_alsa_is_broken(play, screen, tmp_path):
+    screen.env['ALSA_CONFIG_PATH'] = tmp_path / 'none.conf'
+    play('--to', 1)
+
+
+def test_a_server_gets_what_wav_writes_to_the_last_bit(screen, play, music):
+    server = Server(screen)
+
+    def is_recorded():
+        with server.recording() as recorded:
+            play('--to', 3)
+            return is_music(recorded(), music, 1, most=1)
+    wait_for(is_recorded)
+
+
+def test_plays_on_while_its_server_stops_and_is_replaced(screen):
+    server = Server(screen)
+    window = screen.load(SAFE, '--window', '--size', '160x90')
+
+    def is_heard():
+        with server.recording() as recorded:
+            window.comes(lambda: is_loud(recorded()))
+    is_heard()
+    server.program.signal(signal.SIGSTOP)
+    window.works(0.3)
+    server.program.signal(signal.SIGCONT)
+    is_heard()
+    server.program.signal(signal.SIGKILL)
+    server.program.ended()
+    window.works(0.3)
+    server.start()
+    is_heard()
+    window.escape()

@@ -1,0 +1,25 @@
+"""The film on screens of many sizes: its picture is in the middle, as large as possible, and the rest is black."""
+import pytest
+
+from running import BUILD, FILM
+
+
+@pytest.mark.parametrize('screen, x, y, width, height, options', [
+    ('1366x768', 0, 0, 1365, 768, ()),
+    ('1280x1024', 0, 152, 1280, 720, ()),
+    ('1000x300', 233, 0, 533, 300, ()),
+    ('3000x1800', 0, 56, 3000, 1687, ()),  # more than it traces
+    ('1280x720', 0, 0, 1280, 720, ('--size', '320x180')),  # scaled to the screen
+    ('1280x720', 280, 0, 720, 720, ('--size', '200x200')),  # with its own aspect
+])
+def test_fills_the_screen_as_far_as_its_aspect_allows(display, screen, x, y, width, height, options):
+    screen = display(screen)
+    # From 24 to 31 s the sky is bright in the upper corners. The film is paused there
+    screen.play(BUILD / f'{FILM}-safe', '--mute', '--from', 24, *options)
+    screen.do('key', 'space')
+    picture = screen.picture()
+    for column in x + 2, x + width - 4:
+        assert picture[y + 2:y + 4, column:column + 2].mean() > 20
+    left, right, above, below = max(x - 1, 0), x + width + 2, max(y - 1, 0), y + height + 2
+    for bar in picture[:, :left], picture[:, right:], picture[:above], picture[below:]:
+        assert not bar.any()

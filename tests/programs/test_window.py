@@ -1,0 +1,123 @@
+"""The film in a window: it starts, draws, pauses, resizes, fills the screen, and ends."""
+import re
+
+import pytest
+
+from running import BUILD, FILM, lacking, needs, wait_for
+
+needs('xprop', 'openbox', 'wmctrl')
+PACKED, SAFE = BUILD / FILM, BUILD / f'{FILM}-safe'  # the same program; the second one starts without unpacking
+
+
+@pytest.fixture
+def screen(display):
+    return display('1000x700')
+
+
+def test_fills_the_screen_without_a_window_manager(screen):
+    window = screen.play(PACKED, '--from', 100)
+    window.check_full_screen()
+    window.escape()
+
+
+def test_a_bar_grows_while_it_loads_and_escape_ends_it(screen):
+    window = screen.load(PACKED)
+    assert window.bar_grows()
+    window.escape()
+
+
+def test_pauses_and_draws_at_other_sizes(screen):
+    window = screen.play(SAFE, '--window', '--size', '640x360', '--from', 50, '--stats')
+    assert window.size() == (640, 360)
+
+    def stands():
+        before = window.picture()
+        return window.works(0.05) and window.shows(before)
+    screen.do('key', 'space')
+    window.comes(stands)
+    paused = window.picture()
+    screen.do('key', 'space')
+    window.comes(lambda: window.differs(paused))
+
+    screen.do('windowsize', window.number, 900, 300)
+    window.comes(lambda: window.is_black('180x300+0+0') and window.is_black('180x300+720+0'))
+    window.comes(window.is_bright)
+    screen.do('windowsize', window.number, 3, 2)
+    window.comes(lambda: window.size() == (3, 2))
+    window.works(0.3)
+    screen.do('windowsize', window.number, 700, 500)
+    window.comes(lambda: window.is_black('700x52+0+0'))
+    window.comes(window.is_bright)
+
+    screen.do('key', 'alt+F4')
+    assert window.ended() == 0
+    assert re.search(r'^flake +[1-9]', window.output(), re.M)
+    assert window.errors() == ''
+
+
+def test_plays_to_its_end_by_itself(screen):
+    played = screen.run(PACKED, '--window', '--size', '320x180', '--from', 161, '--stats')
+    assert re.search('^credits', played.stdout, re.M)
+
+
+def test_without_integers_in_opengl_it_leaves_out_the_halls_scenes_alone(screen):
+    options = ('--window', '--size', '320x180', '--from', 151)
+    window = screen.play(SAFE, *options, env={'MESA_EXTENSION_OVERRIDE': '-GL_EXT_texture_integer'})
+    assert 'cannot light the hall' in window.errors()
+    screen.do('key', 'Escape')
+    assert window.ended() == 0
+
+
+def report_of(screen, *command, **options):
+    """What a film that cannot play prints on stderr. A click into its window must end it with status 1."""
+    window = screen.begin(*command, **options)
+
+    def is_clicked_away():
+        screen.do('mousemove', 60, 60, 'click', 1)
+        return not window.runs()
+    wait_for(is_clicked_away)
+    assert window.ended() == 1
+    return window.errors()
+
+
+def test_a_missing_library_opens_a_window(screen, tmp_path):
+    assert 'libGL.so.1 is missing' in report_of(screen, PACKED, env=lacking('libGL.so.1', tmp_path))
+
+
+def test_a_missing_driver_opens_a_window_and_mesa_prints_nothing(screen):
+    assert report_of(screen, SAFE, env={'LIBGL_DRIVERS_PATH': '/none'}).count('\n') == 1
+
+
+def test_a_screen_of_16_bits_opens_a_window(display):
+    report = report_of(display('640x360x16'), SAFE, '--window', '--mute', '--from', 4)
+    assert 'too few colours: set it to 24 bits' in report
+
+
+def test_plays_where_the_screen_saver_cannot_be_held_off(display):
+    screen = display('640x360', '-extension', 'MIT-SCREEN-SAVER')
+    assert screen.run(SAFE, '--window', '--mute', '--from', 4, '--to', 4.5).stderr == ''
+
+
+def test_ends_when_its_display_goes_away(screen):
+    window = screen.play(SAFE, '--window', '--size', '320x180', '--from', 30)
+    screen.server.end()
+    assert window.ended() == 1
+    assert f'{FILM}: the display went away' in window.errors().splitlines()
+
+
+def test_a_window_manager_gives_it_the_full_screen(screen):
+    screen.manage()
+    window = screen.play(SAFE, '--from', 30)
+    window.comes(lambda: 'FULLSCREEN' in screen.run('xprop', '-id', window.number, '_NET_WM_STATE').stdout)
+    window.comes(lambda: window.size() == (1000, 700))
+    window.comes(window.is_bright)
+    window.escape()
+
+
+@pytest.mark.parametrize('film, begin', [(PACKED, 'load'), (SAFE, 'play')])
+def test_the_close_button_ends_it(screen, film, begin):
+    screen.manage()
+    window = getattr(screen, begin)(film, '--window', '--size', '640x360', '--from', 30)
+    window.comes(window.managed)
+    screen.run('wmctrl', '-i', '-c', window.number)
+    assert window.ended() == 0
