@@ -1,0 +1,175 @@
+"""tools/measure/all measures, and writes RESULTS.md. What its --check prints is tested in a scratch repository with two
+sections that take no time."""
+import re
+import shutil
+
+import pytest
+
+from running import BUILD, SOURCE, needs, needs_built, number, refuses, run
+
+needs('python3', 'git', 'objcopy', 'g++', 'ninja')
+needs_built('odraz')
+
+ALL = SOURCE / 'tools/measure/all'
+FRESH = '2 sections, 0 of them stale'
+
+
+@pytest.fixture(scope='module')
+def page(work):
+    """A page of which one section was measured."""
+    page = work / 'results.md'
+    progress = run(ALL, '--built', '--to', page, '--only', 'size', env={'BUILD': BUILD}).stderr
+    assert 'measuring size, 1 of 1: 0.1 minutes' in progress.splitlines()
+    return page
+
+
+def test_a_measured_section_has_its_commit_its_command_and_its_figures(page):
+    commit = run('git', 'rev-parse', '--short=12', 'HEAD', cwd=SOURCE).stdout.strip()
+    command = 'By `cmake --build build --target film film_windows`:'
+    assert re.search(rf'^<!-- size: {commit}\+?; intro .*\n## .*\n\n.*{command}$', page.read_text(), re.M)
+    used = number(r'^"file": (.*),', (BUILD / 'odraz-windows.json').read_text())
+    assert f'| `odraz`: packed | {(BUILD / "odraz").stat().st_size} | {used:.0f} |' in page.read_text()
+
+
+def test_all_sections_are_there_and_take_no_longer_than_25_minutes(page):
+    sections = run(ALL, '--list').stdout.splitlines()
+    assert page.read_text().count('\n## ') == len(sections)
+    assert sum(float(section.split()[1]) for section in sections) <= 25
+    assert 'Not measured yet: `tools/measure/all --only packers`' in page.read_text()
+
+
+def test_a_section_that_fails_is_reported_and_leaves_the_results_alone(page, work):
+    before = page.read_text()
+    failed = run(ALL, '--built', '--to', page, '--only', 'size', env={'BUILD': work / 'none'}, status=1)
+    assert 'not changed: size' in failed.stderr
+    assert page.read_text() == before
+
+
+def test_all_sources_are_there_and_the_readme_has_the_figures_of_the_results():
+    printed = run(ALL, '--check', env={'BUILD': BUILD}, status=None).stdout
+    assert printed and not re.search('^(unknown|the figures|figures)', printed, re.M)
+
+
+@pytest.mark.parametrize('text, options', [
+    ("unknown section 'colour': use one of size", ['--only', 'colour']),
+    ('unrecognized arguments: --colour: see tools/measure/all --help', ['--colour']),
+    ('cannot write /proc/none/x', ['--to', '/proc/none/x'])])
+def test_refuses(text, options):
+    refuses(2, text, ALL, *options)
+
+
+# --- What --check prints ---
+
+class Scratch:
+    """A repository with two sections. A program is built from the first one's source."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def all(self, *options, **more):
+        return run(self.folder / 'tools/measure/all', *options, env={'BUILD': self.folder / 'build'}, **more)
+
+    def reports(self, status, line, *options):
+        __tracebackhide__ = True
+        assert line in self.all('--check', *options, status=status).stdout.splitlines()
+
+    def write(self, name, text):
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / name).write_text(text)
+
+    def git(self, *words):
+        return run('git', '-c', 'user.name=test', '-c', 'user.email=test', *words, cwd=self.folder).stdout.strip()
+
+    def compile(self):
+        run('ninja', '-C', self.folder / 'build')
+
+    def changed(self, section, source):
+        return f'stale: {section}: changed since {self.git("rev-parse", "--short=12", "HEAD")}: {source}'
+
+
+@pytest.fixture(scope='module')
+def unmeasured(tmp_path_factory):
+    scratch = Scratch(tmp_path_factory.mktemp('unmeasured'))
+    scratch.write('README.md', 'A film.\n<!-- figures -->\nBalls: 7 ms.\n<!-- /figures -->\nMore.\n')
+    scratch.write('intro/file.cpp', 'int main() { int one = 1; return one - 1; }\n')
+    scratch.write('packer/file', '1\n')
+    scratch.write('.gitignore', 'build\n')
+    scratch.write('build/build.ninja',
+                  'rule cc\n  command = g++ -O1 $in -o $out\nbuild program: cc ../intro/file.cpp\n')
+    tools = scratch.folder / 'tools/measure'
+    (scratch.folder / 'tools/build').mkdir(parents=True)
+    tools.mkdir()
+    for name in 'all', 'machine.py', 'parts.py', 'results.py', 'sources.py', 'figures.py':
+        shutil.copy(SOURCE / 'tools/measure' / name, tools)
+    shutil.copy(SOURCE / 'tests/support/measure/sections.py', tools)
+    scratch.compile()
+    scratch.git('init', '-q')
+    scratch.git('add', '--all')
+    scratch.git('commit', '-qm', 'one')
+    return scratch
+
+
+@pytest.fixture(scope='module')
+def fresh(unmeasured, tmp_path_factory):
+    scratch = Scratch(shutil.copytree(unmeasured.folder, tmp_path_factory.mktemp('fresh') / 'copy'))
+    scratch.all('--built')
+    return scratch
+
+
+@pytest.fixture
+def scratch(fresh, tmp_path):
+    """A copy in which both sections are measured."""
+    return Scratch(shutil.copytree(fresh.folder, tmp_path / 'copy'))
+
+
+def test_sections_that_were_not_measured_are_reported(unmeasured):
+    unmeasured.reports(1, 'unmeasured: two: run tools/measure/all --only two, 1 minutes')
+
+
+def test_what_was_measured_is_fresh_and_its_figures_are_between_their_marks(scratch):
+    scratch.reports(0, FRESH, '--strict')
+    readme = (scratch.folder / 'README.md').read_text()
+    assert readme == 'A film.\n<!-- figures -->\nBalls: 1,235 ms.\n<!-- /figures -->\nMore.\n'
+
+
+def test_comments_and_prose_make_nothing_stale(scratch):
+    scratch.write('intro/file.cpp', 'int main() { /* its status */ int one = 1; return one - 1; } // no more\n')
+    scratch.write('intro/README.md', 'text\n')
+    scratch.write('packer/file', '1\n# why\n')
+    scratch.reports(0, FRESH, '--strict')
+
+
+def test_a_local_variables_name_makes_its_section_stale_until_the_program_is_built(scratch):
+    scratch.write('intro/file.cpp', 'int main() { int two = 1; return two - 1; }\n')
+    scratch.reports(0, scratch.changed('one', 'intro'))
+    scratch.compile()
+    scratch.reports(0, FRESH, '--strict')
+
+
+def test_other_code_makes_its_section_stale_until_it_is_measured(scratch):
+    scratch.write('intro/file.cpp', 'int main() { int two = 7; return two - 1; }\n')
+    scratch.compile()
+    scratch.reports(0, '2 sections, 1 of them stale')
+    scratch.reports(1, scratch.changed('one', 'intro'), '--strict')
+    progress = scratch.all('--built', '--stale').stderr
+    assert len(re.findall('^measuring', progress, re.M)) == 1
+    scratch.reports(0, FRESH, '--strict')
+
+
+def test_a_scripts_code_makes_its_section_stale_whatever_was_built(scratch):
+    scratch.write('packer/file', '1\n2\n')
+    scratch.reports(0, scratch.changed('two', 'packer/file'))
+
+
+def test_wrong_figures_are_reported_and_written_again(scratch):
+    readme = (scratch.folder / 'README.md').read_text()
+    scratch.write('README.md', readme.replace('1,235', '1,234'))
+    scratch.reports(1, 'the figures of README.md differ from RESULTS.md: run tools/measure/all --readme')
+    scratch.all('--readme')
+    scratch.reports(0, FRESH, '--strict')
+
+
+def test_a_missing_source_is_reported(scratch):
+    sections = (scratch.folder / 'tools/measure/sections.py').read_text()
+    scratch.write('tools/measure/sections.py', sections.replace('packer/file', 'packer/none'))
+    scratch.reports(1, 'unknown: two needs packer/none, which git does not have')

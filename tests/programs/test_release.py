@@ -1,0 +1,205 @@
+"""tools/release makes archives that are equal in two runs, unpack with their modes, and contain a film that runs."""
+import re
+import shutil
+import time
+
+import pytest
+
+from running import BUILD, SOURCE, check_bytes, needs, needs_built, refuses, run, wait_for
+
+needs('zip', 'unzip', 'tar', 'gzip', 'sha256sum')
+needs_built('portable/radiosity')
+if run('git', 'rev-parse', 'HEAD', cwd=SOURCE, status=None).returncode:
+    pytest.skip('a release needs a git repository', allow_module_level=True)
+
+RELEASE = SOURCE / 'tools/release'
+BUILT = ('--built', '--poster', SOURCE / 'intro/film.png')
+MADE = (*BUILT, '--unclean', '--no-capture')
+ENV = {'BUILD': BUILD}
+LINUX, WINDOWS = ['odraz', 'odraz-safe'], ['odraz.exe', 'odraz-safe.exe']
+TEXTS = ['LICENSE.txt', 'README.txt', 'SHA256SUMS', 'file_id.diz', 'odraz.nfo']
+
+
+def unpacked(folder, *command):
+    """Unpacks an archive of one folder, and returns that. Its checksums must be right and cover all files."""
+    folder.mkdir()
+    run(*command, cwd=folder, umask=0o022)
+    (inside,) = folder.iterdir()
+    run('sha256sum', '-c', '--quiet', '--strict', 'SHA256SUMS', cwd=inside)
+    files = [path for path in inside.rglob('*') if path.is_file()]
+    assert (inside / 'SHA256SUMS').read_text().count('\n') == len(files) - 1
+    return inside
+
+
+@pytest.fixture(scope='module')
+def archives(work):
+    assert re.search(r' .*/odraz-.*\.zip$', run(RELEASE, *MADE, '--to', work / 'one', env=ENV).stdout, re.M)
+    return work / 'one'
+
+
+@pytest.fixture(scope='module')
+def version():
+    return run(BUILD / 'odraz-safe', '--version').stdout.split()[1]
+
+
+@pytest.fixture(scope='module')
+def inside(archives, version, work):
+    return unpacked(work / 'zip', 'unzip', '-q', archives / f'odraz-{version}-unclean.zip')
+
+
+@pytest.fixture(scope='module')
+def tools(archives, version, work):
+    """The tools' archive, unpacked. It also runs on older systems."""
+    return unpacked(work / 'tools', 'tar', '-xzf', archives / f'odraz-tools-{version}-unclean-linux-x86_64.tar.gz')
+
+
+def test_archives_of_the_film_and_the_tools_are_made(archives, version):
+    endings = ['.tar.gz', '.zip', *(['.html'] if (BUILD / 'odraz.html').exists() else [])]
+    wanted = {f'odraz-{version}-unclean{ending}' for ending in endings}
+    wanted |= {f'odraz-tools-{version}-unclean-linux-x86_64.tar.gz', *(['index.html'] if '.html' in endings else [])}
+    assert {path.name for path in archives.iterdir()} == wanted
+
+
+def test_they_have_the_same_bytes_with_another_umask_time_and_zone_and_there_is_a_video(archives, work):
+    needs('ffmpeg', 'ffprobe')
+    wait_for(lambda: time.time() > archives.stat().st_mtime + 2)  # ZIP counts every other second
+    run(RELEASE, *BUILT, '--unclean', '--capture-span', '20,20.1', '--to', work / 'two', umask=0o077,
+        env={**ENV, 'TZ': 'Asia/Tokyo'})
+    one, two = ({path.name: path.read_bytes() for path in folder.iterdir()} for folder in (archives, work / 'two'))
+    for name in one:
+        check_bytes(two[name], one[name])
+    video = 'odraz-1080p60.mp4'
+    assert two.keys() - one.keys() == {video, f'{video}.manifest'}
+    shown = 'stream=codec_name,width,height,r_frame_rate,nb_frames'
+    streams = run('ffprobe', '-v', 'error', '-show_entries', shown, '-of', 'csv=p=0', work / 'two' / video).stdout
+    assert streams.startswith('h264,1920,1080,60/1,6\naac,')
+
+
+@pytest.mark.parametrize('command, ending, programs', [
+    ('tar -xzf', 'tar.gz', []),
+    ('unzip -q', 'zip', WINDOWS),
+    ('bsdtar -xf', 'zip', WINDOWS)])
+def test_an_archive_unpacks_with_its_files_and_modes(command, ending, programs, archives, version, tmp_path):
+    if not shutil.which(command.split()[0]):
+        pytest.skip('there is no bsdtar')
+    name = f'odraz-{version}-unclean'
+    folder = unpacked(tmp_path / 'unpacked', *command.split(), archives / f'{name}.{ending}')
+    assert folder.name == name
+    modes = {path.name: path.stat().st_mode & 0o777 for path in folder.iterdir()}
+    assert modes == {**dict.fromkeys(LINUX, 0o755), **dict.fromkeys([*TEXTS, 'poster.png', *programs], 0o644)}
+
+
+def test_the_film_is_the_one_that_was_built_and_runs(inside, tmp_path):
+    for program in 'odraz', *WINDOWS:
+        run('cmp', inside / program, BUILD / program)
+    run(inside / 'odraz', '--dump', tmp_path / 'frames', '--from', 20, '--to', 20.04, '--size', '64x36')
+
+
+def test_its_texts_are_filled_in(inside):  # tools/release itself counts their columns
+    texts = {name: (inside / name).read_bytes() for name in TEXTS}
+    for text in texts.values():
+        # Every character is ASCII, and so has the same code in CP437
+        assert not re.search(rb'@[A-Z][A-Z_]*@|[^\x20-\x7e\r\n]', text)
+    nfo = texts['odraz.nfo']
+    assert nfo.count(b'\r\n') == nfo.count(b'\n')
+    for program in 'odraz', 'odraz.exe':
+        assert b'%s bytes' % f'{(BUILD / program).stat().st_size:,}'.encode() in nfo
+    for word in b'ESC', b'chmod +x', b'scanner', b'libdl.so.2', b'--doctor', b'AVX2', b'Wine', b'odraz.exe':
+        assert word in texts['README.txt']
+
+
+def test_the_index_has_links_to_all_files_and_to_no_others(archives):
+    needs_built('odraz.html')
+    index = (archives / 'index.html').read_text()
+    links = set(re.findall('(?:href|src)="([^"]*)"', index))
+    assert links == {path.name for path in archives.iterdir()} - {'index.html'}
+    assert not re.search('@[A-Z_]*@', index)
+
+
+# --- The tools' archive ---
+
+def test_the_tools_can_be_released_alone(archives, tmp_path):
+    printed = run(RELEASE, '--built', '--unclean', '--only', 'tools', '--to', tmp_path, env=ENV).stdout
+    assert re.search('odraz-tools-.*gz$', printed, re.M)
+    (alone,), (other,) = tmp_path.iterdir(), archives.glob('odraz-tools-*')
+    assert run('tar', '-tzf', alone).stdout == run('tar', '-tzf', other).stdout
+    refuses(2, "--only needs tools, not 'film'", RELEASE, '--only', 'film')
+
+
+def test_they_have_their_texts(tools):
+    texts = 'doc/pack/README.md doc/radiosity/README.md doc/radiosity/METHOD.md doc/CI.md LICENSE.txt NOTICES.txt'
+    for text in texts.split():
+        assert (tools / text).stat().st_size
+    readme = (tools / 'README.txt').read_text()
+    assert not re.search('@[A-Za-z][A-Za-z_-]*@', readme)
+    assert max(map(len, readme.splitlines())) <= 80  # columns of a terminal
+
+
+@pytest.mark.parametrize('program', ['compare', 'pack', 'radiosity'])
+def test_a_tool_runs_is_listed_and_needs_no_library_or_an_old_one(tools, program):
+    assert re.search('^[Uu]sage: ', run(tools / program, '--help').stdout, re.M)
+    assert f'\n  {program}  ' in (tools / 'README.txt').read_text()
+    headers = run('objdump', '-p', tools / program).stdout
+    needed = set(re.findall(r'NEEDED +(\S+)', headers))
+    glibc = {'libc.so.6', 'libm.so.6', 'libdl.so.2', 'libpthread.so.0', 'ld-linux-x86-64.so.2'}
+    assert needed <= (glibc if program == 'radiosity' else set())
+    versions = [(int(major), int(minor)) for major, minor in re.findall(r'GLIBC_(\d+)\.(\d+)', headers)]
+    assert bool(versions) == bool(needed) and max(versions, default=(0, 0)) <= (2, 31)
+
+
+def test_their_radiosity_solves_as_that_of_the_build(tools, tmp_path):
+    cube = tmp_path / 'cube.obj'
+    run(tools / 'radiosity', 'generate', 'cube', '-o', cube)
+    for folder, to in (tools, 'one'), (BUILD, 'two'):
+        run(folder / 'radiosity', 'solve', cube, '-o', tmp_path / to)
+    run('cmp', tmp_path / 'one', tmp_path / 'two')
+    refuses(2, 'cannot read', tools / 'radiosity', 'solve', tmp_path / 'no.obj', '-o', tmp_path / 'x')
+
+
+# --- What is refused ---
+
+def write_script(path, *lines):
+    path.write_text('\n'.join(['#!/bin/sh', *lines, '']))
+    path.chmod(0o755)
+
+
+def test_refuses_a_poster_that_is_not_a_picture_and_a_folder_that_cannot_be_made():
+    refuses(2, 'is not a PNG', RELEASE, '--poster', BUILD / 'odraz')
+    refuses(1, 'cannot write to', RELEASE, *MADE, '--to', '/proc/here', env=ENV)
+
+
+@pytest.mark.parametrize('commit, real, text', [
+    (None, [], 'is not built'),
+    ('0123456789ab', LINUX, 'odraz-safe.exe is from another build'),
+    ('0123456789ab', [*LINUX, 'odraz-safe.exe', 'pack'], 'odraz.exe is from another build'),
+    ('0123456789ab', [], 'is from commit 0123456789ab, not from'),
+    ('0123456789ab+', [], 'the tree differs from its commit')])
+def test_refuses_programs_of_other_builds_and_leaves_nothing(commit, real, text, tmp_path):
+    for program in [*LINUX, *WINDOWS] if commit else []:
+        write_script(tmp_path / program, f'echo odraz 1.2.3 {commit}')
+    for program in real:
+        shutil.copy(BUILD / program, tmp_path)
+    options = MADE if real or not commit else (*BUILT, '--no-capture')
+    refuses(1, text, RELEASE, *options, '--to', tmp_path / 'to', env={'BUILD': tmp_path})
+    assert not [*(tmp_path / 'to').iterdir()]
+
+
+@pytest.mark.parametrize('unclean', [False, True])
+def test_refuses_stale_figures_unless_the_release_is_unclean(unclean, tmp_path):
+    # In a small repository the programs are built from the commit
+    tree, git = tmp_path / 'tree', ('git', '-C', tmp_path / 'tree', '-c', 'user.name=test', '-c', 'user.email=test')
+    shutil.copytree(SOURCE / 'tools/build', tree / 'tools/build')
+    for folder in 'intro', 'build', 'tools/measure':
+        (tree / folder).mkdir()
+    shutil.copy(SOURCE / 'intro/film.conf', tree / 'intro')
+    shutil.copy(RELEASE, tree / 'tools')
+    write_script(tree / 'tools/measure/all', 'echo "stale: size: since 0123456789ab intro"', 'exit 1')
+    run('git', 'init', '-q', tree)
+    run(*git, 'add', 'tools', 'intro')
+    run(*git, 'commit', '-qm', 'one')
+    commit = run(*git, 'rev-parse', '--short=12', 'HEAD').stdout.strip()
+    for program in *LINUX, *WINDOWS:
+        write_script(tree / 'build' / program, f'echo odraz 1.2.3 {commit}')
+    options = MADE if unclean else (*BUILT, '--no-capture')
+    refused = run(tree / 'tools/release', *options, '--to', tmp_path / 'to', env={'BUILD': tree / 'build'}, status=1)
+    assert bool(re.search('^stale: size:', refused.stderr, re.M)) != unclean

@@ -1,0 +1,106 @@
+"""The film for Windows, run by Wine, against the film for Linux. Frames of every scene, the hall, in-betweens and sound
+are equal to the byte; refused options and failed outputs give the same line. Most runs use the film that is not
+packed, which starts sooner."""
+import os
+
+import pytest
+
+from displays import Display
+from running import BUILD, FILM, Program, redirected, refuses, run
+from wine import without
+
+pytestmark = pytest.mark.windows
+SAFE = f'{FILM}-safe'
+LINUX, WINDOWS = BUILD / SAFE, BUILD / f'{SAFE}.exe'
+
+
+@pytest.fixture(scope='module')
+def screen():
+    """The environment with the display that OpenGL needs under Wine."""
+    with Display('640x480') as display:
+        yield display.env
+
+
+@pytest.mark.parametrize('film, options', [
+    (SAFE, '--version'),
+    (SAFE, '--help'),
+    *((SAFE, f'--dump - --from {second} --to {second}.04 --size 160x90')
+      for second in (5, 14, 24, 38, 58, 78, 91, 105, 121, 139, 159)),
+    (SAFE, '--dump - --from 100 --to 100.04 --size 640x360 --quality film'),  # the hall, large
+    (SAFE, '--dump - --from 100 --to 100.04 --size 320x180 --threads 3'),
+    (SAFE, '--dump - --from 30 --to 30.1 --fps 60 --size 160x90 --quality live'),  # as it is played, with in-betweens
+    (SAFE, '--wav - --to 20'),
+    (FILM, '--version'),
+    (FILM, '--dump - --from 24 --to 24.04 --size 160x90'),
+    (FILM, '--dump - --from 121 --to 121.04 --size 160x90'),
+    (FILM, '--wav - --to 2'),
+])
+def test_prints_what_the_film_for_linux_does(wine, screen, film, options, tmp_path):
+    for name, command in ('wanted', [BUILD / film]), ('got', [wine, BUILD / f'{film}.exe']):
+        (tmp_path / name).write_bytes(run(*command, *options.split(), env=screen, text=False).stdout)
+    assert (tmp_path / 'wanted').stat().st_size > 0
+    run('cmp', tmp_path / 'wanted', tmp_path / 'got')
+
+
+def test_writes_the_same_files_and_nothing_else_also_over_existing_files(wine, tmp_path):
+    for _ in range(2):
+        for to, film in (tmp_path / 'linux', [LINUX]), (tmp_path / 'windows', [wine, WINDOWS]):
+            to.mkdir(exist_ok=True)
+            run(*film, '--dump', to, '--from', 20, '--to', 20.2, '--size', '64x36', '--wav', to / 'a.wav')
+        assert len(os.listdir(tmp_path / 'windows')) == 6
+        run('diff', '-r', tmp_path / 'linux', tmp_path / 'windows')
+
+
+def test_writes_to_names_with_blanks_and_those_that_are_not_ascii(wine, tmp_path):
+    for film, folder, file in ([LINUX], 'linux', 'short.wav'), ([wine, WINDOWS], 'Příliš žluťoučký kůň', 'a  b .wav'):
+        run(*film, '--dump', tmp_path / folder, '--from', 20, '--to', 20.04, '--size', '64x36')
+        run(*film, '--wav', tmp_path / file, '--to', 0.1)
+    run('cmp', tmp_path / folder / 'frame-000500.ppm', tmp_path / 'linux/frame-000500.ppm')
+    run('cmp', tmp_path / file, tmp_path / 'short.wav')
+
+
+def refuse_alike(wine, film, status, text, *options):
+    """Asserts that both films refuse with the same status and line."""
+    line = refuses(status, text, BUILD / film, *options)
+    assert refuses(status, text, wine, BUILD / f'{film}.exe', *options) == line
+
+
+@pytest.mark.parametrize('film', [SAFE, FILM])
+def test_refuses_an_unknown_option(wine, film):
+    refuse_alike(wine, film, 2, "unknown option '--nope'", '--nope')
+
+
+@pytest.mark.parametrize('value, printed', [('a\nb\33[31m', 'a?b?[31m'), ('"', '"'), ('a\\\\"b c\\', 'a\\\\"b c\\')])
+def test_quotes_a_refused_value(wine, value, printed):
+    refuse_alike(wine, SAFE, 2, f"not '{printed}'", '--fps', value)
+
+
+def test_refuses_names_that_cannot_be_files_and_leaves_nothing_behind(wine, tmp_path):
+    folder, name = tmp_path / 'folder', tmp_path / 'a"b'  # Windows allows no such name
+    folder.mkdir()
+    refuse_alike(wine, SAFE, 1, 'it is a directory', '--wav', folder, '--to', 0.1)
+    refuses(1, f'cannot write {name}: the system refused', wine, WINDOWS, '--wav', name, '--to', 0.1)
+    assert os.listdir(tmp_path) == ['folder'] and not os.listdir(folder)
+
+
+def test_refuses_a_full_disk(wine):
+    frames = ('--dump', '-', '--from', 20, '--to', 20.2, '--size', '64x36', '--quality', 'draft')
+    command = redirected('>/dev/full', wine, WINDOWS, *frames)
+    refuses(1, 'cannot write standard output: no space left on the device', *command)
+
+
+def test_refuses_a_closed_pipe(wine, tmp_path):
+    reading, writing = os.pipe()
+    frames = ('--dump', '-', '--from', 20, '--to', 30, '--size', '320x180', '--quality', 'draft')
+    with Program(tmp_path, wine, WINDOWS, *frames, stdout=writing) as film:
+        os.close(writing)
+        assert os.read(reading, 99)
+        os.close(reading)
+        assert film.ended() == 1
+        assert film.errors() == f'{FILM}: cannot write standard output: the pipe was closed\n'
+
+
+@pytest.mark.parametrize('changes', [{'DISPLAY': None}, without('opengl32'), {'MESA_GL_VERSION_OVERRIDE': 2.1}])
+def test_refuses_to_draw_the_hall_without_opengl(wine, screen, changes):
+    frame = ('--dump', '-', '--from', 100, '--to', 100.04, '--size', '64x36')
+    refuses(1, 'no OpenGL 3.3: install', wine, WINDOWS, *frame, env={**screen, **changes})
