@@ -61,13 +61,13 @@ def test_it_has_no_path_of_the_build_machine():
     assert str(SOURCE).encode() not in (BUILD / 'odraz-safe').read_bytes()
 
 
-# They give other results on other makers' processors, and pictures must not differ
+# Approximate instructions give other results on other makers' processors, and pictures must not differ
 def test_no_instruction_is_approximate():
     assert not found('v?(rcp|rsqrt)[0-9]*[ps]s', code_of('odraz.elf'))
     assert found('v?(sqrt|div)ps', code_of('odraz.elf'))  # such a search finds others
 
 
-# It runs before the processor is checked
+# This code runs before the processor is checked
 @pytest.mark.parametrize('name', ['libhost.a', 'libhost_windows.a'] + [
     f'intro/CMakeFiles/{film}.elf.dir/start/{part}.cpp.o' for film, parts in [
         ('odraz', ['answers', 'early', 'linux/entry', 'start', 'memory']),

@@ -76,7 +76,7 @@ def small_frames(work):
     return frames_in(work / 'small')
 
 
-# They often write the same frame at the same time
+# The dumps often write the same frame at the same time
 @pytest.mark.parametrize('dumps', [2, 2, 4, 4])
 def test_dumps_at_once_into_one_folder_make_the_same_frames(small_frames, dumps, background, tmp_path):
     programs = [background(SAFE, '--dump', tmp_path / 'dump', *SMALL) for _ in range(dumps)]

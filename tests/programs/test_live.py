@@ -87,13 +87,14 @@ class Maker(Window):
         self.before = self.drawn()
 
     def fly(self):
-        """Flies, and sets a key."""
-        first = self.picture()
-        self.display.do('keydown', '--window', self.number, 'd')
-        self.comes(lambda: self.differs(first))
-        self.drawn()
-        self.display.do('keyup', '--window', self.number, 'd')
-        self.drawn()
+        """Flies a little, and sets a key."""
+        first, to = self.picture(), ('--window', self.number)
+
+        def flown():
+            self.display.do('keydown', *to, 'd', 'sleep', 0.2, 'keyup', *to, 'd')
+            self.drawn()
+            return self.differs(first)
+        self.comes(flown)
         self.key('k', 'key set on row')
 
     def edit(self, name, pattern, replacement):

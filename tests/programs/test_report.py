@@ -112,7 +112,7 @@ def test_for_windows_all_adds_up_but_the_zeros_that_fill_the_file():
     assert -(-used // 512) * 512 == size
     left = 65536 - used  # the zeros do not count for the budget
     assert re.search(rf'^hello\.exe: {used} bytes used of {size} .* {left} bytes left of 65536$', printed, re.M)
-    # ... but the file may not exceed it, either
+    # The file may not exceed the budget, either
     command = f'hello_windows.elf -o hello.exe --pe --budget {size - 1}'
     assert 'over budget by 1 bytes (' in run(*PACK, *command.split(), status=1).stderr
 

@@ -30,7 +30,7 @@ def test_seven_threads_draw_what_one_does(wanted, tmp_path):
 
 
 def test_is_the_same_when_each_of_its_files_is_optimised_alone(wanted, tmp_path):
-    """... as in tools and tests. The film is optimised as a whole when it is linked."""
+    """Tools and tests are optimised so. The film is optimised as a whole when it is linked."""
     run('cmake', '--build', BUILD, '--target', PARTS.name)
     alone, whole = (run('objdump', '-d', film).stdout.count('\n') for film in (PARTS, BUILD / f'{FILM}.elf'))
     assert alone != whole

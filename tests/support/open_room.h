@@ -65,14 +65,11 @@ inline TransferRoom transferOf(const Mesh &mesh, const TransferSettings &setting
     return findTransfer(mesh, settings, workers, nullptr, report);
 }
 
-inline std::vector<Rgb> lightOf(const TransferRoom &room, const BandLight &sky, float lamps = 0,
-                                int rank = -1) {
+inline std::vector<Rgb> lightOf(const TransferRoom &room, const BandLight &sky, float lamps = 0) {
     std::vector<Rgb> light;
-    Relighter(room).relight({.sky = sky,
-                             .lamps = std::vector<float>(room.lamps.size(), lamps),
-                             .bands = kMostBands,
-                             .rank = rank},
-                            light);
+    Relighter(room).relight(
+        {.sky = sky, .lamps = std::vector<float>(room.lamps.size(), lamps), .bands = kMostBands, .rank = -1},
+        light);
     return light;
 }
 

@@ -8,8 +8,8 @@ const kWorkers = 2, kSeconds = 8
 // `cost`: milliseconds that a worker takes for a picture of 1280x720 in `draft`. Returns the milliseconds from the
 // click to the first picture; the number of pictures left out after 1.5 s; the fewest that were shown in a second; how
 // far the sound was off, in seconds; whether keys mute it; and the number of workers. `pauses`: the system stops the
-// sound from 3 to 7 s after the click. `silent`: the browser has no sound. `dark`: the hall's worker fails. `stops`: the
-// viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, and seeks 5 s back. `late`: the
+// sound from 3 to 7 s after the click. `silent`: the browser has no sound. `dark`: the hall's worker fails. `stops`:
+// the viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, and seeks 5 s back. `late`: the
 // sound starts 3 s after the click. `stands`: the sound's clock stands for 1.5 s, soon after the start. `lags`: it runs
 // at half the speed for 2 s. `reported`, `processors`: the number that the browser reports, and that there are.
 const play = async (cost, from, { pauses, silent, dark, stops, seeks, late, stands, lags,

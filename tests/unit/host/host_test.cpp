@@ -47,7 +47,7 @@ TEST(Threads, RunEveryPieceOnceRoundAfterRound) {
 }
 
 // Compares with the compiler's library, not with the kernel: under some hypervisors the kernel hides
-// features. machine.sh tests processors that lack a feature.
+// features. test_machine.py tests processors that lack a feature.
 TEST(Machine, DetectsTheProcessorsFeatures) {
     EXPECT_EQ(cpuSuffices(), __builtin_cpu_supports("x86-64-v3") != 0);
 }
