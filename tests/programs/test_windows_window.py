@@ -71,6 +71,7 @@ def test_has_odd_and_tiny_sizes_and_plays_on(wine, screen):
     resize(window, 3, 2)
     window.program.comes(lambda: window.size() == (3, 2))
     window.program.works(0.3)
+    ends(window)
 
 
 def test_is_resized_often_and_quickly_and_is_moved(wine, screen):
