@@ -4,17 +4,19 @@
 #include "timeline/camera.h"
 #include "timeline/track.h"
 
+#include <stdint.h>
+
 namespace odraz {
 
 // A shot lasts from its row to the row of the next shot, or to the end of the film. Cuts between shots are
 // hard. A scene's story time counts from its first shot, so a cut within a scene does not interrupt motion.
 struct Shot {
-    float row;       // film row at which it starts
-    int scene;       // index of the scene that it shows
-    float storyRow;  // film row at which the scene's story starts
-    CameraPath path; // its rows count from storyRow
-    float fadeIn;    // rows over which it fades in from black
-    float fadeOut;   // rows over which it fades to black before its end
+    int16_t row;      // film row at which it starts
+    uint8_t scene;    // index of the scene that it shows
+    int16_t storyRow; // film row at which the scene's story starts
+    CameraPath path;  // its rows count from storyRow
+    uint8_t fadeIn;   // rows over which it fades in from black
+    uint8_t fadeOut;  // rows over which it fades to black before its end
 };
 
 struct ShotList {

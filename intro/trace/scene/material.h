@@ -20,7 +20,7 @@ struct Material {
     bool fresnel = false; // reflectance rises to 1 at grazing angles (Schlick)
     float ior = 0;        // > 0: glass of this index of refraction; 0: opaque
     Rgb absorb = {};      // glass: absorption per world unit, in powers of two
-    Rgb tint = {1, 1, 1}; // colour of a mirror, or of glass for shadow rays
+    Rgb tint = {1, 1, 1}; // colour of a mirror, of glass for shadow rays, or of a lamp that is seen directly
     Rgb emit = {};        // radiance that it emits; it lights no other surface
 
     // Whether it only glows: it emits light, but reflects none, neither diffusely nor as a mirror.

@@ -88,6 +88,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     int count = min(run.count - i, 8);
     Vec3x8 d = load(run.d, i);
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
+    if (c.bounces == 0) rest = rest * m.tint; // a lamp's tint dims it only where it is seen directly
     // Skip balls that only glow: addGlowingBalls() adds them. Fade other lamps in second reflections, and in
     // glass that mirrors them, where they are narrower than the distance between samples: they would flicker.
     // Faded, they are about as bright as their surroundings
@@ -124,6 +125,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     }
     // Change the sample's mark if the hit has enough weight. The mark also depends on the ray's path
     Rgb8 sent = rest + albedo * light;
+    if (m.onlyGlows()) weight += rest; // a lamp shows in weak mirrors, too
     Int8 marked = maxComponent(weight) * scene.exposure > c.quality.markWeight;
     Int8 mark = marked & hash(rays(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
     addRest(c, in, run.ray + i, count, sent, mark);
