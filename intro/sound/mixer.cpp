@@ -47,10 +47,12 @@ static void mixVoices(Mixer &m, bool audible, float ducked) {
     m.voiceCount = remaining;
 }
 
-// Mixes down to two channels: crossfeed, the compressor's gain, soft clipping. Clears the mix.
+constexpr float kPerDecibel = 0.166096f; // log2(10) / 20
+
+// Mixes down to two channels: crossfeed, the compressor's gain and the level, soft clipping. Clears the mix.
 static void mixDown(Mixer &m, float *stereo) {
     // Move the gain linearly over the block; after silence in 1 ms, so that struck notes keep their attack
-    float gain = kLoud * exp2(max(log2(m.power * (1 / kUsual)), 0.f) * -0.125f);
+    float gain = kLoud * exp2(fmadd(max(log2(m.power * (1 / kUsual)), 0.f), -0.125f, m.level * kPerDecibel));
     if (m.muted) gain = max(m.gain - kFade, 0.f);
     float step = (gain - m.gain) / (m.gain > 0 ? kBlock : 48), most = max(gain, m.gain);
     Float8 squares = {};

@@ -24,6 +24,7 @@ struct Mixer {
     int block;       // index of the next block
     float ducked;    // share by which loud instruments now lower the others: 0 .. 1
     bool muted;      // set by the player: the gain falls to 0 within 30 ms, and stays 0 until this is cleared
+    float level;     // set by the player: dB by which the compressed mix is louder. A step takes a block
     float crossfeed; // set by the player: the share of each channel that the other gets; 0.5: both are equal
     float power;     // mean square of the mix, over 0.1 s while it grows and 1 s while it falls
     float gain;      // gain of the mix, at the last block's end
