@@ -126,30 +126,35 @@ void drawText(Frame &frame, const char *text, float x, float y, const TextStyle 
     }
 }
 
-void addText(Scene &scene, const char *text, const Vec3 &origin, float unit, float rows, int material) {
+Vec3 addText(Scene &scene, const char *text, const Vec3 &origin, float unit, float rows, int material,
+             int next) {
     constexpr float kBeat = 4, kPen = 8, kRadius = 0.42f; // rows; units per row; units
-    float x = 0, beat = -kBeat, pen = 0;
+    float x = 0, beat = -kBeat, pen = 0, ended = 0;
+    Vec3 tip = {};
     for (const char *c = text; *c; ++c) {
         Glyph g = glyph(*c);
         bool before = false;
         for (int i = 0; i < g.count; ++i) {
             const Stroke &s = g.strokes[i];
-            Vec3 stroke = {s.x1 - s.x0, s.y1 - s.y0, 0};
+            Vec3 stroke = {s.x1 - s.x0, s.y1 - s.y0, 0}, from = {x + s.x0, kRadius + s.y0, 0};
             float size = length(stroke);
             bool arc = size < 1.5f; // the pieces of arcs are shorter than any line
-            if (i == 0 || arc != before) pen = beat += kBeat;
+            if (i == 0 || arc != before) pen = beat += kBeat, material += next;
             before = arc;
             float drawn = min((rows - pen) * kPen, size);
-            pen += size * (1 / kPen);
-            if (drawn <= 0) continue;
-            Vec3 along = stroke * (1 / size),
-                 middle = Vec3{x + s.x0, kRadius + s.y0, 0} + along * (drawn * 0.5f);
+            // The pen glides to the start of its next stroke
+            if (drawn <= 0)
+                return origin + lerp(tip, from, saturate((rows - ended) / max(pen - ended, 1e-3f))) * unit;
+            ended = pen += size * (1 / kPen);
+            Vec3 along = stroke * (1 / size), middle = from + along * (drawn * 0.5f);
+            tip = from + along * drawn;
             Shape *tube = scene.add(
                 cylinder(origin + middle * unit, kRadius * unit, (drawn * 0.5f + 0.1f) * unit, material));
             tube->frame = {{along.y, -along.x, 0}, along, {0, 0, 1}};
         }
         x += g.advance + 0.5f;
     }
+    return origin + tip * unit;
 }
 
 } // namespace odraz

@@ -22,7 +22,9 @@ void drawText(Frame &frame, const char *text, float x, float y, const TextStyle 
 
 // Adds a line of text to a scene, as tubes in the xy plane, with the foot of its first letter at `origin`.
 // `unit`: a twelfth of a digit's height. A pen draws the text, and has drawn for `rows` rows. Each letter
-// begins on a beat; within a letter, so does each line after an arc and each arc after a line.
-void addText(Scene &scene, const char *text, const Vec3 &origin, float unit, float rows, int material);
+// begins on a beat; within a letter, so does each line after an arc and each arc after a line. `next`: if
+// 1, each stroke has a material of its own, after `material`. Returns the tip of the pen.
+Vec3 addText(Scene &scene, const char *text, const Vec3 &origin, float unit, float rows, int material,
+             int next = 0);
 
 } // namespace odraz

@@ -41,6 +41,18 @@ const Material *const kParts[] = {
 };
 static_assert(sizeof kParts / sizeof *kParts == kLantern);
 
+// The landscape outside: sand to the horizon, a hill (not a ball: balls cost more) and a pair of columns.
+constexpr Shape kLandscape[] = {
+    box({0, -0.2f, 159}, {999, 0.1f, 350}, kSand),
+    {.kind = ShapeKind::Cylinder,
+     .material = kSand,
+     .centre = {100, -388, 600},
+     .half = {406, 100, 406},
+     .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}},
+    cylinder({kColumnX, 4, 16}, kColumnRadius, 4, kWarm),
+    cylinder({kColumnX, 4, 30}, kColumnRadius, 4, kWarm),
+};
+
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material *m : kParts) scene.add(faded(*m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
@@ -48,7 +60,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (int i = 0; i < kStrips; ++i) {
         float on = light.strips[i], round = min(on * 4, 1.f);
         Rgb colour = stripLight(i, 1);
-        Material glass = lamp(colour * colour * on); // more saturated than their light
+        Material glass = lamp(colour * colour * (on * on)); // more saturated and more lively than their light
         glass.texture = {on > 0 ? Pattern::Tubes : Pattern::Plain, 2.5f, {}}, glass.diffuse = 0.6f;
         for (int k = 0; k < 4; ++k)
             glass.texture.palette[k] =
@@ -144,8 +156,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     float least = min(light.lanterns[0], min(light.lanterns[1], light.lanterns[2])), drawn[kLanterns] = {};
     for (int i = 0; i < kLanterns; ++i) {
         float on = light.lanterns[i];
-        if (on == 0) continue;
-        drawn[i] = saturate((on - least) / (0.15f * on));
+        if (on == 0 && (grey == 1 || light.door > 0)) continue;
+        drawn[i] = saturate((on - least) / (0.15f * on + 1e-6f));
         Vec3 centre = hall.radiosity.bases.lamps[i].centre;
         scene.add(sphere(centre, kLanternRadius, kLantern + i));
         if (drawn[i] > 0)
@@ -168,16 +180,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     if (light.door * maxComponent(burning) > 0)
         scene.add(Light{{x / on, 2.7f, -0.0255f - kZ}, burning * (light.door * kDoorLamp), 0.3f, 1});
 
-    // Until the door is lit, add the landscape outside: sand to the horizon, a hill (not a ball: balls cost
-    // more) and a pair of columns
-    if (grey + light.door == 0) {
-        scene.add(box({0, -0.2f, 159}, {999, 0.1f, 350}, kSand));
-        Shape hill = cylinder({100, -388, 600}, 406, 100, kSand);
-        hill.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-        scene.add(hill);
-        for (int i = 0; i < 2; ++i)
-            scene.add(cylinder({kColumnX, 4, 16.f + 14 * (float)i}, kColumnRadius, 4, kWarm));
-    }
+    if (grey + light.door == 0) scene.addAll(kLandscape); // until the door is lit
     // Give balls the mean light of floor and ceiling as ambient light
     scene.ambientHigh = meanLight(hall, hall.floor);
     scene.ambientLow = meanLight(hall, hall.vault);

@@ -10,7 +10,7 @@ namespace {
 constexpr float kHalfSide = 1.5f;  // metres
 constexpr float kUnfolded = 0.19f; // half the side of the cross's faces, as a share of the picture's height
 constexpr float kBrightened = 5;   // factor on the patches' colours, which are dark
-constexpr Rgb kSky = {0.30f, 0.34f, 0.40f};  // colour of windows
+constexpr Rgb kSky = {1.2f, 1.25f, 1.35f};   // colour of windows
 constexpr Rgb kLine = {0.30f, 0.16f, 0.10f}; // colour between patches
 constexpr Rgb kEdge = {1.6f, 0.7f, 0.34f};
 
@@ -20,7 +20,7 @@ constexpr struct { int8_t row, u, v; } kFaces[] = {{4, -1, 0}, {5, 0, -1}, {2, 1
 
 } // namespace
 
-void drawHemicube(const Hall &hall, float rise, float open, const View &view, Frame &frame) {
+void drawHemicube(const Hall &hall, float rise, float open, float found, const View &view, Frame &frame) {
     if (rise <= 0) return;
     const Model &m = hall.model;
     const Patch &patch = m.patches[hall.visited];
@@ -38,6 +38,7 @@ void drawHemicube(const Hall &hall, float rise, float open, const View &view, Fr
     line.x1 = now[0][0], line.y1 = now[0][1];
     drawStrokes(frame, &line, 1, h * 0.0012f, kEdge, 0.5f * open);
     for (const auto &f : kFaces) {
+        float shown = saturate(found--); // the brightness of the face's windows
         // Compute the face's corner at its first pixel, and its sides along columns and rows. When it is
         // unfolded, its lower edge is the outer one
         float o[2], a[2], b[2], limits[2] = {view.width, h};
@@ -63,7 +64,7 @@ void drawHemicube(const Hall &hall, float rise, float open, const View &view, Fr
                 if (id == seen[1] && id == seen[kSeen] && id != kNothing && id != kBackSide)
                     colour =
                         m.charts[m.patches[--id].chart].open
-                            ? kSky
+                            ? kSky * shown
                             : Rgb{hall.mosaic[0][id], hall.mosaic[1][id], hall.mosaic[2][id]} * kBrightened;
                 size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
                 float light[3] = {colour.x, colour.y, colour.z};

@@ -9,8 +9,8 @@ namespace odraz {
 
 // clang-format off
 enum InstrumentId : uint8_t {
-    kGlassDrop, kPiano, kPad, kBass, kWood, kPulse, kDrum, kVoice, kSub, // sines
-    kBrush, kBreath, kWind, kRiser, kImpact,                             // noise
+    kGlassDrop, kPiano, kPad, kBass, kWood, kPulse, kDrum, kVoice, // sines
+    kBrush, kHat, kWind, kRiser, kImpact,                       // noise
     kInstrumentCount
 };
 // clang-format on

@@ -115,6 +115,14 @@ Material pearl(bool warm, float reflect) {
 // Not inlined, to save bytes: it clears a whole material
 [[gnu::noinline]] Material lamp(const Rgb &radiance) { return {.texture = plain({}), .emit = radiance}; }
 
+void setGloom(Scene &scene, float share) {
+    scene.ballsOcclude = true;
+    scene.ambientLow = linear(3, 3, 4) * share;
+    scene.ambientHigh = linear(5, 5.5f, 8) * share;
+    scene.sky = plainSky(linear(1, 1.25f, 2) * share, linear(4, 5.5f, 9) * share);
+    scene.fog = 23 / 256.f;
+}
+
 Sky duskSky(float row, float late) {
     Rgb low = linear(33, 29, 35), up = linear(4, 10, 28) - low;
     Sky sky = plainSky(low, {});

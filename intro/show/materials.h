@@ -17,6 +17,9 @@ extern const Material kGranite, kOak, kGlass, kMirror, kCopper;
 Material pearl(bool warm, float reflect); // copper if warm, else silver; reflect: reflectance as a mirror
 Material lamp(const Rgb &radiance);       // only emits
 
+// Fills a scene with fog and a little light. share: factor on the light.
+void setGloom(Scene &scene, float share);
+
 // Dusk under clouds that drift with the rows and glow near the sun. `late`, 0 .. 1: at 1 it is blue and the
 // sun is low. kDuskSun: the sun's position, for a light.
 Sky duskSky(float row, float late = 0);

@@ -5,6 +5,9 @@
 
 namespace odraz {
 
+// Adds the mirror ball that visits the hall, where it touches the floor at x, z.
+void addGuest(Scene &scene, float x, float z);
+
 // Each scene has its own file.
 void posePoint(const SceneInput &in, Scene &scene);
 void poseTable(const SceneInput &in, Scene &scene);

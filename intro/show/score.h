@@ -29,8 +29,8 @@ struct Articulation {
     // The number of tones at once, in thirds. Two or more are shifted by octaves, so that successive chords
     // are close: every second tone and the fifth go into the octave above.
     uint8_t stack;
-    uint8_t room;     // per cent of the instrument's send to the room, and of its width
-    uint8_t left = 0; // per cent to the left: 0 is in the middle
+    uint8_t room;    // per cent of the instrument's send to the room, and of its width
+    int8_t left = 0; // per cent to the left: 0 is in the middle, -100 on the right
 };
 
 struct Part {
@@ -56,7 +56,8 @@ struct EventSound {
           articulation(articulation), tone(tone) {}
 };
 
-// A RowPlayer (mixer.h): plays the notes that begin on a row, and sets the mixer's crossfeed and silence.
+// A RowPlayer (mixer.h): plays the notes that begin on a row, and sets the mixer's level, crossfeed and
+// silence.
 void playRow(Mixer &mixer, int row);
 
 } // namespace odraz

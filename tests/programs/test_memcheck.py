@@ -11,10 +11,10 @@ ODRAZ = BUILD / f'{FILM}.elf'  # as it ships, but with symbols
 
 @pytest.mark.parametrize('quality', ['draft', 'film'])
 @pytest.mark.parametrize('scenes, count, options', [
-    ('point, table and flake', 4, '--fps 1/12 --from 12 --to 60'),
+    ('point, table and flake', 4, '--fps 1/12 --from 12 --to 50'),
     ('credits', 1, '--fps 1 --from 159 --to 160'),
     # Memcheck takes half an hour to solve the hall
-    pytest.param('patches, hall and odraz', 3, '--fps 1/29 --from 87 --to 146', marks=pytest.mark.long)])
+    pytest.param('patches, hall and odraz', 3, '--fps 1/29 --from 58 --to 117', marks=pytest.mark.long)])
 def test_memcheck_finds_nothing_wrong_in(scenes, count, options, quality, tmp_path):
     log, pictures = tmp_path / 'log', tmp_path / 'pictures'
     # One thread in the film and one in the driver. The driver's vectors have 128 bits, which valgrind runs faster

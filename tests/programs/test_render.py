@@ -18,7 +18,7 @@ needs_built('compare')
 pytestmark = pytest.mark.usefixtures('in_work')
 SAFE, STAND_INS = BUILD / f'{FILM}-safe', SOURCE / 'tests/support/programs'
 RENDER = (SOURCE / 'tools/render', '--film', SAFE)
-SPAN = ('--from', 15.8, '--to', 16.28)  # across a cut, 12 frames, none of the hall
+SPAN = ('--from', 11.8, '--to', 12.28)  # across a cut, 12 frames, none of the hall
 DRAFT = ('--fps', 25, '--quality', 'draft', '--size')
 SMALL = (*SPAN, *DRAFT, '160x90')
 PARTED = (*SMALL, '--shard', 5)  # in three shards
@@ -65,8 +65,8 @@ def test_frames_in_three_shards_are_the_same(frames):
     assert_same('a name', frames)
 
 
-@pytest.mark.parametrize('options', ['--fps 30000/1001 --from 15.93 --to 16.032345 --quality draft --size 65x37',
-                                     '--fps 60 --from 15.96 --to 16.012 --quality live --size 65x37'])
+@pytest.mark.parametrize('options', ['--fps 30000/1001 --from 11.93 --to 12.032345 --quality draft --size 65x37',
+                                     '--fps 60 --from 11.96 --to 12.012 --quality live --size 65x37'])
 def test_frames_off_the_grid_are_the_films_own(tmp_path, options):
     render(tmp_path / 'odd', *options.split(), '--shard', 1)
     run(SAFE, '--dump', tmp_path / 'dump', *options.split())
@@ -97,7 +97,7 @@ def test_the_colours_of_a_video_are_those_of_rec_709(frames, video):
         """The PSNR of the last frame, whose colours are converted by that matrix."""
         convert = rf'select=eq(n\,11),scale=in_color_matrix={matrix},format=rgb24'
         run('ffmpeg', '-loglevel', 'error', '-y', '-i', video, '-frames:v', 1, '-vf', convert, 'last.ppm')
-        return psnr('last.ppm', frames / 'frame-000406.ppm')
+        return psnr('last.ppm', frames / 'frame-000306.ppm')
     assert like('bt709') > like('bt601') + 1
 
 
@@ -109,7 +109,7 @@ def test_a_video_can_be_played_before_it_is_loaded_completely(video):
 def test_a_video_without_loss_has_every_bit_of_frames_and_music(frames, tmp_path):
     render('one.mkv', *PARTED)
     decode = ('ffmpeg', '-loglevel', 'error', '-i', 'one.mkv')
-    run(*decode, '-c:v', 'ppm', '-start_number', 395, tmp_path / 'frame-%06d.ppm')
+    run(*decode, '-c:v', 'ppm', '-start_number', 295, tmp_path / 'frame-%06d.ppm')
     run('diff', '-r', tmp_path, frames)
     run(*decode, '-f', 's16le', 'music')
     run(SAFE, '--wav', 'one.wav', *SPAN)
@@ -141,20 +141,20 @@ def resume(left):
 
 
 def test_resume_makes_again_what_is_unfinished_cut_short_or_damaged(parts):
-    (parts / '000405-000407.sums').unlink()
-    short = parts / '000395-000400.nut'
+    (parts / '000305-000307.sums').unlink()
+    short = parts / '000295-000300.nut'
     os.truncate(short, short.stat().st_size - 5)
-    flip(parts / '000400-000405.nut', 5000)
+    flip(parts / '000300-000305.nut', 5000)
     assert resume(3).count('again: its file is missing or damaged') == 2
 
 
 def test_a_shard_of_other_frames_that_seems_right_is_reported(parts):
-    shutil.copy(parts / '000395-000400.nut', parts / '000400-000405.nut')
-    other = (parts / '000395-000400.sums').read_text().splitlines()[-1][:64]
-    sums = parts / '000400-000405.sums'
+    shutil.copy(parts / '000295-000300.nut', parts / '000300-000305.nut')
+    other = (parts / '000295-000300.sums').read_text().splitlines()[-1][:64]
+    sums = parts / '000300-000305.sums'
     sums.write_text(re.sub(r'.*(  \S+nut)', rf'{other}\1', sums.read_text()))
     printed = render('r.mp4', *PARTED, '--resume', status=1)
-    assert_reported('frame 400 differs from the film; --resume makes its shard again', printed)
+    assert_reported('frame 300 differs from the film; --resume makes its shard again', printed)
     resume(1)
 
 
@@ -170,7 +170,7 @@ def test_neither_overwrites_an_earlier_run_nor_mixes_it_with_another(parts, text
 def test_a_film_that_breaks_off_is_reported(out, status):
     film = ('--film', STAND_INS / 'broken_film.py')
     printed = render(out, *PARTED, *film, status=1, env={'WHOLE': SAFE, 'STATUS': status})
-    assert_reported('frames 400 to 404 failed: odraz: something is wrong', printed)
+    assert_reported('frames 300 to 304 failed: odraz: something is wrong', printed)
     assert not Path(out).exists() and not Path(f'{out}.manifest').exists()
 
 
@@ -178,7 +178,7 @@ def test_goes_on_when_there_is_room_again():
     options = (*SPAN, *DRAFT, '320x180')
     room = SAFE.stat().st_size + 100000  # for the film, but not for a shard
     printed = run('prlimit', f'--fsize={room}', *RENDER, *options, 'full.mp4', status=1).stderr
-    assert_reported('frames 395 to 406 failed: .*', printed)
+    assert_reported('frames 295 to 306 failed: .*', printed)
     render('full.mp4', *options, '--resume')
 
 

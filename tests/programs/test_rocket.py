@@ -91,7 +91,7 @@ def test_the_document_is_well_formed_and_has_each_track_once(document):
 
 
 def test_keys_are_on_the_films_rows(document):
-    assert (160, 1.5, SMOOTH) in dict(tracks_of(document))[HEIGHT]
+    assert (116, 1.59375, SMOOTH) in dict(tracks_of(document))[HEIGHT]
 
 
 def test_refuses_a_document_in_a_missing_folder(tmp_path):
@@ -139,25 +139,25 @@ def test_offers_its_tracks_and_sends_its_row_while_it_plays(window, editor, docu
 
 
 def test_shows_the_editors_keys(window, editor, document, paused):
-    before = paused(160)
+    before = paused(116)
     editor.open(document)
-    editor.set_key(HEIGHT, 160, 2.3, SMOOTH)
+    editor.set_key(HEIGHT, 116, 2.3, SMOOTH)
     window.comes(lambda: window.differs(before))
-    editor.set_key(HEIGHT, 160, 1.5, SMOOTH)
+    editor.set_key(HEIGHT, 116, 1.59375, SMOOTH)
     window.comes(lambda: window.shows(before))  # to the bit, since all keys are the film's
 
 
 def test_shows_other_interpolations_than_the_films(window, editor, document, paused):
-    light = paused(2)
+    light = paused(64)
     editor.open(document)
-    editor.set_key('point:keyLight', 0, 0, STEP)
+    editor.set_key('point:rimLight', 40, 0, STEP)
     window.comes(lambda: window.differs(light))
     window.wait_until_drawn()
     step = window.picture()
-    editor.set_key('point:keyLight', 0, 0, RAMP)
+    editor.set_key('point:rimLight', 40, 0, RAMP)
     window.comes(lambda: window.differs(step))
     assert window.differs(light)
-    editor.set_key('point:keyLight', 0, 0, SMOOTH)
+    editor.set_key('point:rimLight', 40, 0, SMOOTH)
     window.comes(lambda: window.shows(light))
 
 
@@ -172,19 +172,19 @@ def fly(window, key):
 
 
 def test_a_key_keeps_the_view_of_a_flight_until_it_is_removed(window, editor, paused):
-    paused(168)
+    paused(124)
     window.press('Right')
-    film = comes_to(window, 172)
-    window.comes(lambda: 'row 172' in editor.received)
+    film = comes_to(window, 128)
+    window.comes(lambda: 'row 128' in editor.received)
     fly(window, 'w')
     window.press('r')  # the script's view
     window.comes(lambda: window.shows(film))
 
     flown = fly(window, 'd')
     window.press('k')
-    window.comes(lambda: 'key set on row' in window.title() and '172' in window.title())
+    window.comes(lambda: 'key set on row' in window.title() and '128' in window.title())
 
-    # The film's keys have few bits (PATH(kTableWide, 8) in show/film.keys), so the key keeps the view approximately
+    # The film's keys have few bits (PATH(kTableWide, 6) in show/film.keys), so the key keeps the view approximately
     def keeps_the_view():
         now = window.picture()
         error = numpy.sqrt(numpy.mean((now - flown.astype(float)) ** 2)) / 255
@@ -204,7 +204,7 @@ def written(work):
 
 
 def test_writes_keys_into_a_document_but_overwrites_none(window, paused, written):
-    film = paused(172)
+    film = paused(128)
     window.press('k')
     window.comes(lambda: 'key set on row' in window.title())
     written.write_text("somebody's work\n")
@@ -214,21 +214,21 @@ def test_writes_keys_into_a_document_but_overwrites_none(window, paused, written
     written.unlink()
     window.press('x')
     window.comes(lambda: written.exists() and written.stat().st_size)
-    set_on_172 = [name for name, keys in tracks_of(written) if 172 in [row for row, _, _ in keys]]
-    assert sum(bool(re.search('tableWide:(eye|target)', name)) for name in set_on_172) == 6
+    set_on_128 = [name for name, keys in tracks_of(written) if 128 in [row for row, _, _ in keys]]
+    assert sum(bool(re.search('tableWide:(eye|target)', name)) for name in set_on_128) == 6
     window.press('shift+k')
     window.comes(lambda: window.shows(film))
 
 
 def test_writes_the_document_when_the_editor_saves(window, editor, paused, written):
-    paused(172)
+    paused(128)
     editor.save()
     window.comes(lambda: written.exists() and written.stat().st_size)
 
 
 def test_connects_again_shows_its_own_picture_and_ends(window, editor, paused):
-    film = paused(172)
-    editor.set_key(HEIGHT, 172, 2.3, SMOOTH)
+    film = paused(128)
+    editor.set_key(HEIGHT, 128, 2.3, SMOOTH)
     window.comes(lambda: window.differs(film))
     editor.hang_up()
     window.comes(lambda: editor.received.count('film') == 2)

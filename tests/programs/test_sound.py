@@ -76,8 +76,8 @@ def test_reports_a_full_disk():
 def test_its_loudness_suits_a_film(wav):  # after EBU R 128 and ITU-R BS.1770
     options = ('-nostats', '-af', 'ebur128=peak=true:framelog=verbose', '-f', 'null')
     summary = run('ffmpeg', '-i', wav, *options, '-').stderr.partition('Summary')[2]
-    assert -17.5 < number(r'^ *I: *(\S+) LUFS', summary) < -15.5
-    assert 8 < number(r'^ *LRA: *(\S+) LU', summary) < 18
+    assert -16.5 <= number(r'^ *I: *(\S+) LUFS', summary) <= -15.5
+    assert 15 <= number(r'^ *LRA: *(\S+) LU', summary) <= 20
     assert number(r'^ *Peak: *(\S+) dBFS', summary) < -1
 
 
@@ -95,9 +95,14 @@ def heard(wav):
     return hear(wav)
 
 
+# Rows on which the treatment wants no attack: the pen touches down, one low note under the bare ball, the stop before
+# the wire, two lamps that go out, and the stop after the summit
+SOFT = {60, 256, 448, 772, 776, 1088}
+
+
 def is_on_time(onset):
-    _, _, milliseconds_late, strength = onset
-    return -20 <= milliseconds_late <= 20 and strength >= 2.5
+    _, row, milliseconds_late, strength = onset
+    return row in SOFT or -20 <= milliseconds_late <= 20 and strength >= 2.5
 
 
 def is_smooth(heard):
@@ -116,7 +121,9 @@ def test_has_no_click(heard):
 
 
 def test_left_and_right_are_alike_but_not_the_same_in_every_scene(heard):
-    for _, _, correlation, *_ in heard['scene']:
+    stories = {name: correlation for name, _, correlation, *_ in reversed(heard['scene'])}  # not the later recalls
+    assert len(stories) == 7
+    for correlation in stories.values():
         assert 0.2 <= correlation <= 0.8
 
 

@@ -61,7 +61,7 @@ def test_plays_to_its_end_by_itself(screen):
 
 
 def test_without_integers_in_opengl_it_leaves_out_the_halls_scenes_alone(screen):
-    options = ('--window', '--size', '320x180', '--from', 151)
+    options = ('--window', '--size', '320x180', '--from', 147)
     window = screen.play(SAFE, *options, env={'MESA_EXTENSION_OVERRIDE': '-GL_EXT_texture_integer'})
     assert 'cannot light the hall' in window.errors()
     screen.do('key', 'Escape')

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "show/font.h"
 #include "show/materials.h"
+#include "show/point_of_light.h"
 #include "show/scenes.h"
 #include "timeline/keys.h"
 
@@ -13,28 +14,38 @@ namespace odraz {
 
 enum { kMarble, kSilver };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kSilver] = &kMirror};
-static constexpr float kLastBeat = 92; // then black, while the reverberation fades
-// The start of each page of text and the end of the last; then the word is alone for two seconds
-static constexpr float kPages[] = {rowOf(kLine1), rowOf(kLine2), rowOf(kLine3), kLastBeat - 16};
+static constexpr Shape kShapes[] = {
+    // The shift keeps bright veins out of the word's reflection
+    {.kind = ShapeKind::Plane, .material = kMarble, .textureShift = {-4, -2.75f, 5.5f}},
+    sphere({-2.05f, 0.75f, -1.35f}, 0.75f, kSilver),
+};
+static constexpr int kStrokes = 8; // of the word
+// The start of each page of text and the end of the last
+static constexpr float kPages[] = {rowOf(kLine1), rowOf(kLine2), rowOf(kLine3), rowOf(kWordGoes) + 4};
+
+// The share of its light that a lamp has left, so many rows after it began to go out.
+static float left(float rows) { return 1 - saturate(rows * 0.25f); }
 
 void poseCredits(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
-    // The light moves over the stone until the end
-    float shift = in.row * 0.03f;
-    scene.add(Light{{shift - 2.4f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f});
-    scene.add(Light{{2.6f, 1.7f, -2.6f + shift}, {3.2f, 4.4f, 6.8f}, 0.2f});
-    scene.add(Light{{0, 0.4f, 1.5f}, {0.3f, 0.14f, 0.06f}, 0.1f}); // the light of the word
-    // The shift keeps bright veins out of the word's reflection
-    scene.add(plane({0, 0, 0}, kMarble))->textureShift = {-4, -2.75f, 5.5f};
-    scene.add(sphere({-1.95f, 0.6f, -1.2f}, 0.6f, kSilver));
-    int tube = scene.add(lamp({4.5f, 1.6f, 0.5f}));
-    addText(scene, "odraz", {-1.17f, 0.055f, 0}, 0.045f, 100, tube);
-    scene.ballsOcclude = true;
-    scene.ambientLow = {0.01f, 0.01f, 0.014f};
-    scene.ambientHigh = {0.016f, 0.018f, 0.026f};
-    scene.sky = plainSky({0.004f, 0.005f, 0.008f}, {0.012f, 0.016f, 0.026f});
-    scene.fog = 0.09f;
-    scene.exposure = in.row > kLastBeat ? 0 : 1.3f;
+    // The light moves over the stone, and dims when the word goes
+    float shift = in.row * 0.03f, bright = left((in.row - rowOf(kWordGoes)) * 0.07f);
+    scene.add(Light{{shift - 2.4f, 2.4f, 1.4f}, Rgb{5.5f, 4.4f, 3.1f} * bright, 0.2f});
+    scene.add(Light{{2.6f, 1.7f, -2.6f + shift}, Rgb{3.2f, 4.4f, 6.8f} * bright, 0.2f});
+    scene.addAll(kShapes);
+    // What goes out can be seen in mirrors for a while
+    addPoint(scene, pointOf(kCredits, in.row), 0.03f, {0.5f, 0.35f, 0.22f});
+    scene.materials[scene.materialCount - 1].tint = Rgb{1, 1, 1} * left(in.row - rowOf(kPointGoesOut));
+    int before = scene.materialCount - 1;
+    for (int i = kStrokes - 1; i >= 0;
+         --i) { // in the order in which they were written, the last stroke goes first
+        Material m = lamp(Rgb{4.5f, 1.6f, 0.5f} * left(in.row - rowOf(kEchoesGo) - 2 * (float)i));
+        m.tint = Rgb{1, 1, 1} * left(in.row - rowOf(kWordGoes) - 4 * (float)i);
+        scene.add(m);
+    }
+    addText(scene, "odraz", {-1.17f, 0.055f, 0}, 0.045f, 100, before, 1);
+    setGloom(scene, 0.85f);
+    scene.exposure = 1.3f;
 }
 
 void letterCredits(const SceneInput &in, const View &, Frame &frame) {

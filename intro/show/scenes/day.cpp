@@ -1,33 +1,47 @@
-// Scene 5. A day in the hall: dawn, noon, dusk, lanterns; then the light of scene 1 lights the door.
+// Scene 5. The hall by day and by night: noon, sunset, lanterns, beside the mirror ball. Then the point of
+// light comes back and wakes the strips of the door, which play.
+#include "base/maths.h"
+#include "show/door.h"
 #include "show/materials.h"
+#include "show/point_of_light.h"
 #include "show/scenes.h"
+#include "show/tune.h"
 #include "timeline/keys.h"
 
 namespace odraz {
 
 #include "show/scenes/hall.keys"
 
-// The rows on which the lanterns are turned on and off, beginning with the one nearest the door
-static constexpr float kOn[kLanterns] = {rowOf(kLamp3), rowOf(kLamp2), rowOf(kLamp1)},
-                       kOff[kLanterns] = {rowOf(kLamp3Dies), rowOf(kLamp2Dies), rowOf(kLamp1Dies)};
+constexpr float kBeat = 4;
+
+void addGuest(Scene &scene, float x, float z) { scene.add(sphere({x, 0.75f, z}, 0.75f, scene.add(kMirror))); }
 
 void poseDay(const SceneInput &in, Scene &scene) {
     HallLight light = {};
     light.hour = value(track(kHour), in.row);
+    light.sun = 1;
+    // The lanterns wake a beat apart, the nearest to the entrance first, and die in the mirrored order
     for (int i = 0; i < kLanterns; ++i)
-        light.lanterns[i] = value(track(kTurnOn), in.row - kOn[i]) * value(track(kTurnOff), in.row - kOff[i]);
-    light.sun = value(track(kSun), in.row);
-    static constexpr float kRows[kStrips] = {rowOf(kStrip1), rowOf(kStrip2), rowOf(kStrip3), rowOf(kStrip4),
-                                             rowOf(kStrip5), rowOf(kStrip6), rowOf(kStrip7), rowOf(kStrip8)};
-    for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), in.row - kRows[i]);
-    // The light of scene 1 flies from the entrance to the first strip
-    float since = in.row - rowOf(kLightReturns),
-          shines = value(track(kRise), fmadd(since, 0.5f, 3.5f)) *
-                   value(track(kTurnOff), 0.65f * (in.row - rowOf(kStrip1)));
-    Vec3 point = {value(track(kFlightX), since), 1.4f, value(track(kFlightZ), since)};
-    light.extra = {point, Rgb{2.6f, 2.0f, 1.35f} * shines, 0.06f};
+        light.lanterns[i] = value(track(kWakes), in.row - rowOf(kLamp3) + kBeat * (float)i) -
+                            value(track(kWakes), in.row - rowOf(kLamp3Dies) - kBeat * (float)i);
+    if (in.row >= rowOf(kStrip1)) light.door = 1;
+    // The strips wake a beat apart, then play; on the last beat they are dark
+    float since = in.row - rowOf(kStripsPlay);
+    if (since < 0)
+        for (int i = 0; i < kStrips; ++i)
+            light.strips[i] = value(track(kWakes), in.row - rowOf(kStrip1) - kBeat * (float)i);
+    else if (in.row < rowOf(kDoorStops)) {
+        playDoor(light, kDoorTune, since, 2, 1);
+        balanceDoor(light, 2.0f);
+    }
+    PointOfLight point = pointOf(kHall, in.row);
+    // (It lights nothing while it is at most half as bright as it can be)
+    light.extra = {point.at, kPointLight * max(fmadd(point.shine, 2.f, -1.f), 0.f), 0.06f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
-    if (shines > 0) scene.add(sphere(point, 0.06f, scene.add(lamp(Rgb{200, 170, 120} * shines))));
+    addPoint(scene, point, 0.06f, {});
+    // The ball waits all day. It rolls to the copper strip, and is gone when the strips play
+    if (float rolled = smoothstep(rowOf(kStrip1), rowOf(kStripsPlay), in.row); rolled < 1)
+        addGuest(scene, lerp(1.2f, -1.3f, rolled), -8.25f * rolled);
     scene.exposure = value(track(kExposure), in.row);
 }
 

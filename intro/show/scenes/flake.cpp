@@ -1,7 +1,9 @@
-// Scene 3. Flake: balls grow on a mirror ball, and balls on those balls. The camera flies between them with a
-// light. The figure is "balls" of Haines' Standard Procedural Databases.
+// Scene 3. Flake: on still water, balls grow on a mirror ball, and balls on those balls, a generation a bar.
+// The camera follows the point of light between them. The figure is "balls" of Haines' Standard Procedural
+// Databases.
 #include "base/maths.h"
 #include "show/materials.h"
+#include "show/point_of_light.h"
 #include "show/scenes.h"
 #include "timeline/keys.h"
 
@@ -13,17 +15,17 @@ namespace {
 
 constexpr int kLevels = 3; // 1 + 9 + 81 + 729 balls
 constexpr int kShades = 6;
+constexpr float kLeaves = 160; // row of the last shot
 // Detail is chosen for a picture of kLines lines, whatever its actual size and lens. kPixelsPerUnit: the size
 // in pixels of a length of 1 at distance 1
-constexpr float kLines = 720, kPixelsPerUnit = kLines * 25 / 18;
+constexpr float kLines = 720, kPixelsPerUnit = kLines * 7 / 6;
 constexpr float kGenerations[kLevels] = {rowOf(kGeneration1), rowOf(kGeneration2), rowOf(kGeneration3)};
 
 struct Flake {
     Scene &scene;
     CameraKey camera;
     float grown[kLevels], turn;
-    int silver, copper;
-    int pearls[2][kShades]; // [warm][shade]: the larger the shade, the more they reflect
+    int silver[2], pearls[2][kShades]; // [pale][shade]: the larger the shade, the more they reflect
 
     // Adds a ball and the balls on it: six around its equator and three above, all sixty degrees apart.
     void add(int level, const Vec3 &centre, float radius, const Mat3 &frame) {
@@ -32,7 +34,7 @@ struct Flake {
         float distance = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / distance * kPixelsPerUnit;
         int shade = clamp((int)(pixels * 0.04f) - level, 0, kShades - 1);
-        scene.add(sphere(centre, radius, level > 1 ? pearls[level & 1][shade] : level ? copper : silver));
+        scene.add(sphere(centre, radius, level > 1 ? pearls[level & 1][shade] : silver[level]));
         float size = grown[min(level, kLevels - 1)] * (1.f / 3) * saturate(pixels * 0.05f - 0.4f);
         if (level == kLevels || size <= 0) return;
         for (int i = 0; i < 9; ++i) {
@@ -50,24 +52,25 @@ struct Flake {
 } // namespace
 
 void poseFlake(const SceneInput &in, Scene &scene) {
-    Flake flake = {scene, in.camera, {}, in.row * 0.002f, 0, 0, {}};
+    float leaves = max(in.row - kLeaves, 0.f); // the flake turns faster while the camera leaves
+    Flake flake = {scene, in.camera, {}, in.row * 0.002f + leaves * leaves * 0.0004f, {}, {}};
     for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow), in.row - kGenerations[i]);
-    flake.silver = scene.add(kMirror);
-    flake.copper = scene.add(pearl(true, 0.45f));
+    // Less than a mirror, so that images of images darken
+    flake.silver[0] = scene.add(kMirror);
+    flake.silver[1] = scene.add(pearl(false, 0.625f));
     for (int i = 0; i < kShades; ++i)
-        for (int warm = 0; warm < 2; ++warm)
-            flake.pearls[warm][i] = scene.add(pearl(warm, 0.26f * (float)i / (kShades - 1)));
-    scene.add(plane({0, 0, 0}, scene.add(kSlate)));
+        for (int pale = 0; pale < 2; ++pale)
+            flake.pearls[pale][i] = scene.add(pearl(!pale, 0.35f * (float)i / (kShades - 1)));
+    // Water has a colour of its own instead of diffuse light, so that no shadow falls on it
+    Material water = kSlate;
+    water.diffuse = 0, water.emit = {0.016f, 0.015f, 0.03f};
+    scene.add(plane({0, 0, 0}, scene.add(water)));
     flake.add(0, {0, 2.5f, 0}, 2.5f, kIdentity);
 
-    // Add the sun, and a lamp that travels behind the camera to one side. It is brighter far away, so that
-    // balls in front of the sun are not black
-    Vec3 eye = flake.camera.eye, back = normalize(eye - flake.camera.target);
     scene.add(Light{kDuskSun * 3.f, {4600, 2900, 1700}, 1.8f});
-    scene.add(Light{eye + back * 0.6f + Vec3{back.z, 0.7f, -back.x} * 0.9f,
-                    Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.03f), 0.1f});
-    scene.ambientLow = {0.13f, 0.115f, 0.135f};
-    scene.ambientHigh = {0.09f, 0.12f, 0.19f};
+    addPoint(scene, pointOf(kFlake, in.row), 0.06f, Rgb{44, 37, 27});
+    scene.ambientLow = {0.07f, 0.06f, 0.08f};
+    scene.ambientHigh = {0.19f, 0.17f, 0.18f};
     // Begin in a blue twilight
     float late = saturate(1 - in.row * in.row * (1.f / 16384));
     scene.sky = duskSky(in.row + 192, late);

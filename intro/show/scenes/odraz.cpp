@@ -1,11 +1,13 @@
-// Scene 6. Odraz: balls of mirror, copper and glass roll out of the door of light, two a beat, behind their
-// shadows; everything reflects everything. They go back before the lights go out, and one is left: it mirrors
-// the word of scene 1, which is behind the camera.
+// Scene 6. Odraz: balls of mirror, copper and glass come out of the door of light in two files, bouncing on
+// the beats, and close a ring around the great mirror ball. The ring turns, half a ball each beat, while the
+// point of light leaps from one to the next. At the summit it lifts and whirls. It opens again before the
+// lights go out, and one ball is left: it mirrors the word of scene 1, which is behind the camera.
 #include "base/maths.h"
+#include "show/door.h"
 #include "show/font.h"
 #include "show/materials.h"
+#include "show/point_of_light.h"
 #include "show/scenes.h"
-#include "show/score.h"
 #include "show/tune.h"
 #include "timeline/keys.h"
 
@@ -17,91 +19,87 @@ namespace odraz {
 enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
-constexpr float kGlow = 2.8f; // the strips' total light; a tone adds to one of them
-constexpr int kCanon = 8;     // the beat at which the mirrored voice begins in music.h
+constexpr float kBeat = 4, kDoorSum = 5; // rows; the sum of the strips' light that adds all of the night's
+constexpr int kCanon = 32;               // the row on which the mirrored voice begins in music.h
 
-// Balls in three lanes: the one that stays, with three behind it, and six on either side. A lane's front ball
-// comes first and goes last, so that no ball passes another.
-constexpr int kBeat = 4, kRows = 6, kBehind = 3;
-constexpr float kFrontZ = -5, kHiddenZ = -11.4f; // z of the front ball when it stops; z behind the door
-constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
-                                      {kClear, kPale, kRed, kPale, kRed, kPale}};
+// The ring: its middle, its radius (no more, or balls would meet pillars) and its balls, from the front
+// towards +x.
+constexpr float kMiddleZ = -3.25f, kLastZ = -5, kRing = 1.38f;
+constexpr uint8_t kRingBalls[] = {kRed, kClear, kPale, kRed, kRed, kPale, kSilver, kPale, kRed, kPale};
+constexpr int kBalls = sizeof kRingBalls;
+constexpr float kSlot = 2 * kPi / kBalls;
 
-// The rows on which a ball comes out of the door, and goes back.
-struct Visit {
-    float comes, goes;
-};
+// The ball by the word, as in the credits: the great ball mirrors both
+static constexpr Shape kBallByWord = sphere({-3.5f, 0.7f, kLastZ + 7.3f}, 0.7f, kSilver);
 
-// Adds a ball of a lane, rolled by the length of its path. x, z: where it stops.
-static void addBall(Scene &scene, float row, float x, float z, float radius, Visit visit, int material) {
-    float ahead = value(track(kAhead), row - visit.comes), back = value(track(kBack), row - visit.goes);
-    float share = 1 - ahead * ahead - back * back;
-    if (share <= 0) return;
-    float at = kHiddenZ + (z - kHiddenZ) * share, turn = at / radius;
-    Shape *s = scene.add(sphere({x, radius, at}, radius, material));
-    s->frame = {{1, 0, 0}, {0, cos(turn), sin(turn)}, {0, -sin(turn), cos(turn)}};
+// Adds a ball of the ring. slot: where it is, counted from the front; far: the length of its path still ahead
+// of it, or behind it. Balls of the front half follow the ring to its side; from there all go straight to the
+// door, so that none meets another. lift: how high the ring hovers; it tilts as it rises.
+static void addBall(Scene &scene, int i, float slot, float far, float beat, float lift) {
+    float angle = (slot - (float)(((int)slot + kBalls / 2) / kBalls * kBalls)) * kSlot,
+          side = angle < 0 ? -1.f : 1.f;
+    float around = clamp(kPi / 2 - side * angle, 0.f, far / kRing), radius = i & 1 ? 0.4f : 0.3f;
+    angle += side * around, far -= around * kRing;
+    float leap = beat - (float)(int)beat,
+          high = leap * (1 - leap) * min(far, 1.2f) + lift * (1 + 0.7f * sin(angle + 0.5f));
+    scene.add(sphere({kRing * sin(angle), radius + high, kMiddleZ + kRing * cos(angle) - far}, radius,
+                     kRingBalls[i]));
 }
 
-// Returns the strip that a tone strikes: D to d; tones below D strike the strip an octave higher.
-static constexpr int stripOf(char tone) { return stepOf(tone) + (stepOf(tone) < 0 ? 7 : 0); }
-static_assert(stripOf('D') == 0 && stripOf('A') == stripOf('a') && stripOf('C') == 6 &&
-              stripOf('d') == kStrips - 1);
-
 void poseOdraz(const SceneInput &in, Scene &scene) {
+    float row = in.row, since = row - rowOf(kWordIsFound);
     HallLight light = {kNight, {}, {}, 1, 1};
-    light.lanterns[1] = light.lanterns[2] = value(track(kOuter), in.row);
-    light.lanterns[0] = max(light.lanterns[1], value(track(kLast), in.row));
-    // Let each tone of the tune strike its strip, and from the fifth bar the tones of its mirror image, half
-    // as hard. The sum is constant: the colour of the light changes, not its level
-    float all = kGlow, burn = 0;
-    auto strike = [&](char tone, float struck) {
-        if (tone != '-') light.strips[stripOf(tone)] += struck, all += struck;
-    };
-    for (int beat = 0; beat < 32; ++beat) {
-        float struck = value(track(kStruck), in.row - (float)(kBeat * beat));
-        strike(kTune[beat], struck);
-        if (beat >= kAnswer) strike(kMirrored[beat - kCanon], struck * 0.5f);
-    }
-    // Turn the strips off in the order in which they came on: copper first, blue last
-    float scale = 7 / all;
+    for (float &on : light.lanterns) on = value(track(kLamps), row);
+    // Let the strips play what is heard: the tune and its mirror image, the stabs, the tune again. In the
+    // climax all strips chase. (0.01: a note on this very row sounds already)
+    bool stabs = row >= rowOf(kRecall) && row < rowOf(kSummit);
+    float dies = row - rowOf(kDoorDies), burn = 0,
+          played = row + 0.01f -
+                   (row < rowOf(kRecall) ? 0
+                    : stabs              ? rowOf(kRecall)
+                                         : rowOf(kSummit));
+    if (dies < 0) playDoor(light, stabs ? kStabs : kTune, played, kBeat, 1);
+    if (row < rowOf(kRecall)) playDoor(light, kMirrored, played - kCanon, kBeat, 0.5f);
+    if (value(track(kChase), row) > 0)
+        playDoor(light, "DEFGabcdDEFGabcd", 8.01f + row - (float)((int)row / 8 * 8), 1, 0.5f);
+    balanceDoor(light, 1.1f);
+    // Turn the strips off in the reverse of the order in which they came on: copper last
     for (int i = 0; i < kStrips; ++i) {
-        light.strips[i] = (light.strips[i] + kGlow / kStrips) * scale *
-                          value(track(kStripsGo), in.row - (float)(kBeat * i));
-        burn += light.strips[i] / kStrips;
+        light.strips[i] *= value(track(kStripsGo), dies - kBeat * (float)(kStrips - 1 - i));
+        burn += light.strips[i] / kDoorSum;
     }
-    // Light the word when it is large enough to be read: it lights the hall, too
-    float since = in.row - rowOf(kWordIsFound);
-    Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.1f * since - 1.3f);
-    light.extra = {{0, 1.3f, kFrontZ + 5.5f}, glows * Rgb{0.8f, 0.95f, 1.2f}, 0.3f};
+    // The point of light takes the door's place as it goes out. It writes the word, and shines in it
+    PointOfLight point = pointOf(kOdraz, row);
+    float word = value(track(kWord), row);
+    Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * word;
+    // (Its light comes from a steady height, or the picture would flash when it lands.)
+    light.extra = {{0.6f * point.at.x, 2, point.at.z},
+                   lerp(kPointLight, Rgb{6, 2.5f, 0.9f}, word) * value(track(kShines), row),
+                   0.3f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
-    scene.exposure = value(track(kExposure), in.row);
+    scene.exposure = value(track(kExposure), row);
     // Dim the night outside together with the door, or the entrance would outshine the word in front of it
     scene.sky.low = Rgb{0.004f, 0.006f, 0.01f} * min(0.3f + burn, 1.f);
     scene.sky.cover = 0;
-    // As the door goes out, fade in a cold light behind it: the last ball keeps its outline and its shadow
-    if (float cold = 0.7f - burn; cold > 0)
-        scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.3f});
 
     scene.addAll(kMaterials);
     scene.add(pearl(true, 0.26f));
     scene.add(pearl(false, 0.25f));
-    addBall(scene, in.row, 0, kFrontZ, 0.75f, {rowOf(kBall1) - 2, 999}, kSilver);
-    for (int i = 0; i < kRows; ++i) {
-        float z = kFrontZ + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, x = i & 1 ? 1.45f : 1.2f;
-        float comes = rowOf(kBall2) + (float)(kBeat * (i < 4 ? i : i + 6)),
-              goes = rowOf(kBall1Leaves) - (float)(kBeat * i);
-        for (int side = 0; side < 2; ++side)
-            addBall(scene, in.row, side ? x : -x, z - 0.4f * (float)side, radius, {comes, goes},
-                    kSides[side][i]);
-    }
-    for (int i = 0; i < kBehind; ++i)
-        addBall(scene, in.row, 0, kFrontZ - 1.35f - 1.05f * (float)i, 0.45f,
-                {rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
-                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i))},
-                i & 1 ? kPale : kRed);
-    if (since > 0) scene.add(sphere({-3.5f, 0.7f, kFrontZ + 7.3f}, 0.7f, kSilver));
-    if (maxComponent(glows) > 0)
-        addText(scene, "odraz", {-2.35f, 0.11f, kFrontZ + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));
+    addPoint(scene, point, 0.05f, {});
+    // The great ball comes with the others. When they leave, it rolls back a little, and stays
+    float far = value(track(kApart), row), turn = value(track(kTurn), row);
+    float back = row < rowOf(kSummit) ? far : (kMiddleZ - kLastZ) * smoothstep(0.f, 9.f, far);
+    // At the summit all rise, and turn once more than the track says, ever faster. They fall for two beats,
+    // and land on the row on which the door dies
+    float free = clamp(row - rowOf(kSummit), 0.f, 32.f), fall = max(free / 8 - 3, 0.f);
+    float lift = 0.9f * smoothstep(0.f, 20.f, free) * (1 - fall * fall);
+    turn += free * free * (kBalls / 1024.f);
+    scene.add(sphere({0, 0.75f + 0.5f * lift, kMiddleZ - back}, 0.75f, kSilver));
+    for (int i = 0; i < kBalls && since < 0; ++i)
+        addBall(scene, i, (float)(i + 4 * kBalls) + 0.5f - turn, far, row / kBeat, lift); // (above 0)
+    if (since > 0) scene.add(kBallByWord);
+    if (word > 0)
+        addText(scene, "odraz", {-2.35f, 0.11f, kLastZ + 6.1f}, 0.09f, since - kBeat, scene.add(lamp(glows)));
 }
 
 } // namespace odraz

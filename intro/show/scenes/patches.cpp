@@ -1,13 +1,16 @@
-// Scene 4. The hall before light: its patches, black with copper lines. One is visited: its hemicube rises
-// over it and unfolds into five pictures of what it sees, and the patch takes its colour. Then a wave of
-// direct light runs over all patches, then bounce after bounce. The light that a bounce adds is shown
-// brightened, in a colour of its own (amber, rose, blue), before it joins the rest. The camera goes in, and
-// patches become surfaces. All data are the solver's: patches, hemicube, light after each bounce.
+// Scene 4. The hall before light: the point of light spreads the patches' lines through the dark. One patch
+// is visited: its hemicube rises over it, unfolds into five pictures of what it sees, and gathers the light
+// of the windows that they find. Then direct light strikes all patches, then bounce after bounce. The light
+// that a bounce adds comes brightened, in a colour of its own (amber, rose, blue), and stays. The camera goes
+// nearer each time, until it is inside, and patches become surfaces. The mirror ball rolls in. All data are
+// the solver's: patches, hemicube, light after each bounce.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/hemicube_view.h"
+#include "show/point_of_light.h"
 #include "show/scenes.h"
 #include "timeline/keys.h"
+#include "trace/picture/overlay.h"
 
 namespace odraz {
 
@@ -15,86 +18,64 @@ namespace odraz {
 
 static constexpr float kGrey = 0.6f; // albedo of all surfaces at first
 
-// The stages of light, direct light and then bounces: the row on which each begins, and the factor by which
-// its contribution is brightened, by colour.
-static constexpr struct {
-    float row;
-    Rgb gain;
-    char name[16];
-} kStages[] = {
-    {rowOf(kDirectLight) - 0.6f, {1, 1, 1}, "direct light"},
-    {rowOf(kBounce1), {4.4f, 2.2f, 0.7f}, "bounce 1"},
-    {rowOf(kBounce2), {6.6f, 3, 4.2f}, "bounce 2"},
-    {rowOf(kBounce3), {2, 8, 26}, "bounce 3"},
-};
-static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
-static_assert(kStageCount <= kBounces + 1);
-static constexpr float kWave = 30; // metres per row: light reaches all patches by the row of the hit
+// Direct light, then bounces: a stage a bar, and the factor by which its contribution is brightened when it
+// comes, by colour.
+static constexpr Rgb kGains[] = {{1, 1, 1}, {4.4f, 2.2f, 0.7f}, {6.6f, 3, 4.2f}, {2, 8, 26}};
+static constexpr int kStages = sizeof kGains / sizeof *kGains, kStageRows = 16;
+static_assert(kStages <= kBounces + 1 && rowOf(kBounce3) == rowOf(kDirectLight) + 3 * kStageRows);
+static constexpr float kWave = 1.1f; // metres that the lines spread in a row
 static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {2.6f, 1.6f, 1.25f},
-                     kSunlight = {1.2f, 0.8f, 0.5f};
-// The path of a photon from the sun: through a window, to floor, wall and column
-static constexpr Vec3 kPhoton[] = {
-    {-7.5f, 6.3f, 3.3f}, {-1.2f, 0, 3.3f}, {1.5f, 3, -9}, {-1.93f, 2.2f, -1.7f}};
+                     kPathColour = {1.2f, 0.8f, 0.5f};
 
-// The stage of light at a row. Its contribution appears on its row and joins the rest before its bar ends.
-struct LightStage {
-    int number; // index in kStages; -1: no light yet
-    float join;
-
-    explicit LightStage(float row) {
-        number = -1;
-        while (number + 1 < kStageCount && row >= kStages[number + 1].row) ++number;
-        float at = row - kStages[max(number, 0)].row;
-        join = smoothstep(8.f, 10.5f, at);
-    }
-    Rgb light(const Hall &hall, int patch) const {
-        Rgb before = number ? hall.bounce[number - 1][patch] : Rgb{},
-            more = hall.bounce[number][patch] - before;
-        return before * lerp(number ? 0.3f : 1, 1.f, join) +
-               more * lerp(kStages[number].gain, Rgb{1, 1, 1}, join);
-    }
-};
-
-// Returns a patch's colour: a dark copper that depends on its normal, and later its light.
-static Rgb patchLight(const Hall &hall, int i, const LightStage &stage, float lit) {
-    const Model &m = hall.model;
-    const Vec3 n = m.charts[m.patches[i].chart].n;
-    Rgb dark = kDarkCopper * (0.006f + 0.0033f * n.y + 0.0024f * n.x - 0.0013f * n.z);
-    // Patches under the stair get no light
-    return stage.number < 0 || m.patches[i].share == 0 ? dark : dark * (1 - lit) + stage.light(hall, i) * lit;
+// The stage of light at a row: below 0 before the direct light.
+static int stageAt(float row) {
+    return row < rowOf(kDirectLight) ? -1 : min((int)(row - rowOf(kDirectLight)) / kStageRows, kStages - 1);
 }
+
+// The number of the hemicube's faces that have found their windows: one each two rows, from a beat after it
+// opens.
+static float facesFound(float row) { return (row - rowOf(kHemicubeOpens) - 4) / 2; }
 
 void posePatches(const SceneInput &in, Scene &scene) {
     float row = in.row;
     Hall *hall = in.hall;
     float melt = value(track(kMelt), row), real = value(track(kReal), row);
-    LightStage stage(row);
     HallLight light = {kNoon, {}, {}, real};
     poseHall(*hall, light, 1 - real, in.camera.eye, scene);
-    if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({0.003f, 0.003f, 0.004f}, {0.003f, 0.003f, 0.004f});
+    PointOfLight point = pointOf(kPatches, row);
+    addPoint(scene, point, 0.03f + 0.0035f * length(point.at - in.camera.eye), {}); // seen from far, too
+    if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({}, {});
     scene.exposure = value(track(kExposure), row);
     scene.lines = value(track(kLines), row) * (1 - melt);
     hall->map.sharpness = exp2((1 - melt) * 10);
     hall->map.mosaic = 1 - melt;
+    if (row >= rowOf(kBallRollsIn)) {
+        float z = value(track(kRolls), row);
+        z *= z;
+        addGuest(scene, 1.2f + z * (0.062f * z - 0.75f), z);
+    }
     if (melt == 1) return;
 
-    // Colour the patches. Light spreads from the visited one
+    // Colour the patches: black before the lines arrive, a dark copper that depends on their normals, and
+    // then their light
     const Model &m = hall->model;
-    Vec3 from = m.patches[hall->visited].p;
-    float reach = (row - kStages[0].row) * kWave;
+    int stage = stageAt(row);
+    Rgb gain = lerp(kGains[max(stage, 0)], Rgb{1, 1, 1},
+                    value(track(kJoin), row - (rowOf(kDirectLight) + (float)(stage * kStageRows))));
+    Vec3 corner = pointOf(kPatches, 0).at;
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
-        float lit = saturate((reach - length(p.p - from)) * 0.3f);
-        Rgb own = patchLight(*hall, i, stage, lit);
-        if (i == hall->visited && stage.number < 0)
-            own = lerp(own, hall->bounce[1][i], value(track(kTaken), row));
-        // Use the patch's own reflectance instead of the common grey's, until its own material is shown
-        own = own * lerp(Rgb{1, 1, 1}, lerp(hall->mean[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real), lit);
-        if (i == hall->visited && row > rowOf(kPatchIsVisited) && row < rowOf(kDirectLight)) {
-            float pulse = 0.5f - 0.5f * cos((row - rowOf(kPatchIsVisited)) * (kPi / 4));
-            own = lerp(own, kCopperLight * 0.45f,
-                       row < rowOf(kHemicubeRises) ? pulse : 1 - value(track(kTaken), row));
+        float wave = (row - rowOf(kLinesSpread)) * kWave - length(p.p - corner);
+        Rgb own = kDarkCopper * ((0.006f + 0.0033f * c.n.y + 0.0024f * c.n.x - 0.0013f * c.n.z) *
+                                 saturate(wave) * (1 + 3 * saturate(1 - 0.25f * wave)));
+        if (stage >= 0 && p.share > 0) { // patches under the stair get no light
+            Rgb before = stage ? hall->bounce[stage - 1][i] : Rgb{};
+            // Use the patch's own reflectance instead of the common grey's, until its own material is shown
+            own = (before + (hall->bounce[stage][i] - before) * gain) *
+                  lerp(hall->mean[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real);
+        } else if (i == hall->visited && row >= rowOf(kHemicubeRises)) {
+            own = lerp(kCopperLight * 0.45f, hall->bounce[1][i], saturate(facesFound(row) / 5));
         }
         hall->mosaic[0][i] = own.x, hall->mosaic[1][i] = own.y, hall->mosaic[2][i] = own.z;
     }
@@ -102,24 +83,23 @@ void posePatches(const SceneInput &in, Scene &scene) {
 
 void letterPatches(const SceneInput &in, const View &view, Frame &frame) {
     const Hall &hall = *in.hall;
-    LightStage stage(in.row);
     float h = (float)frame.height;
-    if (stage.number >= 0 && in.row < rowOf(kBounce3) + 10)
-        drawText(frame, kStages[stage.number].name, view.width - h * 0.12f, h * 0.88f,
+    int stage = in.row < rowOf(kPatchesMelt) ? stageAt(in.row) : -1;
+    if (stage >= 0) {
+        char bounce[] = {'b', 'o', 'u', 'n', 'c', 'e', ' ', (char)('0' + stage), 0};
+        drawText(frame, stage ? bounce : "direct light", view.width - h * 0.12f, h * 0.88f,
                  {h * 0.032f, 0.085f, Align::Right, {0.8f, 0.42f, 0.24f}});
-    // Draw a photon: a leg of its path each beat, then into the lens
-    float flown = in.row < rowOf(kPatchesMelt) ? (in.row - rowOf(kBounce3)) / 4 : 0;
-    for (int i = 0; i < 3 && flown > (float)i; ++i) {
-        Stroke leg;
-        view.project(kPhoton[i], leg.x0, leg.y0);
-        view.project(lerp(kPhoton[i], kPhoton[i + 1], min(flown - (float)i, 1.f)), leg.x1, leg.y1);
-        drawStrokes(frame, &leg, 1, h * 0.0012f, kSunlight, 1);
-        leg.x0 = leg.x1, leg.y0 = leg.y1;
-        float near = i < 2 ? 0 : max(flown - 3, 0.f);
-        near *= near;
-        drawStrokes(frame, &leg, 1, h * (0.004f + 0.02f * near), kSunlight * (1 + 40 * near), 1);
     }
-    drawHemicube(hall, value(track(kRise), in.row), value(track(kOpen), in.row), view, frame);
+    // Draw the path of the point of light, a leg for each stage
+    for (int i = 0; i <= stage; ++i) {
+        float from = rowOf(kDirectLight) + (float)(i * kStageRows);
+        Stroke leg;
+        view.project(pointOf(kPatches, from).at, leg.x0, leg.y0);
+        view.project(pointOf(kPatches, min(from + kStageRows - 0.01f, in.row)).at, leg.x1, leg.y1);
+        drawStrokes(frame, &leg, 1, h * 0.0008f, kPathColour, 1);
+    }
+    drawHemicube(hall, value(track(kRise), in.row), value(track(kOpen), in.row), facesFound(in.row), view,
+                 frame);
 }
 
 } // namespace odraz

@@ -2,6 +2,7 @@
 // that mirrors them, in front of a burning sky.
 #include "base/maths.h"
 #include "show/materials.h"
+#include "show/point_of_light.h"
 #include "show/scenes.h"
 
 namespace odraz {
@@ -45,9 +46,8 @@ constexpr struct {
     {3.65f, 2.35f, 0.2f, 1, 0, kSilver},     {1.55f, 2.35f, 0.3f, 1, 0, kClear},
     {2.4f, 0.95f, 0.24f, -1, 1.35f, kClear},
 };
-constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians per row
-constexpr Light kFill = {{6, 5, -4}, {9, 14, 24}};
-constexpr float kMacroFrom = 64, kMacroTo = 128; // rows of the second shot, a close-up of glass balls
+constexpr float kBeat = 4, kSpeed = 0.03f;                                  // rows; radians per row
+constexpr float kMacroFrom = rowOf(kMacro), kMacroTo = rowOf(kCopperFills); // a close-up of glass balls
 // The sun; then a higher sun for the second shot, which the balls focus on the board
 constexpr Light kKeyLights[] = {
     {kDuskSun, {620, 390, 210}, 0.6f},
@@ -58,9 +58,10 @@ constexpr Light kKeyLights[] = {
 
 void poseTable(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
+    scene.materials[kStone].reflect = 0.2f;
     scene.addAll(kShapes);
     scene.add(kKeyLights[in.row >= kMacroFrom && in.row < kMacroTo]);
-    scene.add(kFill);
+    addPoint(scene, pointOf(kTable, in.row), 0.035f, {1.6f, 1.1f, 0.6f});
     float rows = in.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
         // Start from rest and reach full speed within a beat
@@ -80,10 +81,10 @@ void poseTable(const SceneInput &in, Scene &scene) {
 
     scene.ballsOcclude = true;
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
-    scene.ambientHigh = {0.09f, 0.12f, 0.19f};
+    scene.ambientHigh = {0.12f, 0.17f, 0.28f};
     scene.sky = duskSky(in.row);
     if (in.row < kMacroFrom) scene.sky.cloudScale = 0.5f; // clouds fill half of the first shot's picture
-    scene.exposure = 0.93f;
+    scene.exposure = in.row >= kMacroTo && in.row < rowOf(kDarkBall) ? 0.7f : 0.88f; // copper is bright
 }
 
 } // namespace odraz

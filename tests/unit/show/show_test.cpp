@@ -22,24 +22,40 @@ float medianOf(std::vector<float> values) {
 
 } // namespace
 
-// The treatment demands this number of cuts.
-constexpr int kLeastCuts = 14;
+// The treatment demands this number of cuts, and these lenses: focal lengths in mm for a picture 24 mm high.
+constexpr int kLeastCuts = 35;
+// Stretches in which the point of light is all that is seen, in seconds.
+constexpr struct { double from, to; } kBlack[] = {{56, 57.6}, {98, 98.75}, {111.5, 112}};
+constexpr double kLenses[] = {18, 24, 35, 50, 100};
 
 TEST(Film, HasTheCutsAndTheLengthOfItsTreatment) {
     EXPECT_GE(kFilm.count - 1, kLeastCuts);
     EXPECT_NEAR(duration(), 160, 5);
 }
 
-// In each second the camera's target moves through the picture by at least a fiftieth of the picture's
+TEST(Film, HasTheLensesOfItsTreatment) {
+    for (double lens : kLenses) {
+        int used = 0;
+        for (int i = 0; i < kFilm.count; ++i) {
+            const Shot &s = kFilm.shots[i];
+            double mm = 12 / std::tan((double)pose(s.path, s.row - s.storyRow).fov * 3.14159265 / 360);
+            used += std::fabs(mm / lens - 1) < 0.12;
+        }
+        EXPECT_GT(used, 0) << lens << " mm";
+    }
+}
+
+// In each second the camera's target moves through the picture by at least an eightieth of the picture's
 // height. (Far away, through a long lens, a walking camera may look still.)
 TEST(Film, NoCameraIsStill) {
     for (int i = 0; i < kFilm.count; ++i) {
+        if (kFilm.shots[i].path.count == 1) continue; // a camera on its tripod: what it looks at moves
         double end = endOf(i) / kRowsPerSecond;
         for (double t = kFilm.shots[i].row / kRowsPerSecond; t + 1 < end; t += 0.25) {
             CameraKey a = cameraAt(t), b = cameraAt(t + 1);
             double passes = (double)(length(b.eye - a.eye) / length(a.target - a.eye)) * 57.3,
                    zooms = std::fabs((double)(b.fov - a.fov));
-            EXPECT_GT((passes + degreesBetween(a, b) + zooms) / (double)a.fov, 0.02) << t;
+            EXPECT_GT((passes + degreesBetween(a, b) + zooms) / (double)a.fov, 0.0125) << t;
         }
     }
 }
@@ -53,6 +69,7 @@ TEST(Film, EveryEventIsOnABeat) {
 TEST(Film, CamerasMoveEvenly) {
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &shot = kFilm.shots[i];
+        if (shot.path.count == 1) continue;
         double end = endOf(i);
         auto velocity = [&](double row) {
             constexpr double h = 0.02; // rows
@@ -95,6 +112,9 @@ TEST(Film, LevelsFitTheTreatment) {
         double sum = 0, least = 255, most = 0, clipped = 0;
         std::vector<float> medians;
         for (double t = 0.5; t < duration(); t += 1) {
+            if (std::any_of(std::begin(kBlack), std::end(kBlack),
+                            [=](auto &black) { return t >= black.from && t < black.to; }))
+                continue;
             Moment now = momentAt(kFilm, t * kRowsPerSecond);
             if (now.shot->scene != scene || now.fade < 1) continue;
             Picture p = picture(smallFilm(), 0, t, kQualities[(int)QualityName::Draft]);
@@ -119,10 +139,10 @@ TEST(Film, LevelsFitTheTreatment) {
                     medians.size(), least, sum / (double)medians.size(), most, clipped, saturation);
         SCOPED_TRACE(kScenes[scene].name);
         bool black = scene == kPoint || scene == kCredits; // the scene is mostly black
-        EXPECT_GE(least, black ? 1 : 8);
+        EXPECT_GE(least, black ? 1 : 7);
         EXPECT_LE(most, 130);
-        EXPECT_LT(clipped, 0.5);
-        EXPECT_TRUE(black || (saturation >= 0.12 && saturation <= 0.5)) << saturation;
+        EXPECT_LT(clipped, scene == kOdraz ? 1 : 0.5); // the point of light passes close to the lens
+        EXPECT_TRUE(black || (saturation >= 0.12 && saturation <= 0.6)) << saturation;
     }
 }
 
@@ -136,6 +156,8 @@ TEST(Film, BallsDoNotRollThroughShapes) {
                 if (!a.isBall() || b.kind == ShapeKind::Plane) continue;
                 // At the door the balls pass through the wall
                 if (now.scene().id == kOdraz && b.kind == ShapeKind::Rect && b.centre.z < -8.99f) continue;
+                // The point of light writes the word
+                if (now.scene().id == kPoint && b.kind == ShapeKind::Cylinder) continue;
                 EXPECT_GT(distanceFrom(b, a.centre) - a.half.x, -1e-3f)
                     << "at " << t << " s: shapes " << i << " and " << j << " of " << now.scene().name;
             }
@@ -144,26 +166,27 @@ TEST(Film, BallsDoNotRollThroughShapes) {
 
 // Detail, gloss and the light at the camera depend on the camera in use, scripted or flown.
 TEST(Film, IsPosedForTheCameraInUse) {
+    constexpr double kInHall = 85, kAtFlake = 45; // seconds
     const Film &f = smallFilm().film;
     auto gloss = [&] {
         const Glossy &g = f.hall->gloss;
         return std::vector<float>(g.plane[1], g.plane[1] + g.across * g.down);
     };
-    CameraKey moved = cameraAt(108);
+    CameraKey moved = cameraAt(kInHall);
     moved.eye += Vec3{1, 0.5f, 0};
-    poseAt(f, 108);
+    poseAt(f, kInHall);
     auto scripted = gloss();
-    Posed flown = poseAt(f, 108, &moved);
+    Posed flown = poseAt(f, kInHall, &moved);
     EXPECT_NE(gloss(), scripted);
     EXPECT_EQ(flown.input.camera.eye.x, moved.eye.x);
     EXPECT_EQ(flown.view(16, 9).eye.x, moved.eye.x);
-    poseAt(f, 108);
+    poseAt(f, kInHall);
     EXPECT_EQ(gloss(), scripted);
 
-    CameraKey far = cameraAt(60);
-    poseAt(f, 60);
+    CameraKey far = cameraAt(kAtFlake);
+    poseAt(f, kAtFlake);
     int shapes = f.scene->shapeCount;
     far.eye = far.eye * 30.f;
-    poseAt(f, 60, &far);
+    poseAt(f, kAtFlake, &far);
     EXPECT_LT(f.scene->shapeCount, shapes / 2); // distant balls have no fine detail
 }

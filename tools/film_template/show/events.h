@@ -23,7 +23,15 @@ static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event,
 // The row of an event, for keys.
 consteval float rowOf(EventId event) { return kEvents[event].row; }
 
-// The big hits. The half beat before each of them is silent.
-inline constexpr EventId kHits[] = {kBallLands};
+// The events before which all is silent, and for how many rows: two are half a beat.
+struct Silence {
+    SceneId scene;
+    uint8_t rows;
+    int16_t before; // the event's row
+
+    consteval Silence(EventId before, uint8_t rows)
+        : scene(kEvents[before].scene), rows(rows), before(kEvents[before].row) {}
+};
+inline constexpr Silence kSilences[] = {{kBallLands, 2}};
 
 } // namespace odraz

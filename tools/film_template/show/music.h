@@ -2,6 +2,7 @@
 // score.cpp includes it.
 #pragma once
 
+#include "show/length.h"
 #include "show/score.h"
 
 namespace odraz {
@@ -26,6 +27,12 @@ static constexpr EventSound kEventSounds[] = {
     {kBallLandsAgain, {kDrum, 1, 1, 120}, 50, 'a'},
 };
 // clang-format on
+
+// The level of each bar of the film in dB, applied after the compressor.
+static constexpr int8_t kLevels[(int)kEndRow / 16] = {};
+
+// Returns by how many semitones a bar of a scene is transposed.
+static int semitonesUpAt(int, int) { return 0; }
 
 // Returns the share of each channel that the other gets, in per cent. A smaller share sounds wider.
 static int crossfeedAt(int, int) { return 12; }

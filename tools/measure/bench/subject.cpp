@@ -11,12 +11,12 @@ const std::vector<SubjectName> &subjectNames() {
         {"A", false, posePeerA, &kPeerCameraA},
         {"B", false, [](Scene &scene) { posePeerB(scene); }, &kPeerCameraB},
         {"field", false, poseField, &kFieldCamera},
-        {.name = "point", .hall = false, .seconds = 14},
-        {.name = "table", .hall = false, .seconds = 30},
-        {.name = "flake", .hall = false, .seconds = 56},
-        {.name = "patches", .hall = true, .seconds = 86},
-        {.name = "hall", .hall = true, .seconds = 108},
-        {.name = "odraz", .hall = true, .seconds = 142},
+        {.name = "point", .hall = false, .seconds = 10},
+        {.name = "table", .hall = false, .seconds = 22},
+        {.name = "flake", .hall = false, .seconds = 44},
+        {.name = "patches", .hall = true, .seconds = 74},
+        {.name = "hall", .hall = true, .seconds = 88},
+        {.name = "odraz", .hall = true, .seconds = 118},
         {.name = "credits", .hall = false, .seconds = 159},
     };
     return names;

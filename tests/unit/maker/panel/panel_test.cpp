@@ -219,13 +219,13 @@ TEST(Panel, StepsByPictureBarAndEvent) {
     EXPECT_NEAR(after(Action::BarOn), 32, 1e-9);
     EXPECT_NEAR(after(Action::BarBack), 30, 1e-9);
     EXPECT_NEAR(after(Action::BarBack), 28, 1e-9);
-    EXPECT_NEAR(after(Action::EventOn), 42, 1e-9) << "the first generation of the flake";
-    EXPECT_NEAR(after(Action::EventBack), 18, 1e-9) << "balls set off";
+    EXPECT_NEAR(after(Action::EventOn), 31.5, 1e-9) << "the glass ball swallows the lens";
+    EXPECT_NEAR(after(Action::EventBack), 26, 1e-9) << "the dark ball";
     // Two key presses between two pictures make two steps
     h.panel.act(Action::BarOn);
     h.panel.act(Action::BarOn);
     h.steer();
-    EXPECT_NEAR(h.time, 22, 1e-9);
+    EXPECT_NEAR(h.time, 30, 1e-9);
 }
 
 TEST(Panel, ScrubsAndHoldsTheTimeAtTheMouse) {
@@ -274,8 +274,8 @@ TEST(Panel, LoopsAPart) {
     h.time = 26;
     h.steer();
     h.act(Action::LoopShot);
-    EXPECT_EQ(h.panel.loop().from, 24);
-    EXPECT_EQ(h.panel.loop().to, 32);
+    EXPECT_EQ(h.panel.loop().from, 26);
+    EXPECT_EQ(h.panel.loop().to, 28);
     h.act(Action::LoopShot);
     EXPECT_FALSE(h.panel.loop().on());
 }

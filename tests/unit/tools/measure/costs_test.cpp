@@ -32,51 +32,53 @@ std::string momentAt(double seconds, int unit) {
     add("0", "0", "640,360", 1, 400);
     return rows;
 }
-// Two moments of the shot that ends at 16 s, and one of the next shot, which ends at 24 s.
-PictureCosts sample() { return PictureCosts(kHead + momentAt(4, 1) + momentAt(12, 2) + momentAt(20, 7)); }
+// One moment of the shot that ends at 148 s, and two of the last shot.
+PictureCosts sample() { return PictureCosts(kHead + momentAt(144, 7) + momentAt(150, 1) + momentAt(158, 2)); }
 constexpr double kSmall = 640 * 360, kLarge = 1280 * 720;
 
 TEST(PictureCosts, AreTheCountedOnes) {
     PictureCosts costs = sample();
-    EXPECT_NEAR(costs.of({4, 1, kSmall, 0}).parallel, 100e6, 1);
-    EXPECT_NEAR(costs.of({4, 1, kLarge, 0}).parallel, 300e6, 1);
-    EXPECT_NEAR(costs.of({12, 2, kLarge, 0}).parallel, 300e6, 1);
-    EXPECT_NEAR(costs.of({4, 2, kSmall, 2}).parallel, 30e6, 1);
-    EXPECT_NEAR(costs.of({4, 2, kSmall, 2}).serial, 2e6, 1);
+    EXPECT_NEAR(costs.of({150, 1, kSmall, 0}).parallel, 100e6, 1);
+    EXPECT_NEAR(costs.of({150, 1, kLarge, 0}).parallel, 300e6, 1);
+    EXPECT_NEAR(costs.of({158, 2, kLarge, 0}).parallel, 300e6, 1);
+    EXPECT_NEAR(costs.of({150, 2, kSmall, 2}).parallel, 30e6, 1);
+    EXPECT_NEAR(costs.of({150, 2, kSmall, 2}).serial, 2e6, 1);
 }
 
 TEST(PictureCosts, AreInterpolated) {
     PictureCosts costs = sample();
-    EXPECT_NEAR(costs.of({8, 1, kSmall, 0}).parallel, 150e6, 1) << "time, linear";
-    EXPECT_NEAR(costs.of({4, 1.5f, kSmall, 0}).parallel, 100e6 / std::sqrt(2.), 1) << "level, by logarithm";
-    EXPECT_NEAR(costs.of({4, 0.5f, kSmall, 0}).parallel, 200e6, 1);
-    EXPECT_NEAR(costs.of({4, 1, 2 * kSmall, 0}).parallel, 100e6 * std::sqrt(3.), 1) << "pixels, a power";
-    EXPECT_NEAR(costs.of({4, 1, 4 * kLarge, 0}).parallel, 900e6, 1) << "... and beyond";
-    EXPECT_NEAR(costs.of({4, 1, 4 * kLarge, 0}).serial, 1e6, 1);
-    EXPECT_NEAR(costs.of({4, 0, kLarge, 0}).parallel, 1200e6, 1) << "a level of one size grows as play does";
-    EXPECT_NEAR(costs.of({4, 0.2f, kSmall, 2}).parallel, 40e6, 1) << "beyond the best one counted";
+    EXPECT_NEAR(costs.of({154, 1, kSmall, 0}).parallel, 150e6, 1) << "time, linear";
+    EXPECT_NEAR(costs.of({150, 1.5f, kSmall, 0}).parallel, 100e6 / std::sqrt(2.), 1) << "level, by logarithm";
+    EXPECT_NEAR(costs.of({150, 0.5f, kSmall, 0}).parallel, 200e6, 1);
+    EXPECT_NEAR(costs.of({150, 1, 2 * kSmall, 0}).parallel, 100e6 * std::sqrt(3.), 1) << "pixels, a power";
+    EXPECT_NEAR(costs.of({150, 1, 4 * kLarge, 0}).parallel, 900e6, 1) << "... and beyond";
+    EXPECT_NEAR(costs.of({150, 1, 4 * kLarge, 0}).serial, 1e6, 1);
+    EXPECT_NEAR(costs.of({150, 0, kLarge, 0}).parallel, 1200e6, 1)
+        << "a level of one size grows as play does";
+    EXPECT_NEAR(costs.of({150, 0.2f, kSmall, 2}).parallel, 40e6, 1) << "beyond the best one counted";
 }
 
 // The cost of an in-between depends on its gap.
 TEST(PictureCosts, OfInBetweensDependOnTheirGap) {
     PictureCosts costs = sample();
-    auto parallel = [&](double gap) { return costs.of({4, 1, kSmall, gap}).parallel; };
+    auto parallel = [&](double gap) { return costs.of({150, 1, kSmall, gap}).parallel; };
     EXPECT_NEAR(parallel(2), 40e6, 1);
     EXPECT_NEAR(parallel(4), 48e6, 1);
     EXPECT_NEAR(parallel(3), 44e6, 1) << "linear";
     EXPECT_NEAR(parallel(6), 48e6, 1) << "the nearest, beyond those counted";
     EXPECT_NEAR(parallel(1.5), 40e6, 1) << "... not mixed with a traced picture's";
-    EXPECT_NEAR(costs.of({4, 2, kSmall, 4}).parallel, 48e6, 1) << "a level that was not counted at that gap";
-    EXPECT_NEAR(costs.of({4, 2, kSmall, 3}).parallel, 39e6, 1) << "... each gap has its own levels";
-    EXPECT_NEAR(costs.of({8, 1, kSmall, 4}).parallel, 72e6, 1) << "time, too";
+    EXPECT_NEAR(costs.of({150, 2, kSmall, 4}).parallel, 48e6, 1)
+        << "a level that was not counted at that gap";
+    EXPECT_NEAR(costs.of({150, 2, kSmall, 3}).parallel, 39e6, 1) << "... each gap has its own levels";
+    EXPECT_NEAR(costs.of({154, 1, kSmall, 4}).parallel, 72e6, 1) << "time, too";
 }
 
 TEST(PictureCosts, NeverCrossACut) {
     PictureCosts costs = sample();
-    EXPECT_NEAR(costs.of({0, 1, kSmall, 0}).parallel, 100e6, 1);
-    EXPECT_NEAR(costs.of({15.9, 1, kSmall, 0}).parallel, 200e6, 1);
-    EXPECT_NEAR(costs.of({16.1, 1, kSmall, 0}).parallel, 700e6, 1);
-    EXPECT_THROW(costs.of({30, 1, kSmall, 0}), common::Refused);
+    EXPECT_NEAR(costs.of({148.5, 1, kSmall, 0}).parallel, 100e6, 1);
+    EXPECT_NEAR(costs.of({163.9, 1, kSmall, 0}).parallel, 200e6, 1);
+    EXPECT_NEAR(costs.of({147.9, 1, kSmall, 0}).parallel, 700e6, 1);
+    EXPECT_THROW(costs.of({100, 1, kSmall, 0}), common::Refused);
 }
 
 TEST(PictureCosts, WhatIsWrongIsReported) {

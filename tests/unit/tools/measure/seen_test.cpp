@@ -90,7 +90,7 @@ SeenErrors seenOf(Viewer &viewer, const std::vector<ShownPicture> &list, double 
 // The moment is in the flake's flight, where everything moves.
 TEST(Viewer, RanksRatesGapsAndSizes) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    constexpr double kFrom = 52.5, kTo = 52.75; // FLIP is of its third, eighth and 13th sixtieth
+    constexpr double kFrom = 49.5, kTo = 49.75; // FLIP is of its third, eighth and 13th sixtieth
     Viewer viewer(320, 180, kFrom, kTo);
     auto seen = [&](double rate, int every, float level, int width) {
         return seenOf(viewer, steady(kFrom, kTo, rate, every, level, width, width * 9 / 16), kFrom, kTo);

@@ -20,7 +20,7 @@ PictureCost cost(const PictureKind &p) {
     if (p.gap) return {3e6, 250 * p.pixels * unit};
     return {3e6, 300 * p.pixels * unit * std::pow(p.level < 1 ? 3 : 2, 1 - p.level)};
 }
-constexpr double kFrom = 10, kTo = 60;
+constexpr double kFrom = 10, kTo = 55;
 std::vector<ShownPicture> played(double giga, double cheaper = 1) {
     return simulate(
         [=](const PictureKind &p) {
@@ -88,7 +88,7 @@ constexpr Governor::Cadence kMaking[] = {Governor::kPairs, Governor::kFours, Gov
 // An in-between has the cost of the gap of its cadence.
 TEST(Simulated, InBetweensAreChargedAtTheirGap) {
     for (Governor::Cadence cadence : kMaking) {
-        Charged c = charged(cadence, 2, 12); // without a cut
+        Charged c = charged(cadence, 150, 160); // without a cut
         int expected = 10 * 60 / Governor::kGap[cadence] * Governor::kInBetweens[cadence];
         EXPECT_EQ(c.summed, c.making) << cadence;
         if (cadence != Governor::kPairs) {
@@ -186,7 +186,7 @@ TEST(Simulated, TheSummaryBeginsLater) {
     SimulatedMachine machine = {14e9, 4, 1280, 720};
     std::vector<PlayedScene> all = summary(list, cost, machine), later = summary(list, cost, machine, 20);
     ASSERT_EQ(later.size(), 2u); // no point
-    EXPECT_NEAR(later[0].seconds, 20, 1e-6);
+    EXPECT_NEAR(later[0].seconds, 12, 1e-6);
     EXPECT_LT(later[0].shown, all[1].shown);
     EXPECT_EQ(later[1].shown, all[2].shown);
 }

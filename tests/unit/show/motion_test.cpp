@@ -1,0 +1,93 @@
+// Checks how the film's pictures change over time: the climax moves most, and light does not flicker.
+#include "inside.h"
+#include "tests/support/sanitized.h"
+#include "tests/support/small_film.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+constexpr int kRate = 15, kPixels = 160 * 90; // pictures a second, and their size
+constexpr double kClimaxFrom = 56 * 2, kClimaxTo = 68 * 2, kBeforeFrom = 46 * 2; // seconds
+
+struct Pictures {
+    std::vector<double> light;   // mean linear luminance of each picture
+    std::vector<double> changes; // mean difference of luma from the picture before, in levels of 255
+};
+
+const Pictures &pictures() {
+    static const Pictures all = [] {
+        Pictures p;
+        std::array<double, 256> linear;
+        for (int i = 0; i < 256; ++i) {
+            double x = i / 255.;
+            linear[(size_t)i] = x < 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+        }
+        std::vector<double> before;
+        for (int n = 0; n < duration() * kRate; ++n) {
+            Picture now = picture(smallFilm(), 0, (double)n / kRate, kQualities[(int)QualityName::Draft]);
+            std::vector<double> luma;
+            double light = 0, change = 0;
+            for (int i = 0; i < kPixels; ++i) {
+                const uint8_t *c = now.rgba + 4 * i;
+                light += 0.2126 * linear[c[0]] + 0.7152 * linear[c[1]] + 0.0722 * linear[c[2]];
+                luma.push_back(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
+                if (n) change += std::fabs(luma.back() - before[(size_t)i]);
+            }
+            p.light.push_back(light / (kPixels));
+            p.changes.push_back(change / (kPixels));
+            before = luma;
+        }
+        return p;
+    }();
+    return all;
+}
+
+double medianChange(double from, double to) {
+    std::vector<double> part(pictures().changes.begin() + (long)(from * kRate) + 1,
+                             pictures().changes.begin() + (long)(to * kRate));
+    std::nth_element(part.begin(), part.begin() + (long)part.size() / 2, part.end());
+    return part[part.size() / 2];
+}
+
+// Returns how often the values rise or fall by a tenth or more, of a fiftieth of white at least.
+int swings(const double *values, int count) {
+    int result = 0, direction = 0;
+    double low = std::max(values[0], 0.02), high = low;
+    for (int i = 1; i < count; ++i) {
+        double v = std::max(values[i], 0.02);
+        if (direction >= 0) high = std::max(high, v);
+        if (direction <= 0) low = std::min(low, v);
+        if (direction != -1 && v < high * 0.9) {
+            ++result, direction = -1, low = v;
+        } else if (direction != 1 && v > low * 1.1) {
+            ++result, direction = 1, high = v;
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+// What swings more often tires the eye; three flashes a second are the limit of WCAG 2.3.1.
+TEST(Motion, LightRisesAndFallsAtMostThreeTimesASecond) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+    const std::vector<double> &light = pictures().light;
+    for (int n = 0; n + kRate < (int)light.size(); n += kRate / 5)
+        EXPECT_LE(swings(&light[(size_t)n], kRate + 1), 3) << "from " << (double)n / kRate << " s";
+}
+
+TEST(Motion, TheClimaxMovesMost) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+    double climax = medianChange(kClimaxFrom, kClimaxTo), before = medianChange(kBeforeFrom, kClimaxFrom);
+    std::printf("from picture to picture luma changes by %.2f levels in the climax, by %.2f before it\n",
+                climax, before);
+    EXPECT_GE(climax, 1.5 * before);
+}
