@@ -1,8 +1,8 @@
 // The film's tracks under the names that GNU Rocket shows, with all edits of them.
 //
-// A camera's path is eight tracks, such as "hall.camera.descent:eye.x", named after the scene that it shows and
-// the table in film.keys (kDescent). A table of Key is one track, such as "hall:exposure", named after its file
-// and its name there. Rows count from the film's start.
+// A camera's path is eight tracks, such as "hall.camera.descent:eye.x", named after the scene that it shows
+// and the table in film.keys (kDescent). A table of Key is one track, such as "hall:exposure", named after
+// its file and its name there. Rows count from the film's start.
 //
 // Rocket has no Hermite curves: a camera's path keeps its own, and Rocket's documents say "smooth". Rocket
 // has no fractional and no negative rows: a key is sent on the nearest row, or left out if that row is

@@ -19,7 +19,7 @@ void playDoor(HallLight &light, const char *line, float row, float every, float 
         }
 }
 
-constexpr float kEmber = 0.1f; // of a flare
+constexpr float kEmber = 0.1f; // share of a flare
 
 void balanceDoor(HallLight &light, float level) {
     // Strips in the middle count more. (0.07: rests are a little darker than flares)

@@ -15,4 +15,13 @@ struct Event {
     bool heard;  // whether music.h has a sound for it
 };
 
+// The silence before an event.
+struct Silence {
+    SceneId scene;
+    uint8_t rows;   // how long it lasts
+    int16_t before; // the event's row
+
+    consteval Silence(const Event &event, uint8_t rows) : scene(event.scene), rows(rows), before(event.row) {}
+};
+
 } // namespace odraz

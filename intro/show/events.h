@@ -114,14 +114,7 @@ consteval float rowOf(EventId event) { return kEvents[event].row; }
 
 // The events before which all is silent, and for how many rows: two beats after the flake's dead stop, half a
 // beat before the direct light and before the first strip, a whole beat before the first ball.
-struct Silence {
-    SceneId scene;
-    uint8_t rows;
-    int16_t before; // the event's row
-
-    consteval Silence(EventId before, uint8_t rows)
-        : scene(kEvents[before].scene), rows(rows), before(kEvents[before].row) {}
-};
-inline constexpr Silence kSilences[] = {{kLinesSpread, 8}, {kDirectLight, 2}, {kStrip1, 2}, {kBall1, 4}};
+inline constexpr Silence kSilences[] = {
+    {kEvents[kLinesSpread], 8}, {kEvents[kDirectLight], 2}, {kEvents[kStrip1], 2}, {kEvents[kBall1], 4}};
 
 } // namespace odraz

@@ -15,7 +15,7 @@ static KEYED CameraPath kPoints[kSceneCount] = {
     [kPatches] = path(kPointOfWire), [kHall] = path(kPointOfHall),   [kOdraz] = path(kPointOfBalls),
     [kCredits] = path(kPointGoes)};
 
-constexpr float kRadiance = 80; // of its ball, in units of kPointLight
+constexpr float kRadiance = 80; // its ball's, in units of kPointLight
 
 PointOfLight pointOf(int scene, float storyRow) {
     CameraKey key = pose(kPoints[scene], storyRow);

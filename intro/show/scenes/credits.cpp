@@ -19,7 +19,7 @@ static constexpr Shape kShapes[] = {
     {.kind = ShapeKind::Plane, .material = kMarble, .textureShift = {-4, -2.75f, 5.5f}},
     sphere({-2.05f, 0.75f, -1.35f}, 0.75f, kSilver),
 };
-static constexpr int kStrokes = 8; // of the word
+static constexpr int kStrokes = 8; // in the word
 // The start of each page of text and the end of the last
 static constexpr float kPages[] = {rowOf(kLine1), rowOf(kLine2), rowOf(kLine3), rowOf(kWordGoes) + 4};
 

@@ -16,10 +16,10 @@ using namespace odraz;
 
 namespace {
 
-constexpr int kMoments = 4;                // of each shot
+constexpr int kMoments = 4;                // in each shot
 constexpr int kAcross = 1280, kDown = 720; // size of the picture whose pixels are counted
 constexpr int kLeastPixels = 2, kLegs = 6; // a path's legs from the eye to the point
-constexpr float kLeastShare = 0.01f;       // of its light: it is a hundred times as bright as a lit wall
+constexpr float kLeastShare = 0.01f; // share of its light: it is a hundred times as bright as a lit wall
 
 // The picture as rays see it.
 struct Sight {

@@ -24,14 +24,6 @@ static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event,
 consteval float rowOf(EventId event) { return kEvents[event].row; }
 
 // The events before which all is silent, and for how many rows: two are half a beat.
-struct Silence {
-    SceneId scene;
-    uint8_t rows;
-    int16_t before; // the event's row
-
-    consteval Silence(EventId before, uint8_t rows)
-        : scene(kEvents[before].scene), rows(rows), before(kEvents[before].row) {}
-};
-inline constexpr Silence kSilences[] = {{kBallLands, 2}};
+inline constexpr Silence kSilences[] = {{kEvents[kBallLands], 2}};
 
 } // namespace odraz
