@@ -171,8 +171,9 @@ template <bool kBetweens> struct GovernorOf {
     // Prepares for a picture of this scene.
     void enter(int next, const Pace &nextPace) {
         if (scene == next) return;
+        if (scene >= 0) tracing *= nextPace.cost / pace.cost;
         pace = nextPace;
-        coarseness = min(coarseness, coarsest());
+        setCoarseness(clamp(scene < 0 ? coarseness : expected(cadence), min(coarseness, kPlay), coarsest()));
         reduced = mustReduce();
         weight = 1;
         waited = kWait;

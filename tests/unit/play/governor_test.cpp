@@ -74,7 +74,11 @@ public:
     }
     int sceneOf(double time) const { return sceneAt(time).id; }
     double startOf(double time) const { return time < cut ? 0 : cut; }
-    Pace paceOf(int) const { return pace; }
+    Pace paceOf(int id) const {
+        Pace p = pace;
+        if (foresight) p.cost = (float)(id ? kCostly : kUsual).play;
+        return p;
+    }
     void trace(FinishedPicture &m, int, const Governor &) {
         SceneCost scene = sceneAt(m.time);
         all.push_back({m.time, scene, {}, 0, false, governor.size()});
@@ -85,8 +89,9 @@ public:
         spend(later.scene.make * pixels(), hiccup(later.time, true));
     }
 
-    Pace pace;      // the same for all scenes
-    double cut = 0; // time at which the second shot begins
+    Pace pace;              // the same for all scenes, but for the cost
+    bool foresight = false; // whether its cost is that of kUsual and kCostly
+    double cut = 0;         // time at which the second shot begins
     Governor governor;
 
 private:
@@ -386,6 +391,18 @@ TEST(Governor, TracesAtCuts) {
             return std::abs(d.time - player.cut) < 1e-6;
         })) << sixtieth;
         EXPECT_LE(seen(all, 1, 10).drops, 1);
+    }
+}
+
+// The first picture of a costly scene is in time if the scene says its cost. The first one of a cheap scene
+// is not finer than `play`, since the times of single pictures differ from their scene's.
+TEST(Governor, ForeseesTheCostOfAScene) {
+    for (bool foresight : {false, true}) {
+        GovernedPlayer player(withScreen(8), 12, costlyFromFiveToTen, kPairsAlone);
+        player.foresight = foresight;
+        auto all = player.play();
+        EXPECT_EQ(seen(all, 4.9, 5.2).drops > 0, !foresight);
+        EXPECT_GE(seen(all, 10, 10.05).least, Governor::kPlay - 0.2f);
     }
 }
 
