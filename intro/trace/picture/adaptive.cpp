@@ -102,49 +102,48 @@ void traceRequested(Tile &t) {
 // those that do not split. Returns the number of pixels in squares[2], which need samples inside.
 int splitSquares(Tile &t, int count, int size) {
     TileScratch &s = t.s;
-    const Quality &q = t.quality;
     Square *squares = s.squares[0], *next = s.squares[1];
-    int rough = 0;
-    for (; count; size /= 2) {
-        int splits = 0, half = size / 2, left = 0;
-        for (int i = 0; i < count; ++i) {
-            Square a = squares[i];
-            uint32_t c[4];
-            cornersOf(a, size, c);
-            if (size > 1) {
-                Split why = splitsSquare(t, a, size, c);
+    int rough = 0, first = kTile * kTile, last = first; // the part of s.unsplit in use
+    for (const int coarse = size; count;) {
+        for (; count; size /= 2) {
+            int splits = 0;
+            for (int i = 0; i < count; ++i) {
+                Square a = squares[i];
+                uint32_t c[4];
+                cornersOf(a, size, c);
+                Split why = size > 1 ? splitsSquare(t, a, size, c) : Split::No;
                 if (why != Split::No)
-                    splits += quarter(t, a, half, why, next + splits);
+                    splits += quarter(t, a, size / 2, why, next + splits);
+                else if (size == 1 && splitsPixel(t, a, c))
+                    s.squares[2][rough++] = a;
                 else
-                    squares[left++] = a;
-                continue;
+                    s.unsplit[size > 1 ? last++ : --first] = {a, (uint16_t)size};
             }
-            if (splitsPixel(t, a, c))
-                s.squares[2][rough++] = a;
-            else
-                squares[left++] = a;
-        }
-        // Split more squares because of samples traced for neighbours. Test all before the first split
-        for (int before = 0; size > 1 && splits > before;) {
-            before = splits;
             traceRequested(t);
-            Square *more = s.squares[2];
-            int kept = 0, found = 0;
-            for (int i = 0; i < left; ++i)
-                if (splitsBySides(s, squares[i], size, q.markThreshold))
-                    more[found++] = squares[i];
-                else
-                    squares[kept++] = squares[i];
-            left = kept;
-            for (int i = 0; i < found; ++i)
-                splits += quarter(t, more[i], half, Split::Differs, next + splits);
+            Square *done = squares;
+            squares = next, next = done;
+            count = splits;
         }
-        for (int i = 0; i < left; ++i) fill(t, squares[i], size);
+        // Split the largest squares that samples traced for their neighbours split. Test all before the first
+        // split, since that requests samples
+        int found = 0;
+        for (size = coarse; size > 1 && !found; size /= 2) {
+            int kept = kTile * kTile;
+            for (int i = kept; i < last; ++i) {
+                SizedSquare a = s.unsplit[i];
+                if (a.size == size && splitsBySides(s, a.square, size, t.quality.markThreshold))
+                    squares[found++] = a.square;
+                else
+                    s.unsplit[kept++] = a;
+            }
+            last = kept;
+        }
+        for (int i = 0; i < found; ++i) count += quarter(t, squares[i], size, Split::Differs, next + count);
+        traceRequested(t);
         Square *done = squares;
-        squares = next;
-        next = done;
-        count = splits;
+        squares = next, next = done;
     }
+    for (; first < last; ++first) fill(t, s.unsplit[first].square, s.unsplit[first].size);
     return rough;
 }
 

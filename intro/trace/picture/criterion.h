@@ -92,17 +92,19 @@ ODRAZ_INLINE bool meanSuffices(const Tile &t, uint32_t a, uint32_t b, int half) 
                     3 * t.quality.markThreshold);
 }
 
-// Whether a sample in the middle of a side splits a square that its own corners, all alike, did not split.
-// The sample was traced because a neighbour split, and it differs from the corners.
+// Whether a sample on a side splits a square that its own corners, all alike, did not split. The sample was
+// traced because a neighbour split, and it differs from the corners.
 ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float markThreshold) {
-    const uint32_t half = (uint32_t)size / 2, point = pointAt(a.x, a.y), corner = cornerAt(a.x, a.y);
-    auto differs = [&](uint32_t x, uint32_t y) { // x, y in halves of the square
-        if (s.traced[point + (y * half << kPointShift) + x * half] != s.stamp) return false;
-        uint32_t middle = corner + y * half * kCorners + x * half;
-        if (alike(s, middle, corner) == kSameMarks) return false;
-        return size > 2 || exceeds(range(s.perceived[corner], s.perceived[middle]), markThreshold);
+    const uint32_t point = pointAt(a.x, a.y), corner = cornerAt(a.x, a.y);
+    auto differs = [&](int x, int y) {
+        if (s.traced[point + pointAt(x, y)] != s.stamp) return false;
+        uint32_t other = corner + cornerAt(x, y);
+        if (alike(s, other, corner) == kSameMarks) return false;
+        return size > 2 || exceeds(range(s.perceived[corner], s.perceived[other]), markThreshold);
     };
-    return differs(1, 0) || differs(0, 1) || differs(2, 1) || differs(1, 2);
+    for (int k = 1; k < size; ++k)
+        if (differs(k, 0) || differs(0, k) || differs(size, k) || differs(k, size)) return true;
+    return false;
 }
 
 // Whether a pixel splits: by intensities and hidden shapes alone. A texture has a filter of its own.

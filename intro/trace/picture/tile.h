@@ -21,6 +21,10 @@ static_assert(kMaxShapes <= kDone);
 struct Square {
     uint8_t x, y;
 };
+struct SizedSquare {
+    Square square;
+    uint16_t size; // pixels
+};
 
 // Balls as seen in the picture: ellipses whose long axes point to its centre. Structure of arrays.
 struct Discs {
@@ -57,6 +61,9 @@ struct TileScratch {
     float x[kChunk], y[kChunk];
     uint32_t index[kChunk];
     Square squares[3][kTile * kTile + 4];
+    // Squares to fill: pixels in the first half, from its end; larger ones, which may still split, in the
+    // second
+    SizedSquare unsplit[2 * kTile * kTile];
     // The filled tile, pixel by pixel: interpolated light and rest; the shape whose albedo multiplies light
     float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
     uint16_t shape[kTile * kTile + 8];

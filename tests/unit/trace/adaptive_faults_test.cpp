@@ -138,6 +138,32 @@ TEST(AdaptiveFaults, EdgesOfShadowsHaveNoStairs) {
     for (int i = 0; i < 160 * 90; ++i) EXPECT_NEAR(p.frame.plane[0][i], truth.frame.plane[0][i], 0.3) << i;
 }
 
+// A strip of shadow on one surface is seen whole, though most of the largest squares have no corner in it:
+// where one square finds it, its neighbours follow it along their sides.
+TEST(AdaptiveFaults, StripsOfShadowAreNotDashed) {
+    auto rows = [](float pixels, float roll, QualityName name) {
+        auto s = emptyScene();
+        s->add(matte({1, 1, 1}));
+        s->add(rect({0, 0, -10}, {1, 0, 0}, {0, 1, 0}, 100, 100));
+        s->add(box({0.7f, 0, 20}, {0.0089f * pixels, 50, 0.01f}, 0)); // behind the viewer
+        s->add(Light{{0, 0, 50}, {3600, 3600, 3600}});
+        s->finish();
+        TracedPicture p = traced(*s, {0, {0, 0, 0}, {0, 0, -10}, roll, 36}, named(name), 320, 180);
+        int found = 0;
+        for (int y = 0; y < 180; ++y) {
+            float least = 9;
+            for (int x = 0; x < 320; ++x) least = std::min(least, p.frame.plane[0][y * p.frame.stride + x]);
+            found += least < 0.8f * p.frame.plane[0][y * p.frame.stride];
+        }
+        return found;
+    };
+    for (float pixels = 2.3f; pixels < 8; pixels *= 1.3f)
+        for (float roll : {2.f, 7.f, 19.f, 31.f}) {
+            EXPECT_EQ(rows(pixels, roll, QualityName::Play), 180) << pixels << ' ' << roll;
+            if (roll > 5) EXPECT_GE(rows(pixels, roll, QualityName::Draft), 175) << pixels << ' ' << roll;
+        }
+}
+
 // A camera moves by fractions of a pixel through 64 positions. A bright point blinks in a position if its
 // brightest pixel is below half of its maximum. If it blinks in one of sixteen, a viewer sees it sparkle.
 constexpr int kSparkles = 64 / 16;
