@@ -25,8 +25,9 @@ Sky plainSky(const Rgb &low, const Rgb &high);
 // Irradiance / pi of a surface that faces the sun, by the near glow, per unit of Sky::near.
 inline constexpr float kNearGlow = 2 / 66.f;
 
-// The radiance from unit directions. Clouds are averaged over `width`, an angle in radians at the zenith.
+// The radiance from unit directions. Clouds are averaged over `width`, an angle in radians at the zenith, and
+// the near glow over `spread`, the angle of a sample: a small ball mirrors it less than a pixel wide.
 inline constexpr float kSharpClouds = 0.014f;
-Rgb8 radiance(const Sky &sky, const Vec3x8 &d, float width = kSharpClouds);
+Rgb8 radiance(const Sky &sky, const Vec3x8 &d, float width = kSharpClouds, Float8 spread = Float8{});
 
 } // namespace odraz

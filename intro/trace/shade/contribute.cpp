@@ -148,7 +148,8 @@ void addSky(const Shading &c, const RayStream &in, const Run &run) {
         EightRays rays(run.ray + i);
         Vec3x8 d = rays(in.d);
         Rgb8 weight = rays(in.weight),
-             light = radiance(c.scene.sky, d, c.bounces ? kSoftClouds : kSharpClouds) * weight;
+             light =
+                 radiance(c.scene.sky, d, c.bounces ? kSoftClouds : kSharpClouds, rays(in.spread)) * weight;
         int count = min(run.count - i, 8);
         if (c.bounces == 0)
             begin(c, in, run.ray + i, count,

@@ -139,6 +139,15 @@ TEST(SphericalHarmonics, SkiesAtTheExtremes) {
     // The mean: 2 pi / 65 times its strength
     EXPECT_NEAR((double)light[0].x * 0.28209479, 1e6 * 2 * M_PI / 65 * 0.28209479 * 0.28209479, 20);
     for (Rgb c : light) EXPECT_TRUE(std::isfinite(c.x) && std::fabs(c.x) < 1e6f);
+    // A sample's spread lowers and widens the near glow, but keeps its sum
+    double sums[2] = {};
+    for (int i = 0; i < 20000; ++i)
+        for (int wide = 0; wide < 2; ++wide)
+            sums[wide] += (double)radiance(spot, broadcast(Vec3{1, (float)i * 1e-4f - 1, 0}), kSharpClouds,
+                                           broadcast(0.3f * (float)wide))
+                              .x[0];
+    EXPECT_NEAR(sums[1] / sums[0], 1, 0.01);
+    EXPECT_LT(radiance(spot, broadcast(spot.sun), kSharpClouds, broadcast(0.3f)).x[0], 1e5f);
     Sky clouds = {{0.3f, 0.4f, 0.5f}, {}, {}, -1, {0, 1, 0}, {}, {}, {1, 1, 1}, 0.2f, 0};
     Rgb before[kSh];
     project(clouds, before);
