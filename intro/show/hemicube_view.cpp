@@ -9,7 +9,8 @@ namespace {
 
 constexpr float kHalfSide = 1.5f;  // metres
 constexpr float kUnfolded = 0.19f; // half the side of the cross's faces, as a share of the picture's height
-constexpr float kBrightened = 5;   // factor on the patches' colours, which are dark
+// Factors on the patches' colours, which are dark: before their face is lit, and what light adds
+constexpr float kDark = 5, kLit = 15;
 constexpr Rgb kSky = {1.2f, 1.25f, 1.35f};   // colour of windows
 constexpr Rgb kLine = {0.30f, 0.16f, 0.10f}; // colour between patches
 constexpr Rgb kEdge = {1.6f, 0.7f, 0.34f};
@@ -38,7 +39,7 @@ void drawHemicube(const Hall &hall, float rise, float open, float found, const V
     line.x1 = now[0][0], line.y1 = now[0][1];
     drawStrokes(frame, &line, 1, h * 0.0012f, kEdge, 0.5f * open);
     for (const auto &f : kFaces) {
-        float shown = saturate(found--); // the brightness of the face's windows
+        float lit = saturate(found--); // how much of its light the face shows
         // Compute the face's corner at its first pixel, and its sides along columns and rows. When it is
         // unfolded, its lower edge is the outer one
         float o[2], a[2], b[2], limits[2] = {view.width, h};
@@ -62,10 +63,10 @@ void drawHemicube(const Hall &hall, float rise, float open, float found, const V
                 uint32_t id = *seen;
                 Rgb colour = kLine;
                 if (id == seen[1] && id == seen[kSeen] && id != kNothing && id != kBackSide)
-                    colour =
-                        m.charts[m.patches[--id].chart].open
-                            ? kSky * shown
-                            : Rgb{hall.mosaic[0][id], hall.mosaic[1][id], hall.mosaic[2][id]} * kBrightened;
+                    colour = m.charts[m.patches[--id].chart].open
+                                 ? kSky * lit
+                                 : Rgb{hall.mosaic[0][id], hall.mosaic[1][id], hall.mosaic[2][id]} *
+                                       fmadd(lit, kLit, kDark);
                 size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
                 float light[3] = {colour.x, colour.y, colour.z};
                 for (int k = 0; k < 3; ++k) frame.plane[k][at] = lerp(frame.plane[k][at], light[k], rise);

@@ -10,7 +10,7 @@ namespace odraz {
 
 // Draws the hemicube's five faces over its patch. `rise`: 0 draws nothing, 1 the full size of 1.5 m to every
 // side. `open`: from 0 to 1 the faces unfold into a cross in the picture's plane. A face shows the patches
-// that the hemicube saw, in their present colours, brightened, and `found` faces show windows.
+// that the hemicube saw, in their present colours, brightened, and `found` faces are filled with light.
 void drawHemicube(const Hall &hall, float rise, float open, float found, const View &view, Frame &frame);
 
 } // namespace odraz

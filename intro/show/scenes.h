@@ -5,8 +5,8 @@
 
 namespace odraz {
 
-// Adds the mirror ball that visits the hall, where it touches the floor at x, z.
-void addGuest(Scene &scene, float x, float z);
+// Adds the mirror ball that visits the hall, `rows` before it stops. It rolls in from outside.
+void addGuest(Scene &scene, float rows);
 
 // Each scene has its own file.
 void posePoint(const SceneInput &in, Scene &scene);

@@ -21,7 +21,7 @@ static constexpr Shape kShapes[] = {
 };
 static constexpr int kStrokes = 8; // in the word
 // The start of each page of text and the end of the last
-static constexpr float kPages[] = {rowOf(kLine1), rowOf(kLine2), rowOf(kLine3), rowOf(kWordGoes) + 4};
+static constexpr float kPages[] = {rowOf(kLine1), rowOf(kLine2), rowOf(kLine3), rowOf(kWordGoes) + 6};
 
 // The share of its light that a lamp has left, so many rows after it began to go out.
 static float left(float rows) { return 1 - saturate(rows * 0.25f); }
@@ -51,7 +51,7 @@ void poseCredits(const SceneInput &in, Scene &scene) {
 void letterCredits(const SceneInput &in, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
     auto line = [&](int page, const char *text, float y, float size, Rgb colour) {
-        float shown = min(in.row - kPages[page], kPages[page + 1] - in.row);
+        float shown = min(in.row - kPages[page], kPages[page + 1] + 2 - in.row);
         drawText(frame, text, w * 0.5f, h * y,
                  {h * size, 0.09f, Align::Centre, colour, value(track(kPage), shown)});
     };
@@ -63,15 +63,15 @@ void letterCredits(const SceneInput &in, const View &, Frame &frame) {
         size << "in less than 65537 bytes";
     machine << "on "
             << (in.facts.machine && *in.facts.machine ? in.facts.machine : "a processor, and nothing else");
-    line(0, "light, traced ray by ray as you watched", 0.14f, 0.036f, pale);
-    line(0, size.data, 0.24f, 0.046f, accent);
-    line(0, "no picture and no sound was recorded", 0.33f, 0.036f, pale);
-    line(1, "picture and music", 0.14f, 0.036f, pale);
-    line(1, "the odraz team", 0.24f, 0.046f, accent);
-    line(1, machine.data, 0.33f, 0.03f, pale);
-    line(2, "greetings to those it stands on", 0.14f, 0.036f, pale);
-    line(2, "whitted  kajiya  goral  cohen", 0.22f, 0.036f, accent);
-    line(2, "greenberg  perlin  sloan  elias", 0.29f, 0.036f, accent);
+    line(0, "light, traced ray by ray", 0.16f, 0.045f, pale);
+    line(0, size.data, 0.25f, 0.055f, accent);
+    line(0, "nothing was recorded", 0.34f, 0.045f, pale);
+    line(1, "picture and music", 0.16f, 0.045f, pale);
+    line(1, "the odraz team", 0.25f, 0.055f, accent);
+    line(1, machine.data, 0.34f, 0.038f, pale);
+    line(2, "greetings to", 0.16f, 0.045f, pale);
+    line(2, "whitted  kajiya  goral  cohen", 0.25f, 0.046f, accent);
+    line(2, "greenberg  perlin  sloan  elias", 0.34f, 0.045f, accent);
 }
 
 } // namespace odraz

@@ -14,7 +14,15 @@ namespace odraz {
 
 constexpr float kBeat = 4;
 
-void addGuest(Scene &scene, float x, float z) { scene.add(sphere({x, 0.75f, z}, 0.75f, scene.add(kMirror))); }
+static void addBall(Scene &scene, float x, float z) {
+    scene.add(sphere({x, 0.75f, z}, 0.75f, scene.add(kMirror)));
+}
+
+void addGuest(Scene &scene, float rows) {
+    float z = max(rows, 0.f) * 0.0342f;
+    z *= z;
+    addBall(scene, 1.2f - 2.2f * z / (z + 0.5f), z);
+}
 
 void poseDay(const SceneInput &in, Scene &scene) {
     HallLight light = {};
@@ -38,10 +46,13 @@ void poseDay(const SceneInput &in, Scene &scene) {
     // (It lights nothing while it is at most half as bright as it can be)
     light.extra = {point.at, kPointLight * max(fmadd(point.shine, 2.f, -1.f), 0.f), 0.06f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
-    addPoint(scene, point, 0.06f, {});
-    // The ball waits all day. It rolls to the copper strip, and is gone when the strips play
-    if (float rolled = smoothstep(rowOf(kStrip1), rowOf(kStripsPlay), in.row); rolled < 1)
-        addGuest(scene, lerp(1.2f, -1.3f, rolled), -8.25f * rolled);
+    addPoint(scene, point, min(0.06f, 0.02f * length(point.at - in.camera.eye)), {});
+    // The ball comes by day, and waits. It rolls to the copper strip, and is gone when the strips play
+    float rolled = smoothstep(rowOf(kStrip1), rowOf(kStripsPlay), in.row);
+    if (rolled == 0)
+        addGuest(scene, 60 - in.row);
+    else if (rolled < 1)
+        addBall(scene, lerp(1.2f, -1.3f, rolled), -8.25f * rolled);
     scene.exposure = value(track(kExposure), in.row);
 }
 

@@ -13,8 +13,7 @@ namespace odraz {
 
 namespace {
 
-constexpr int kLevels = 3; // 1 + 9 + 81 + 729 balls
-constexpr int kShades = 6;
+constexpr int kLevels = 3;     // 1 + 9 + 81 + 729 balls
 constexpr float kLeaves = 160; // row of the last shot
 // Detail is chosen for a picture of kLines lines, whatever its actual size and lens. kPixelsPerUnit: the size
 // in pixels of a length of 1 at distance 1
@@ -25,19 +24,19 @@ struct Flake {
     Scene &scene;
     CameraKey camera;
     float grown[kLevels], turn;
-    int silver[2], pearls[2][kShades]; // [pale][shade]: the larger the shade, the more they reflect
+    int metals[3]; // by level; the last level has that of level 1
 
-    // Adds a ball and the balls on it: six around its equator and three above, all sixty degrees apart.
+    // Adds a ball and the balls on it: six around its equator and three above, all sixty degrees apart. In
+    // the last generation only two of the six and one of the three, so that there is space between the
+    // clusters.
     void add(int level, const Vec3 &centre, float radius, const Mat3 &frame) {
-        // Choose detail by projected size: small balls mirror less or nothing, and the balls on a ball grow
-        // from nothing as it comes near
+        // The balls on a ball grow from nothing as it comes near
         float distance = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / distance * kPixelsPerUnit;
-        int shade = clamp((int)(pixels * 0.04f) - level, 0, kShades - 1);
-        scene.add(sphere(centre, radius, level > 1 ? pearls[level & 1][shade] : silver[level]));
-        float size = grown[min(level, kLevels - 1)] * (1.f / 3) * saturate(pixels * 0.05f - 0.4f);
+        scene.add(sphere(centre, radius, metals[level > 2 ? 1 : level]));
+        float size = grown[min(level, kLevels - 1)] * (1.f / 3) * saturate(pixels * 0.0625f - 0.75f);
         if (level == kLevels || size <= 0) return;
-        for (int i = 0; i < 9; ++i) {
+        for (int i = 0; i < 9; i += level < 2 ? 1 : 4) {
             float around = ((float)i * 60 + (i < 6 ? 0 : (float)i * 60 - 330)) * (kPi / 180) +
                            turn * (1 + 2 * (float)level);
             float up = i < 6 ? 0 : 0.8164966f, out = i < 6 ? 1 : 0.5773503f;
@@ -52,15 +51,17 @@ struct Flake {
 } // namespace
 
 void poseFlake(const SceneInput &in, Scene &scene) {
-    float leaves = max(in.row - kLeaves, 0.f); // the flake turns faster while the camera leaves
-    Flake flake = {scene, in.camera, {}, in.row * 0.002f + leaves * leaves * 0.0004f, {}, {}};
+    // While the camera leaves, the flake turns faster and faster, then stops dead
+    float row = min(in.row, rowOf(kFlakeGoes)), leaves = max(row - kLeaves, 0.f);
+    Flake flake = {scene, in.camera, {}, row * 0.002f + leaves * leaves * 0.0016f, {}};
     for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow), in.row - kGenerations[i]);
-    // Less than a mirror, so that images of images darken
-    flake.silver[0] = scene.add(kMirror);
-    flake.silver[1] = scene.add(pearl(false, 0.625f));
-    for (int i = 0; i < kShades; ++i)
-        for (int pale = 0; pale < 2; ++pale)
-            flake.pearls[pale][i] = scene.add(pearl(!pale, 0.35f * (float)i / (kShades - 1)));
+    // Less than a mirror, so that images of images darken. Copper has broad highlights, as if brushed;
+    // mirrors have none, which costs less
+    for (int i = 0; i < 3; ++i) {
+        Material metal = i ? pearl(i > 1, 0.6875f - 0.0625f * (float)i) : kMirror;
+        metal.specular = i > 1 ? 0.1875f : 0, metal.exponent = 12;
+        flake.metals[i] = scene.add(metal);
+    }
     // Water has a colour of its own instead of diffuse light, so that no shadow falls on it
     Material water = kSlate;
     water.diffuse = 0, water.emit = {0.016f, 0.015f, 0.03f};
@@ -68,13 +69,14 @@ void poseFlake(const SceneInput &in, Scene &scene) {
     flake.add(0, {0, 2.5f, 0}, 2.5f, kIdentity);
 
     scene.add(Light{kDuskSun * 3.f, {4600, 2900, 1700}, 1.8f});
-    addPoint(scene, pointOf(kFlake, in.row), 0.06f, Rgb{44, 37, 27});
+    PointOfLight point = pointOf(kFlake, in.row);
+    addPoint(scene, point, 0.05f + 0.03f * point.shine, Rgb{400, 250, 110});
     scene.ambientLow = {0.07f, 0.06f, 0.08f};
     scene.ambientHigh = {0.19f, 0.17f, 0.18f};
     // Begin in a blue twilight
     float late = saturate(1 - in.row * in.row * (1.f / 16384));
     scene.sky = duskSky(in.row + 192, late);
-    scene.exposure = 0.75f;
+    scene.exposure = 0.875f;
 }
 
 } // namespace odraz

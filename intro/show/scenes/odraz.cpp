@@ -1,7 +1,8 @@
-// Scene 6. Odraz: balls of mirror, copper and glass come out of the door of light in two files, bouncing on
-// the beats, and close a ring around the great mirror ball. The ring turns, half a ball each beat, while the
-// point of light leaps from one to the next. At the summit it lifts and whirls. It opens again before the
-// lights go out, and one ball is left: it mirrors the word of scene 1, which is behind the camera.
+// Scene 6. Odraz: balls of mirror, copper and glass come out of the door of light, bouncing on the beats, and
+// stand in an arc around the great mirror ball, open to the camera. They dance, every other ball each beat,
+// while the point of light leaps from one to the next. At the summit the arc closes to a ring, which turns
+// as an upright wheel around the great ball. The balls leave before the lights go out, and one is left: it
+// mirrors the word of scene 1, which is behind the camera.
 #include "base/maths.h"
 #include "show/door.h"
 #include "show/font.h"
@@ -22,28 +23,29 @@ static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 constexpr float kBeat = 4, kDoorSum = 5; // rows; the sum of the strips' light that adds all of the night's
 constexpr int kCanon = 32;               // the row on which the mirrored voice begins in music.h
 
-// The ring: its middle, its radius (no more, or balls would meet pillars) and its balls, from the front
-// towards +x.
-constexpr float kMiddleZ = -3.25f, kLastZ = -5, kRing = 1.38f;
-constexpr uint8_t kRingBalls[] = {kRed, kClear, kPale, kRed, kRed, kPale, kSilver, kPale, kRed, kPale};
+// The ring: its middle, its radius (no more, or balls would meet pillars) and its balls, from the left end of
+// the arc to the right. An arc has this share of the ring's angle.
+constexpr float kMiddleZ = -3.25f, kLastZ = -5, kRing = 1.38f, kSmall = 0.26f, kArc = 0.77f;
+constexpr uint8_t kRingBalls[] = {kRed, kPale, kRed, kSilver, kRed, kPale, kRed, kPale, kRed, kClear};
 constexpr int kBalls = sizeof kRingBalls;
 constexpr float kSlot = 2 * kPi / kBalls;
 
 // The ball by the word, as in the credits: the great ball mirrors both
 static constexpr Shape kBallByWord = sphere({-3.5f, 0.7f, kLastZ + 7.3f}, 0.7f, kSilver);
 
-// Adds a ball of the ring. slot: where it is, counted from the front; far: the length of its path still ahead
-// of it, or behind it. Balls of the front half follow the ring to its side; from there all go straight to the
-// door, so that none meets another. lift: how high the ring hovers; it tilts as it rises.
-static void addBall(Scene &scene, int i, float slot, float far, float beat, float lift) {
-    float angle = (slot - (float)(((int)slot + kBalls / 2) / kBalls * kBalls)) * kSlot,
-          side = angle < 0 ? -1.f : 1.f;
-    float around = clamp(kPi / 2 - side * angle, 0.f, far / kRing), radius = i & 1 ? 0.4f : 0.3f;
-    angle += side * around, far -= around * kRing;
-    float leap = beat - (float)(int)beat,
-          high = leap * (1 - leap) * min(far, 1.2f) + lift * (1 + 0.7f * sin(angle + 0.5f));
-    scene.add(sphere({kRing * sin(angle), radius + high, kMiddleZ + kRing * cos(angle) - far}, radius,
-                     kRingBalls[i]));
+// Adds a ball of the ring. far: the length of its path still ahead of it, or behind it. The ends of the arc
+// follow it to the sides; from there all go straight to the door, so that none meets another. turned: the
+// ring's angle; dance: how high balls leap when they are in place; lift: 1 if the ring is closed and stands
+// upright, as a wheel.
+static void addBall(Scene &scene, int i, float far, float turned, float beat, float dance, float lift) {
+    float angle = ((float)i - 0.5f * (kBalls - 1)) * kSlot * fmadd(lift, 1 - kArc, kArc),
+          side = angle < 0 ? -1.f : 1.f, around = clamp(side * angle - kPi / 2, 0.f, far / kRing);
+    angle += turned - side * around, far -= around * kRing;
+    float leap = beat - (float)(int)beat, away = kRing * cos(angle),
+          high = leap * (1 - leap) * max(min(far, 1.2f), (i + (int)beat) & 1 ? dance : 0) +
+                 lift * (kRing + 0.1f + away);
+    scene.add(sphere({kRing * sin(angle), kSmall + high, kMiddleZ - away * sqrt(1 - lift * lift) - far},
+                     kSmall, kRingBalls[i]));
 }
 
 void poseOdraz(const SceneInput &in, Scene &scene) {
@@ -71,11 +73,11 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     // The point of light takes the door's place as it goes out. It writes the word, and shines in it
     PointOfLight point = pointOf(kOdraz, row);
     float word = value(track(kWord), row);
-    Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * word;
+    Rgb glows = Rgb{2.2f, 0.8f, 0.2f} * word;
     // (Its light comes from a steady height, or the picture would flash when it lands.)
-    light.extra = {{0.6f * point.at.x, 2, point.at.z},
-                   lerp(kPointLight, Rgb{6, 2.5f, 0.9f}, word) * value(track(kShines), row),
-                   0.3f};
+    light.extra = {{0.6f * point.at.x, 2, point.at.z + word},
+                   lerp(kPointLight, Rgb{6, 3, 1.1f}, word) * value(track(kShines), row),
+                   0.15f};
     poseHall(*in.hall, light, 0, in.camera.eye, scene);
     scene.exposure = value(track(kExposure), row);
     // Dim the night outside together with the door, or the entrance would outshine the word in front of it
@@ -84,19 +86,18 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
 
     scene.addAll(kMaterials);
     scene.add(pearl(true, 0.26f));
-    scene.add(pearl(false, 0.25f));
+    scene.add(pearl(false, 0.3f));
     addPoint(scene, point, 0.05f, {});
     // The great ball comes with the others. When they leave, it rolls back a little, and stays
     float far = value(track(kApart), row), turn = value(track(kTurn), row);
     float back = row < rowOf(kSummit) ? far : (kMiddleZ - kLastZ) * smoothstep(0.f, 9.f, far);
-    // At the summit all rise, and turn once more than the track says, ever faster. They fall for two beats,
-    // and land on the row on which the door dies
+    // At the summit all rise, and turn twice, ever faster. They fall for two beats, and land on the row on
+    // which the door dies
     float free = clamp(row - rowOf(kSummit), 0.f, 32.f), fall = max(free / 8 - 3, 0.f);
-    float lift = 0.9f * smoothstep(0.f, 20.f, free) * (1 - fall * fall);
-    turn += free * free * (kBalls / 1024.f);
-    scene.add(sphere({0, 0.75f + 0.5f * lift, kMiddleZ - back}, 0.75f, kSilver));
-    for (int i = 0; i < kBalls && since < 0; ++i)
-        addBall(scene, i, (float)(i + 4 * kBalls) + 0.5f - turn, far, row / kBeat, lift); // (above 0)
+    float lift = smoothstep(0.f, 12.f, free) * (1 - fall * fall);
+    turn += free * free * (kPi / 256);
+    scene.add(sphere({0, 0.75f + 0.95f * lift, kMiddleZ - back}, 0.75f, kSilver));
+    for (int i = 0; i < kBalls && since < 0; ++i) addBall(scene, i, far, turn, row / kBeat, 1 - fall, lift);
     if (since > 0) scene.add(kBallByWord);
     if (word > 0)
         addText(scene, "odraz", {-2.35f, 0.11f, kLastZ + 6.1f}, 0.09f, since - kBeat, scene.add(lamp(glows)));

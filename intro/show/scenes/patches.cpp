@@ -43,17 +43,13 @@ void posePatches(const SceneInput &in, Scene &scene) {
     HallLight light = {kNoon, {}, {}, real};
     poseHall(*hall, light, 1 - real, in.camera.eye, scene);
     PointOfLight point = pointOf(kPatches, row);
-    addPoint(scene, point, 0.03f + 0.0035f * length(point.at - in.camera.eye), {}); // seen from far, too
+    addPoint(scene, point, 0.03f + 0.005f * length(point.at - in.camera.eye), {}); // seen from far, too
     if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({}, {});
     scene.exposure = value(track(kExposure), row);
     scene.lines = value(track(kLines), row) * (1 - melt);
     hall->map.sharpness = exp2((1 - melt) * 10);
     hall->map.mosaic = 1 - melt;
-    if (row >= rowOf(kBallRollsIn)) {
-        float z = value(track(kRolls), row);
-        z *= z;
-        addGuest(scene, 1.2f + z * (0.062f * z - 0.75f), z);
-    }
+    if (row >= rowOf(kBallRollsIn)) addGuest(scene, 268 - row);
     if (melt == 1) return;
 
     // Colour the patches: black before the lines arrive, a dark copper that depends on their normals, and
@@ -68,7 +64,7 @@ void posePatches(const SceneInput &in, Scene &scene) {
         const Chart &c = m.charts[p.chart];
         float wave = (row - rowOf(kLinesSpread)) * kWave - length(p.p - corner);
         Rgb own = kDarkCopper * ((0.006f + 0.0033f * c.n.y + 0.0024f * c.n.x - 0.0013f * c.n.z) *
-                                 saturate(wave) * (1 + 3 * saturate(1 - 0.25f * wave)));
+                                 saturate(wave) * (0.5f + 3 * saturate(1 - 0.25f * wave)));
         if (stage >= 0 && p.share > 0) { // patches under the stair get no light
             Rgb before = stage ? hall->bounce[stage - 1][i] : Rgb{};
             // Use the patch's own reflectance instead of the common grey's, until its own material is shown

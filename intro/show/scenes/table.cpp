@@ -61,7 +61,8 @@ void poseTable(const SceneInput &in, Scene &scene) {
     scene.materials[kStone].reflect = 0.2f;
     scene.addAll(kShapes);
     scene.add(kKeyLights[in.row >= kMacroFrom && in.row < kMacroTo]);
-    addPoint(scene, pointOf(kTable, in.row), 0.035f, {1.6f, 1.1f, 0.6f});
+    PointOfLight point = pointOf(kTable, in.row);
+    addPoint(scene, point, min(0.0075f + 0.11f * point.shine, 0.035f), {1.6f, 1.1f, 0.6f});
     float rows = in.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
         // Start from rest and reach full speed within a beat

@@ -25,7 +25,7 @@ float medianOf(std::vector<float> values) {
 // The treatment demands this number of cuts, and these lenses: focal lengths in mm for a picture 24 mm high.
 constexpr int kLeastCuts = 35;
 // Stretches in which the point of light is all that is seen, in seconds.
-constexpr struct { double from, to; } kBlack[] = {{56, 57.6}, {98, 98.75}, {111.5, 112}};
+constexpr struct { double from, to; } kBlack[] = {{56, 57.6}, {98, 98.75}, {111.5, 112}, {140.25, 141}};
 constexpr double kLenses[] = {18, 24, 35, 50, 100};
 
 TEST(Film, HasTheCutsAndTheLengthOfItsTreatment) {

@@ -13,7 +13,7 @@ using namespace odraz;
 TEST(AdaptiveFaults, DoesNotFlicker) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     constexpr int kWidth = 320, kHeight = 180, kPictures = 8;
-    auto scene = posed(kTable, 100);
+    auto scene = posed(kTable, 70);
     std::vector<std::vector<int>> errors;
     for (int i = 0; i < kPictures; ++i) {
         CameraKey camera = kTableView;

@@ -203,8 +203,8 @@ TEST(Develop, NoiseMovesWithTheFilm) {
         return std::vector<uint8_t>(p.rgba, p.rgba + 4 * 320 * 180);
     };
     std::vector<float> red, next;
-    std::vector<uint8_t> first = shown(15.5, red), again = shown(15.5, red),
-                         then = shown(15.5 + 1 / 60., next);
+    std::vector<uint8_t> first = shown(33.2, red), again = shown(33.2, red),
+                         then = shown(33.2 + 1 / 60., next);
     EXPECT_EQ(first, again);
     float exposure = film.intro->film.scene->exposure;
     int still = 0, moved = 0;
