@@ -18,7 +18,8 @@ import pytest
 pytest.register_assert_rewrite('displays', 'pictures', 'radiosity_runs', 'recordings', 'running')
 from running import BUILD, FILM, Program, run  # noqa: E402
 
-for variable in 'CDPATH', 'DISPLAY', 'WAYLAND_DISPLAY', 'PULSE_SERVER':
+of_git = subprocess.getoutput('git rev-parse --local-env-vars').split()  # set in a hook
+for variable in 'CDPATH', 'DISPLAY', 'WAYLAND_DISPLAY', 'PULSE_SERVER', *of_git:
     os.environ.pop(variable, None)
 signal.signal(signal.SIGTERM, signal.default_int_handler)  # else SIGTERM would leave programs running
 

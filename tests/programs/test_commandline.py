@@ -17,6 +17,23 @@ def test_prints_name_version_and_commit_in_one_line(film):
     assert re.fullmatch(rf'{FILM} \d+\.\d+\.\d+ {commit}\n', run(film, '--version').stdout)
 
 
+@pytest.mark.parametrize('folder, env, commit, warning', [
+    ('sources', {'GIT_DIR': '/none'}, '[0-9a-f]{12}', ''),
+    ('sources/an archive', {}, 'unknown', ''),  # in another repository
+    ('.', {}, 'unknown', ''),
+    ('sources', {'GIT_TEST_ASSUME_DIFFERENT_OWNER': 1}, 'unknown', 'dubious ownership .* safe.directory')])
+def test_the_commit_is_that_of_the_sources_or_unknown(folder, env, commit, warning, tmp_path):
+    (tmp_path / 'sources/an archive').mkdir(parents=True)
+    run('git', 'init', '-q', tmp_path / 'sources')
+    by = ('-c', 'user.name=a', '-c', 'user.email=a@b')
+    run('git', *by, 'commit', '-q', '--allow-empty', '-m', 'one', cwd=tmp_path / 'sources')
+    header = tmp_path / 'version.h'
+    printed = run('cmake', f'-DSOURCE={tmp_path / folder}', f'-DOUT={header}', '-DVERSION=1', '-P',
+                  SOURCE / 'tools/build/version.cmake', env=env).stderr
+    assert re.search(f'ODRAZ_COMMIT "{commit}"', header.read_text())
+    assert re.fullmatch(f'warning: .*{warning}.*\n' if warning else '', printed)
+
+
 def test_help_names_every_option(film):
     usage = run(film, '--help').stdout
     assert usage.startswith('usage')

@@ -150,9 +150,17 @@ def test_a_long_or_foreign_file_would_be_found(name, width, lines):
     assert unlike_others({planted: lines * (width * 'x' + '\n')}) == [planted]
 
 
-@pytest.mark.parametrize('script', 'watch test golden ledger new-film release render measure/all'.split())
-def test_a_tool_finds_the_repository_where_cd_prints_the_folder(script):
-    run(f'tools/{script}', '--help', cwd=SOURCE, env={'CDPATH': '.:/tmp'})
+@pytest.mark.parametrize('script', 'watch test golden ledger new-film release render'.split())
+def test_a_tool_does_not_depend_on_the_environment_of_its_caller(script, tmp_path):
+    (tmp_path / 'env').write_text('cd() { echo /none; }\nexport -f cd\n')
+    odd = {'CDPATH': '.:/tmp', 'SHELLOPTS': 'noclobber:noglob', 'BASHOPTS': 'failglob', 'GIT_DIR': '/none'}
+    help = run(f'tools/{script}', '-h', cwd=SOURCE, env={**odd, 'BASH_ENV': tmp_path / 'env'}).stdout
+    assert help == run(f'tools/{script}', '--help', cwd=SOURCE).stdout
+
+
+def test_line_ends_do_not_depend_on_settings_of_git():
+    names = run('git', 'ls-files', '--eol', cwd=SOURCE).stdout
+    assert not re.findall(r'^(?!i/(?:lf|none) .*attr/text=auto eol=lf|i/-text .*attr/-text).+', names, re.M)
 
 
 def test_the_film_is_made_of_intro_and_packer_and_what_the_packer_knows():

@@ -7,7 +7,7 @@ import pytest
 
 from running import SOURCE, refuses, run
 
-LEDGER = SOURCE / 'tools/ledger'
+LEDGER, ENVIRONMENT = SOURCE / 'tools/ledger', SOURCE / 'tools/build/environment.sh'
 
 
 def rooms(folder, trace):
@@ -55,7 +55,7 @@ class House:
 
     def __init__(self, folder):
         self.folder = folder
-        self.budget = 2 + 4 + 3 + 10 + 1 + 1 + LEDGER.read_text().count('\n') + 9
+        self.budget = 2 + 4 + 3 + 10 + 1 + 1 + (LEDGER.read_text() + ENVIRONMENT.read_text()).count('\n') + 9
         self.write('.ci/run', 2)
         self.write('intro/main.cpp', 4)
         self.write('tests/unit.cpp', 3)
@@ -63,6 +63,7 @@ class House:
         self.write('intro/film.conf', 1, 'FILM=odraz')
         self.write('tools/build/lines', 1, self.budget)
         shutil.copy(LEDGER, folder / 'tools')
+        shutil.copy(ENVIRONMENT, folder / 'tools/build')
         self.git('init', '-q')
         self.git('add', '-A')
         self.git('commit', '-qm', 'first')
@@ -75,7 +76,7 @@ class House:
         run('git', '-c', 'user.name=a', '-c', 'user.email=a@b', *words, cwd=self.folder)
 
     def lines(self, status=0):
-        result = run('tools/ledger', 'lines', cwd=self.folder, status=status)
+        result = run('tools/ledger', 'lines', cwd=self.folder, status=status, env={'GIT_DIR': '/none'})
         return result.stdout, result.stderr
 
 

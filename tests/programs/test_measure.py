@@ -67,7 +67,8 @@ class Scratch:
         self.folder = folder
 
     def all(self, *options, **more):
-        return run(self.folder / 'tools/measure/all', *options, env={'BUILD': self.folder / 'build'}, **more)
+        env = {'BUILD': self.folder / 'build', 'GIT_DIR': '/none'}
+        return run(self.folder / 'tools/measure/all', *options, env=env, **more)
 
     def reports(self, status, line, *options):
         __tracebackhide__ = True

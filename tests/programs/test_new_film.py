@@ -59,6 +59,11 @@ def test_refuses_an_unsuitable_folder(to, text, tmp_path):
     refuses_to_make(text, to, 'mira', tmp_path)
 
 
+def test_prints_gits_own_line_where_git_refuses(tmp_path):
+    env = {'GIT_TEST_ASSUME_DIFFERENT_OWNER': 1}
+    assert 'dubious ownership' in refuses(2, 'safe.directory', NEW, tmp_path / 'made', 'mira', env=env)
+
+
 def not_copied(film):
     """The headers of tools and tests, and the modules of tests, that a new film includes or imports but lacks."""
     found = set()

@@ -15,7 +15,7 @@ if run('git', 'rev-parse', 'HEAD', cwd=SOURCE, status=None).returncode:
 RELEASE = SOURCE / 'tools/release'
 BUILT = ('--built', '--poster', SOURCE / 'intro/film.png')
 MADE = (*BUILT, '--unclean', '--no-capture')
-ENV = {'BUILD': BUILD}
+ENV = {'BUILD': BUILD, 'GIT_DIR': '/none'}
 LINUX, WINDOWS = ['odraz', 'odraz-safe'], ['odraz.exe', 'odraz-safe.exe']
 TEXTS = ['LICENSE.txt', 'README.txt', 'SHA256SUMS', 'file_id.diz', 'odraz.nfo']
 

@@ -120,7 +120,7 @@ def test_a_video_without_loss_has_every_bit_of_frames_and_music(frames, tmp_path
 @pytest.fixture(scope='module')
 def kept(video):
     """The three shards of a video, made two at once."""
-    render('kept.mp4', *PARTED, '--jobs', 2, '--keep')
+    render('kept.mp4', *PARTED, '--jobs', 2, '--keep', env={'SHELLOPTS': 'noclobber:noglob'})
     assert_same('kept.mp4', video)
     return Path('kept.mp4.parts')
 

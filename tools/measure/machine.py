@@ -14,6 +14,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
+for variable in subprocess.getoutput('git rev-parse --local-env-vars').split():
+    if 'CONFIG_' not in variable:
+        os.environ.pop(variable, None)  # as tools/build/environment.sh does
 PROCESSORS = len(os.sched_getaffinity(0))
 
 
