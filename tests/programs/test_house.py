@@ -1,12 +1,13 @@
 """Code includes and links only rooms that its own room knows (tools/build/rooms.cmake), and no room knows itself. The
 film is built from intro/ and packer/. The end-to-end tests are short files of Python."""
+import os
 import re
 from collections import defaultdict
 from pathlib import PurePosixPath
 
 import pytest
 
-from running import BUILD, FILM, SOURCE, needs, needs_built, run
+from running import BUILD, FILM, SOURCE, needs, needs_built, refuses, run
 
 SPECIAL = {'intro/base/avx.h': r'.*intrin\.h', 'intro/base/wasm.h': r'wasm_simd128\.h', 'intro/base/gl.h': 'GL/.*',
            'intro/host/cpu.cpp': r'cpuid\.h'}  # system headers
@@ -161,6 +162,17 @@ def test_a_tool_does_not_depend_on_the_environment_of_its_caller(script, tmp_pat
 def test_line_ends_do_not_depend_on_settings_of_git():
     names = run('git', 'ls-files', '--eol', cwd=SOURCE).stdout
     assert not re.findall(r'^(?!i/(?:lf|none) .*attr/text=auto eol=lf|i/-text .*attr/-text).+', names, re.M)
+
+
+@pytest.mark.parametrize('program, prints, text, options', [
+    ('ffmpeg', ' V....D utvideo             Ut Video', 'lacks the encoder libx264: use', ['x.mp4']),
+    ('ffmpeg', ' V....D utvideo             Ut Video', 'lacks the encoder ffv1: use', ['x.mkv']),
+    ('parallel', 'parallel: invalid option', 'GNU parallel is needed', ['--hosts', '/dev/null', 'x'])])
+def test_a_video_is_refused_at_once_where_another_program_has_the_name(program, prints, text, options, tmp_path):
+    (tmp_path / program).write_text(f'#!/bin/sh\necho "{prints}"\n')
+    (tmp_path / program).chmod(0o755)
+    path = {'PATH': f'{tmp_path}:{os.environ["PATH"]}'}
+    refuses(2, text, SOURCE / 'tools/render', '--film', '/none', *options, cwd=tmp_path, env=path)
 
 
 def test_the_film_is_made_of_intro_and_packer_and_what_the_packer_knows():

@@ -148,6 +148,11 @@ def test_resume_makes_again_what_is_unfinished_cut_short_or_damaged(parts):
     assert resume(3).count('again: its file is missing or damaged') == 2
 
 
+def test_begins_anew_without_the_shards_of_an_earlier_run(parts):
+    render('r.mp4', *SMALL, '--anew')
+    assert_same('r.mp4', 'one.mp4')
+
+
 def test_a_shard_of_other_frames_that_seems_right_is_reported(parts):
     shutil.copy(parts / '000295-000300.nut', parts / '000300-000305.nut')
     other = (parts / '000295-000300.sums').read_text().splitlines()[-1][:64]
@@ -159,7 +164,7 @@ def test_a_shard_of_other_frames_that_seems_right_is_reported(parts):
 
 
 @pytest.mark.parametrize('text, options', [
-    ('r.mp4.parts is left from an earlier run: continue it with --resume, or remove it', ()),
+    ('r.mp4.parts is left from an earlier run: continue it with --resume, or begin again with --anew', ()),
     ("was made with 'quality draft', now 'quality play'", ('--quality', 'play', '--resume')),
 ])
 def test_neither_overwrites_an_earlier_run_nor_mixes_it_with_another(parts, text, options):
@@ -197,7 +202,7 @@ def test_an_interrupt_ends_all_and_keeps_what_was_done(tmp_path, hosts):
         program.comes(lambda: list(tmp_path.glob('int.mp4.parts/*.sums')))
         os.killpg(program.pid, signal.SIGINT)  # as a terminal does, to all processes of the group
         assert program.ended() == 130
-        assert_reported('stopped; --resume continues from here', program.errors())
+        assert_reported('stopped; .*tools/render .* --resume continues from here', program.errors())
         # All that it started is in its session. Dead processes (Z) may wait for an init that does not ask for them
         wait_for(lambda: not run('pgrep', '--session', program.pid, '--runstates', 'DRST', status=None).stdout)
     assert list(tmp_path.glob('int.mp4.parts/*.sums'))
@@ -217,7 +222,7 @@ def test_a_host_takes_the_shards_of_one_that_fails(video, tmp_path):
 
 
 def test_reports_that_no_host_is_left():
-    assert 'shards are not done; --resume continues' in render('none.mp4', *PARTED, *on('broken'), status=1)
+    assert ' --resume continues with them' in render('none.mp4', *PARTED, *on('broken'), status=1)
 
 
 def test_refuses_a_host_that_cannot_be_reached():

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from pictures import read_picture
-from running import BUILD, FILM, SOURCE, Program, copy_sources, needs, needs_built, run
+from running import BUILD, FILM, SOURCE, Program, copy_sources, needs, needs_built, refuses, run
 
 needs('ffmpeg', 'ffprobe', 'g++')
 needs_built('contact_sheet')
@@ -68,6 +68,17 @@ def test_a_build_that_fails_ends_it_with_the_reason_and_a_display_that_cannot_be
     printed = run(clone.house / 'tools/watch', status=1, env=env).stderr
     assert 'no compiler' in printed.splitlines()
     assert re.search(r'^no display \(DISPLAY is :99999999, ', printed, re.M)
+
+
+@pytest.mark.parametrize('text, options', [
+    ("cannot use '--nope'", ['--window', '--nope']),
+    ('needs a value, S', ['--mute', '--from']),
+    ("cannot use '--mute' with --web", ['--web', '--mute']),
+    ("tools/render: cannot use '--nope'", ['--whole', '--nope'])])
+def test_answers_before_it_builds(clone, text, options):
+    env = {**clone.env, 'BUILT': ''}
+    refuses(2, text, clone.house / 'tools/watch', *options, env=env)
+    assert run(clone.house / 'tools/watch', '--from', 2, '--version', env=env).stdout.startswith(f'{FILM} ')
 
 
 def test_with_a_display_plays_the_film_as_large_as_the_screen(clone, display):

@@ -1,7 +1,20 @@
-# Sourced by the scripts: installs missing Debian packages, and builds.
+# Sourced by the scripts: prints progress, installs missing Debian packages, and builds.
 
-# during WHAT LOG COMMAND...: runs the command. Meanwhile prints WHAT, the last step count of Ninja or Make in the file
-# LOG (if not empty), and the seconds: on a terminal as one changing line, otherwise as a line every five seconds
+# progress TEXT: prints it on stderr: on a terminal as one changing line, otherwise only every 5 s, later every 30 s
+printed=
+progress() {
+    local pause=$((SECONDS < 50 ? 5 : SECONDS < 300 ? SECONDS / 10 : 30))
+    if [ -t 2 ]; then
+        printf '\r%s\e[K' "$1" >&2
+    elif [ $((SECONDS - ${printed:=$SECONDS})) -ge $pause ]; then
+        printed=$SECONDS
+        echo "$1" >&2
+    fi
+}
+progress_ends() { [ ! -t 2 ] || printf '\r\e[K' >&2; }
+
+# during WHAT LOG COMMAND...: runs the command. Its progress is WHAT, the last step count of Ninja or Make in the file LOG
+# (if not empty), and the seconds
 during() {
     local what=$1 log=$2 status=0 printer
     shift 2
@@ -11,19 +24,16 @@ during() {
     "$@" || status=$?
     kill $printer 2>/dev/null || true
     wait $printer 2>/dev/null || true
-    [ ! -t 2 ] || printf '\r\e[K' >&2
+    progress_ends
     return $status
 }
 print_progress() {
-    local began=$SECONDS printed=$SECONDS count=
+    local began=$SECONDS count=
     while sleep 1 && kill -0 $$ 2>/dev/null; do
         [ -z "$log" ] || count=$(tail -c 4000 "$log" 2>/dev/null | grep -aoE '^\[[^]]*\]' | tail -n 1 || true)
-        if [ -t 2 ]; then
-            printf '\r%s: %s%d s\e[K' "$what" "${count:+$count, }" $((SECONDS - began)) >&2
-        elif [ $((SECONDS - printed)) -ge 5 ]; then
-            printed=$SECONDS
-            echo "$what: ${count:+$count, }$((SECONDS - began)) s" >&2
-        fi
+        # Ninja counts a step when it ends, and packing takes half a minute
+        [ -z "$count" ] || ! pgrep --session 0 -x pack_film >/dev/null 2>&1 || count+=" packing"
+        progress "$what: ${count:+$count, }$((SECONDS - began)) s"
     done
 }
 

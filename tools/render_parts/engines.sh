@@ -119,5 +119,5 @@ render_shards() {
     lacking=$(while read -r _ _ name; do [ -e "$parts/$name.sums" ] || echo "$name"; done <"$parts/shards" | wc -l)
     [ "$lacking" = 0 ] && return 0
     [ $failures -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "no message")" >&2
-    fail "$lacking of $total shards are not done; --resume continues with them"
+    fail "$lacking of $total shards are not done;$again continues with them"
 }

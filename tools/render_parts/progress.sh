@@ -1,4 +1,4 @@
-# Sourced by tools/render: prints progress on stderr, as a bar on a terminal, otherwise as a line every 30 seconds.
+# Sourced by tools/render: prints its progress, on a terminal as a bar.
 
 # frames_done: counts the frames of all shards, including unfinished ones
 frames_done() {
@@ -10,29 +10,20 @@ clock() { # clock SECONDS: prints [HOURS:]MINUTES:SECONDS
     if [ "$1" -ge 3600 ]; then printf '%d:%02d:%02d' $(($1 / 3600)) $(($1 / 60 % 60)) $(($1 % 60)); else printf '%d:%02d' $(($1 / 60)) $(($1 % 60)); fi
 }
 
-barred=
-printed_at=0
 # show WHAT DONE OF BEGAN DONE-THEN: prints the progress; estimates the time left from the rate since BEGAN
 show() {
     local what=$1 done=$2 of=$3 took=$((SECONDS - $4)) new=$(($2 - $5)) left= full width=30
     if [ $new -gt 0 ] && [ $took -gt 0 ]; then left=", $(clock $((took * (of - done) / new))) left"; fi
-    if [ -t 2 ]; then
-        full=$((done * width / of))
-        printf '\r%s [%s%s] %d of %d frames%s\e[K' "$what" "$(printf "%${full}s" | tr ' ' '#')" "$(printf "%$((width - full))s")" "$done" "$of" "$left" >&2
-        barred=1
-    elif [ $((SECONDS - printed_at)) -ge 30 ]; then
-        printed_at=$SECONDS
-        echo "tools/render: $what: $done of $of frames$left" >&2
-    fi
+    full=$((done * width / of))
+    [ ! -t 2 ] || what+=" [$(printf "%${full}s" | tr ' ' '#')$(printf "%$((width - full))s")]"
+    progress "$what: $done of $of frames$left"
 }
-bar_ends() { [ -z "$barred" ] || { printf '\r\e[K' >&2; barred=; }; }
 
 # follow WHAT OF COUNT-COMMAND: prints progress until the process $engine ends; returns its status
 follow() {
     local what=$1 of=$2 status=0 then since=$SECONDS shown=-1
     shift 2
     then=$("$@")
-    printed_at=$SECONDS
     while kill -0 "$engine" 2>/dev/null; do
         if [ $SECONDS != $shown ]; then
             shown=$SECONDS
@@ -43,7 +34,7 @@ follow() {
     done
     wait "$engine" || status=$?
     engine=
-    bar_ends
+    progress_ends
     report_failures
     return $status
 }
@@ -58,7 +49,7 @@ report_failures() {
         { read -r host && read -r reason; } <"$failed" || true
         rm "$failed"
         failures=$((failures + 1))
-        bar_ends
+        progress_ends
         echo "tools/render: frames $((10#${name%%-*})) to $((10#$(cut -d - -f 2 <<<"$name") - 1)) failed${host:+ on $host}: ${reason:-no message}" >&2
     done
 }
