@@ -30,8 +30,8 @@ def released(work):
         needs('zip', 'unzip')
         if run('git', 'rev-parse', 'HEAD', cwd=SOURCE, status=None).returncode != 0:
             pytest.skip('a release needs a git repository')
-        run(SOURCE / 'tools/release', '--built', '--unclean', '--no-capture', '--poster', SOURCE / 'intro/film.png',
-            '--to', work / 'release', env={'BUILD': BUILD})
+        run(SOURCE / 'tools/release', '--built', '--unclean', '--no-capture', '--pictures',
+            SOURCE / 'tests/support/pictures', '--to', work / 'release', env={'BUILD': BUILD})
         archive, = (work / 'release').glob('*.tar.gz')
     (work / 'unpacked').mkdir()
     run('tar', '-C', work / 'unpacked', '-xf', archive)

@@ -144,7 +144,7 @@ def test_neither_the_packed_files_nor_the_programs_in_them_name_odraz(made, tmp_
 
 @long
 def test_its_archives_have_its_own_texts(made, tmp_path):
-    run(made / 'tools/release', '--built', '--no-capture', '--poster', made / 'tests/golden/film-006.png')
+    run(made / 'tools/release', '--built', '--no-capture', '--pictures', made / 'tests/support/pictures')
     release = made / 'build/release'
     # With the page, if that is built, there is an index
     assert len([*release.iterdir()]) == (4 if (made / 'build' / f'{NAME}.html').exists() else 2)

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from pictures import psnr
+from pictures import psnr, read_picture
 from running import BUILD, FILM, SOURCE, needs, refuses, run
 
 SAFE = BUILD / f'{FILM}-safe'
@@ -185,8 +185,10 @@ width, height = map(int, sys.argv[-1].split('x'))
 sys.stdout.buffer.write(b'P6 %d %d 255 ' % (width, height) + bytes(3 * width * height))
 """)
     black.chmod(0o755)
-    printed = run(BUILD / 'contact_sheet', black, tmp_path / 'poster.png', '--poster', '--width', 320).stdout
+    poster, still = tmp_path / 'poster.png', tmp_path / 'still.jpg'
+    printed = run(BUILD / 'contact_sheet', black, poster, '--poster', '--width', 320, '--still', still).stdout
     assert 'a poster of 326 x 334' in printed
+    assert still.read_bytes().startswith(b'\xff\xd8\xff') and read_picture(still).shape == (180, 320, 3)
 
 
 def test_contact_sheet_refuses_a_program_that_fails(tmp_path):

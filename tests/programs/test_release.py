@@ -13,11 +13,12 @@ if run('git', 'rev-parse', 'HEAD', cwd=SOURCE, status=None).returncode:
     pytest.skip('a release needs a git repository', allow_module_level=True)
 
 RELEASE = SOURCE / 'tools/release'
-BUILT = ('--built', '--poster', SOURCE / 'intro/film.png')
+BUILT = ('--built', '--pictures', SOURCE / 'tests/support/pictures')
 MADE = (*BUILT, '--unclean', '--no-capture')
 ENV = {'BUILD': BUILD, 'GIT_DIR': '/none'}
 LINUX, WINDOWS = ['odraz', 'odraz-safe'], ['odraz.exe', 'odraz-safe.exe']
 TEXTS = ['LICENSE.txt', 'README.txt', 'SHA256SUMS', 'file_id.diz', 'odraz.nfo']
+PICTURES = ['poster.jpg', 'screenshot.jpg']
 
 
 def unpacked(folder, *command):
@@ -86,7 +87,7 @@ def test_an_archive_unpacks_with_its_files_and_modes(command, ending, programs, 
     folder = unpacked(tmp_path / 'unpacked', *command.split(), archives / f'{name}.{ending}')
     assert folder.name == name
     modes = {path.name: path.stat().st_mode & 0o777 for path in folder.iterdir()}
-    assert modes == {**dict.fromkeys(LINUX, 0o755), **dict.fromkeys([*TEXTS, 'poster.png', *programs], 0o644)}
+    assert modes == {**dict.fromkeys(LINUX, 0o755), **dict.fromkeys([*TEXTS, *PICTURES, *programs], 0o644)}
 
 
 def test_the_film_is_the_one_that_was_built_and_runs(inside, tmp_path):
@@ -106,6 +107,21 @@ def test_its_texts_are_filled_in(inside):  # tools/release itself counts their c
         assert b'%s bytes' % f'{(BUILD / program).stat().st_size:,}'.encode() in nfo
     for word in b'ESC', b'chmod +x', b'scanner', b'libdl.so.2', b'--doctor', b'AVX2', b'Wine', b'odraz.exe':
         assert word in texts['README.txt']
+
+
+def test_the_texts_have_the_fields_of_the_conf_and_no_lines_for_empty_ones(inside, tmp_path):
+    assert re.findall('  (group|contact|party|greetings) +(.*)', (inside / 'odraz.nfo').read_text()) == [
+        ('group', 'odraz team')]
+    assert (inside / 'file_id.diz').read_text().split('\n')[-2].startswith('odraz team, 20')
+    greetings = ' '.join(f'group{i} & co.' for i in range(9))
+    git = tree_of(tmp_path / 'tree', FILM_PARTY='"here/there | now"', FILM_GROUP='', FILM_GREETINGS=f'"{greetings}"')
+    shutil.rmtree(tmp_path / 'tree/tools/build/archive/tools')
+    run(*git, 'commit', '-qam', 'no tools')
+    run(tmp_path / 'tree/tools/release', *MADE, '--to', tmp_path / 'to', env=ENV)
+    texts = unpacked(tmp_path / 'unpacked', 'unzip', '-q', *(tmp_path / 'to').glob('*.zip'))
+    nfo = re.search('  (party .*)  licence', (texts / 'odraz.nfo').read_text(), re.S)[1]
+    assert ' '.join(nfo.split()) == f'party here/there | now greetings {greetings}'
+    assert 'group' not in (texts / 'file_id.diz').read_text() and '\n\n' not in nfo
 
 
 def test_the_index_has_links_to_all_files_and_to_no_others(archives):
@@ -164,7 +180,7 @@ def write_script(path, *lines):
 
 
 def test_refuses_a_poster_that_is_not_a_picture_and_a_folder_that_cannot_be_made():
-    refuses(2, 'is not a PNG', RELEASE, '--poster', BUILD / 'odraz')
+    refuses(2, 'poster.jpg is not a JPEG', RELEASE, '--pictures', BUILD)
     refuses(1, 'cannot write to', RELEASE, *MADE, '--to', '/proc/here', env=ENV)
 
 
@@ -184,19 +200,29 @@ def test_refuses_programs_of_other_builds_and_leaves_nothing(commit, real, text,
     assert not [*(tmp_path / 'to').iterdir()]
 
 
-@pytest.mark.parametrize('unclean', [False, True])
-def test_refuses_stale_figures_unless_the_release_is_unclean(unclean, tmp_path):
-    # In a small repository the programs are built from the commit
-    tree, git = tmp_path / 'tree', ('git', '-C', tmp_path / 'tree', '-c', 'user.name=test', '-c', 'user.email=test')
+def tree_of(tree, **fields):
+    """Makes a small repository of the scripts and the conf, whose fields are changed. Returns git's command for it."""
     shutil.copytree(SOURCE / 'tools/build', tree / 'tools/build')
     for folder in 'intro', 'build', 'tools/measure':
         (tree / folder).mkdir()
-    shutil.copy(SOURCE / 'intro/film.conf', tree / 'intro')
+    conf = (SOURCE / 'intro/film.conf').read_text()
+    for name, value in fields.items():
+        conf = re.sub(f'^{name}=.*', f'{name}={value}', conf, flags=re.M)
+    (tree / 'intro/film.conf').write_text(conf)
     shutil.copy(RELEASE, tree / 'tools')
     write_script(tree / 'tools/measure/all', 'echo "stale: size: since 0123456789ab intro"', 'exit 1')
+    git = ('git', '-C', tree, '-c', 'user.name=test', '-c', 'user.email=test')
     run('git', 'init', '-q', tree)
     run(*git, 'add', 'tools', 'intro')
     run(*git, 'commit', '-qm', 'one')
+    return git
+
+
+@pytest.mark.parametrize('unclean', [False, True])
+def test_refuses_stale_figures_unless_the_release_is_unclean(unclean, tmp_path):
+    # In a small repository the programs are built from the commit
+    tree = tmp_path / 'tree'
+    git = tree_of(tree)
     commit = run(*git, 'rev-parse', '--short=12', 'HEAD').stdout.strip()
     for program in *LINUX, *WINDOWS:
         write_script(tree / 'build' / program, f'echo odraz 1.2.3 {commit}')

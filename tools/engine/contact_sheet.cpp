@@ -86,8 +86,9 @@ void paste(Image &sheet, const Image &frame, int x, int y) {
                     &frame.rgb[(size_t)row * (size_t)frame.width * 3], (size_t)frame.width * 3);
 }
 
-// Draws a poster: a large picture, two rows of three small ones, and the title.
-Image poster(const std::string &program, int width, const std::string &quality) {
+// Draws a poster: a large picture, two rows of three small ones, and the title. The large one is also
+// `still`.
+Image poster(const std::string &program, int width, const std::string &quality, Image &still) {
     constexpr int kAcross = 3;
     const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross, high = small * 9 / 16,
               band = width / 12;
@@ -102,6 +103,7 @@ Image poster(const std::string &program, int width, const std::string &quality) 
             page.rgb.assign((size_t)page.width * (size_t)page.height * 3, 8);
             paste(page, frame, gap, y);
             y += frame.height + gap;
+            still = frame;
         } else {
             int i = shown - 1;
             paste(page, frame, gap + i % kAcross * (small + gap), y + i / kAcross * (high + gap));
@@ -131,7 +133,7 @@ Image layOut(const std::vector<Image> &frames) {
 }
 
 int run(common::CommandLine &line) {
-    std::string program, out, quality;
+    std::string program, out, stillOut, quality;
     std::optional<int> width;
     int every = 5;
     bool asPoster = false;
@@ -139,24 +141,31 @@ int run(common::CommandLine &line) {
         "Runs FILM, which dumps a frame every few seconds, and lays the frames out on one page. A poster "
         "has a large\nframe, two rows of three small frames, and the title.");
     line.argument("FILM", program, "the film's program");
-    line.argument("OUT.png", out, "the page to write");
+    line.argument("OUT", out, "the page to write, OUT.png or OUT.jpg");
     line.option("--every", "SECONDS", every, {1, 4000}, "time between frames");
     line.option("--width", "PIXELS", width, {1, 4000},
                 "width of a frame (default 384), or of the poster (default 1600)");
     line.option("--quality", "NAME", quality, "quality of the frames (default play; film for a poster)");
     line.flag("--poster", asPoster, "draw a poster");
+    line.option("--still", "FILE", stillOut, "with --poster: also write its large frame, as .png or .jpg");
     line.parse();
     common::noteInput(program);
     common::claimOutput(out);
+    if (!stillOut.empty()) common::claimOutput(stillOut);
+    if (!stillOut.empty() && !asPoster) line.refuse("--still needs --poster");
+    auto write = [](const std::string &path, const Image &image) {
+        (path.ends_with(".jpg") ? writeJpeg : writePng)(path, image);
+    };
     if (quality.empty()) quality = asPoster ? "film" : "play";
     if (asPoster) {
-        Image page = poster(program, width.value_or(1600), quality);
-        writePng(out, page);
+        Image still, page = poster(program, width.value_or(1600), quality, still);
+        write(out, page);
+        if (!stillOut.empty()) write(stillOut, still);
         std::printf("%s: a poster of %d x %d\n", out.c_str(), page.width, page.height);
         return 0;
     }
     std::vector<Image> frames = framesOf(program, every, width.value_or(384), quality);
-    writePng(out, layOut(frames));
+    write(out, layOut(frames));
     std::printf("%s: %zu frames, one every %d s\n", out.c_str(), frames.size(), every);
     return 0;
 }

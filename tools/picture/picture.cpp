@@ -81,15 +81,23 @@ Image linearToImage(const Picture &p, int by) {
     return image;
 }
 
+static void append(void *to, void *bytes, int size) {
+    ((std::string *)to)->append((const char *)bytes, (size_t)size);
+}
+static void write(const std::string &path, const std::string &file, int made) {
+    if (!made) throw std::runtime_error("not enough memory for " + path);
+    common::writeWhole(path, file);
+}
 void writePng(const std::string &path, const Image &p) {
     stbi_write_png_compression_level = 9;
     std::string png;
-    auto append = [](void *to, void *bytes, int size) {
-        ((std::string *)to)->append((const char *)bytes, (size_t)size);
-    };
-    if (!stbi_write_png_to_func(append, &png, p.width, p.height, 3, p.rgb.data(), p.width * 3))
-        throw std::runtime_error("not enough memory for " + path);
-    common::writeWhole(path, png);
+    int made = stbi_write_png_to_func(append, &png, p.width, p.height, 3, p.rgb.data(), p.width * 3);
+    write(path, png, made);
+}
+void writeJpeg(const std::string &path, const Image &p) {
+    std::string jpeg;
+    int made = stbi_write_jpg_to_func(append, &jpeg, p.width, p.height, 3, p.rgb.data(), 84);
+    write(path, jpeg, made);
 }
 
 Image shrink(const Image &p, int width) {

@@ -50,8 +50,9 @@ Image toImage(const Picture &picture);
 // Refused if the size is no multiple of `by`.
 Image linearToImage(const Picture &picture, int by);
 
-// Writes a PNG, whole or not at all. Throws std::runtime_error.
+// Write a file whole or not at all. Throw std::runtime_error.
 void writePng(const std::string &path, const Image &picture);
+void writeJpeg(const std::string &path, const Image &picture);
 
 // Shrinks a picture to `width` by averaging areas. It is never enlarged.
 Image shrink(const Image &picture, int width);
