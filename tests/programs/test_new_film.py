@@ -8,7 +8,7 @@ import signal
 import pytest
 
 from pictures import read_ppm
-from running import BUILD, SOURCE, needs, number, refuses, run
+from running import BUILD, FILM, SOURCE, needs, number, refuses, run
 
 if run('git', '-C', SOURCE, 'rev-parse', 'HEAD', status=None).returncode:
     pytest.skip('a new film needs a git repository', allow_module_level=True)
@@ -62,6 +62,10 @@ def test_refuses_an_unsuitable_folder(to, text, tmp_path):
 def test_prints_gits_own_line_where_git_refuses(tmp_path):
     env = {'GIT_TEST_ASSUME_DIFFERENT_OWNER': 1}
     assert 'dubious ownership' in refuses(2, 'safe.directory', NEW, tmp_path / 'made', 'mira', env=env)
+
+
+def test_the_page_takes_the_name_of_its_film():
+    assert not re.search(FILM, (SOURCE / 'intro/host/web/page.html').read_text())
 
 
 def not_copied(film):
@@ -137,6 +141,8 @@ def test_neither_the_packed_files_nor_the_programs_in_them_name_odraz(made, tmp_
     for name in NAME, f'{NAME}.exe':
         run(build / 'pack', '-d', build / name, '-o', tmp_path / name)
     files = [build / f'{NAME}{end}' for end in ('', '.exe', '-safe', '-safe.exe')]
+    # The page, whose markup is packed, is built where its compiler is installed
+    files += [*build.glob(f'{NAME}.html'), *build.glob('intro/host/web/page.html')]
     assert not [file for file in (*files, *tmp_path.iterdir()) if names_odraz(file)]
     assert names_odraz(BUILD / 'odraz-safe')  # the name in this film would be found
     assert f'use {NAME}-safe'.encode() in (build / NAME).read_bytes()  # where it may not run packed
