@@ -61,7 +61,6 @@ function goToHash() {
 async function start() {
     if (!window.DecompressionStream) throw new Error('this browser is too old: it lacks DecompressionStream');
     await readData();
-    $('problem').textContent = '';
     const wrong = wrongSums();
     if (wrong.length) $('problem').textContent = `These do not add up to the file: ${wrong.join(', ')}.`;
     showHead();
