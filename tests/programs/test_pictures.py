@@ -117,7 +117,9 @@ def pictures(work):
 
 @pytest.mark.parametrize('status, text, words', [
     (0, r'largest difference 0,', 'a.ppm a.ppm'),
-    (1, r'largest difference 20,', 'a.ppm b.ppm --max 19'),
+    (1, r'^fails: the largest difference 20 is above 19$', 'a.ppm b.ppm --max 19'),
+    (1, r'^fails: the largest difference 20 is above 0, and 29.89 dB is below 45$', 'a.ppm b.ppm --psnr 45'),
+    (0, r'differ\n\Z', 'a.ppm b.ppm --psnr 29'),
     (0, r'largest difference 20,', 'a.ppm b.ppm --max 20'),
     # All channels, all bits and all pictures of a file count
     (1, r'largest difference 255, 1 of 1 pixels differ, 1 in alpha$', 'opaque.tga clear.tga'),

@@ -81,7 +81,12 @@ bool compare(const Picture &a, const Picture &b, const CompareSettings &s, std::
                        linearPsnr(imageA.rgb, imageB.rgb), psnr(imageA.rgb, imageB.rgb));
     }
     if (!s.diff.empty()) writePng(s.diff, d.amplified);
-    return unlike.empty() && (d.largest <= s.most || (s.leastPsnr != HUGE_VAL && db >= s.leastPsnr));
+    bool asksPsnr = s.leastPsnr != HUGE_VAL, within = d.largest <= s.most || (asksPsnr && db >= s.leastPsnr);
+    if (!within) common::append(text, "fails: the largest difference %.4g is above %g", d.largest, s.most);
+    if (!within && asksPsnr) // rounded down, since 44.999 is below 45
+        common::append(text, ", and %.2f dB is below %g", std::floor(db * 100) / 100, s.leastPsnr);
+    if (!within) text += "\n";
+    return within && unlike.empty();
 }
 
 size_t countRest(PictureFile &file) {
