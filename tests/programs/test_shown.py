@@ -4,6 +4,7 @@ import re
 import pytest
 
 from displays import Display
+from pictures import read_picture
 from running import BUILD, needs_built, refuses, rows_of, run
 
 needs_built('odraz-debug', 'seen', 'probe')
@@ -71,6 +72,13 @@ def test_each_machine_is_simulated_and_judged_with_each_screen(tmp_path):
     assert [*dict.fromkeys(columns(seen(tmp_path, *PLAYERS, '--summary'), 'screen', 'machine'))] == wanted
     rows = seen(tmp_path, *PLAYERS, '--judged', '64x36', '--at', 52, '--length', 0.05)
     assert columns(rows, 'screen', 'machine', 'scene', 'sixtieths') == [(*player, 'flake', 3) for player in wanted]
+
+
+def test_squares_of_a_picture_are_written_side_by_side(tmp_path):
+    options = '--machine 8 --machine 64 --screen 512x288 --at 52 --length 0.017 --crops'.split()
+    run(SEEN, *options, tmp_path / 'crops.jpg', '--corner', '224x1', status=2)  # the square does not fit there
+    run(SEEN, *options, tmp_path / 'crops.jpg')
+    assert read_picture(tmp_path / 'crops.jpg').shape == (288, 3 * 288 + 2 * 6, 3)
 
 
 def test_the_players_of_pages_make_no_in_betweens(tmp_path):

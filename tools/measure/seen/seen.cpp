@@ -18,9 +18,9 @@ namespace {
 constexpr double kCore = 7e9; // instructions a second of a core, if --cores is not given
 
 struct SeenOptions {
-    std::string list, pictures;
+    std::string list, pictures, crops;
     std::vector<std::string> scenes, screens;
-    IntroSettings judged = {};
+    IntroSettings judged = {}, corner = {};
     std::vector<double> at, machines; // seconds; 10^9 instructions a second
     int cores = 0;
     double length = 0.5; // seconds of a window
@@ -47,6 +47,8 @@ void check(const common::CommandLine &line, SeenOptions &o) {
     needs("--since", o.onlySummary, "--summary");
     needs("--page", machine, "--machine");
     needs("--list", machine, "--machine");
+    needs("--crops", o.at.size() == 1, "a single --at");
+    needs("--corner", line.has("--crops"), "--crops");
     if (o.screens.empty()) o.screens = {"1280x720"};
     bool several = o.screens.size() > 1;
     if (several && !machine) line.refuse("several screens need --machine");
@@ -81,6 +83,10 @@ SeenOptions read(common::CommandLine &line) {
         "--pictures", "FOLDER", o.pictures,
         "write the pictures on the screen and the film's: 052000-3.png and 052000-3-truth.png for the "
         "fourth sixtieth of the window at 52 s");
+    line.option(
+        "--crops", "OUT.jpg", o.crops,
+        "write a square of the window's last picture on each machine, and of the film's, side by side");
+    sizeOption(line, "--corner", o.corner, "pixels to the left of the square and above it");
     line.group("The film's own player on a simulated machine, instead of LIST");
     line.option("--machine", "G", numbersTo(o.machines, "--machine", {0.1, 1e6}),
                 "10^9 instructions a second of all cores together; repeatable");
@@ -166,6 +172,21 @@ Viewer::Each writer(const std::string &folder, const Span &window, const IntroSe
     };
 }
 
+// A square of each picture, side by side.
+pictures::Image cropped(const std::vector<std::vector<uint8_t>> &screens, const IntroSettings &size,
+                        const IntroSettings &corner) {
+    constexpr int kSide = 288, kGap = 6;
+    common::need(corner.width + kSide <= size.width && corner.height + kSide <= size.height,
+                 common::format("a square of %d pixels does not fit there", kSide));
+    int wide = (kSide + kGap) * (int)screens.size() - kGap;
+    pictures::Image all = {wide, kSide, std::vector<uint8_t>((size_t)(wide * kSide * 3), 255)};
+    for (int i = 0; i < (int)screens.size(); ++i)
+        for (int y = 0; y < kSide; ++y)
+            std::copy_n(&screens[(size_t)i][(size_t)((corner.height + y) * size.width + corner.width) * 3],
+                        kSide * 3, &all.rgb[(size_t)(y * wide + i * (kSide + kGap)) * 3]);
+    return all;
+}
+
 int run(common::CommandLine &line) {
     SeenOptions asked = read(line);
     const IntroSettings &judged = asked.judged;
@@ -195,19 +216,25 @@ int run(common::CommandLine &line) {
     }
     if (!asked.pictures.empty()) std::filesystem::create_directories(asked.pictures);
     Viewer viewer(judged.width, judged.height, first, last);
+    std::vector<std::vector<uint8_t>> screens(players.size() + 1); // of each player, and the film's
     std::puts((head + "scene,sixtieths,fresh,flip,linear_db,srgb_db").c_str());
     for (const auto &row : rows) {
         // Compare all players in a window before the next one, since they share the film's pictures
         for (const Span &window : row)
-            for (JudgedPlayer &p : players)
-                viewer.compare(p.list, window.from, window.to, p.scene,
-                               writer(asked.pictures, window, judged));
+            for (size_t i = 0; i < players.size(); ++i) {
+                Viewer::Each keep = [&](auto &shown, auto &truth) {
+                    screens[i] = shown, screens.back() = truth;
+                };
+                viewer.compare(players[i].list, window.from, window.to, players[i].scene,
+                               asked.crops.empty() ? writer(asked.pictures, window, judged) : keep);
+            }
         for (JudgedPlayer &p : players) {
             printRow(p, sceneName(row[0].scene), p.scene);
             p.all.add(p.scene);
             p.scene = {};
         }
     }
+    if (!asked.crops.empty()) pictures::writeJpeg(asked.crops, cropped(screens, judged, asked.corner));
     if (rows.size() > 1)
         for (const JudgedPlayer &p : players) printRow(p, "all", p.all);
     return 0;
