@@ -1,4 +1,4 @@
-#!/usr/bin/env bash
+#!/usr/bin/env -S bash -p
 # build.sh PACK FOLDER [--pe]: builds FOLDER/hello.elf and packs it to FOLDER/hello. With --pe, for Windows:
 # FOLDER/hello_windows.elf and hello.exe.
 set -euo pipefail; unset CDPATH

@@ -149,6 +149,7 @@ def test_resume_makes_again_what_is_unfinished_cut_short_or_damaged(parts):
 
 
 def test_begins_anew_without_the_shards_of_an_earlier_run(parts):
+    assert refuses(2, 'needs draft', *RENDER, *PARTED, '--anew', '--quality', 'no', 'r.mp4') and any(parts.iterdir())
     render('r.mp4', *SMALL, '--anew')
     assert_same('r.mp4', 'one.mp4')
 
@@ -240,8 +241,7 @@ def test_refuses_and_leaves_nothing(frames, text, options):
     assert not Path(f'{options[-1]}.parts').exists()
 
 
-# tools/render would install a missing ffmpeg, but here it cannot
-def test_reports_that_ffmpeg_cannot_be_installed(tmp_path):
+def test_reports_that_a_missing_ffmpeg_cannot_be_installed(tmp_path):
     for program in 'bash', 'dirname', 'cat', 'sed', 'grep', 'id', 'basename':
         (tmp_path / program).symlink_to(shutil.which(program))
     for program in 'dpkg-query', 'sudo', 'env':

@@ -32,7 +32,7 @@ print_progress() {
     while sleep 1 && kill -0 $$ 2>/dev/null; do
         [ -z "$log" ] || count=$(tail -c 4000 "$log" 2>/dev/null | grep -aoE '^\[[^]]*\]' | tail -n 1 || true)
         # Ninja counts a step when it ends, and packing takes half a minute
-        [ -z "$count" ] || ! pgrep --session 0 -x pack_film >/dev/null 2>&1 || count+=" packing"
+        [ -z "$count" ] || ! pgrep --session 0 -x 'pack_film|page' >/dev/null 2>&1 || count+=" packing"
         progress "$what: ${count:+$count, }$((SECONDS - began)) s"
     done
 }

@@ -25,7 +25,7 @@ def short(data):
 def git(*words):
     done = subprocess.run(['git', '-C', str(SOURCE), *words], capture_output=True, text=True)
     if done.returncode:
-        raise Failed(f'{SOURCE} is not a git repository, which is needed to find stale sections')
+        raise Failed(f'cannot find stale sections: {" ".join(done.stderr.split())}')
     return done.stdout
 
 
