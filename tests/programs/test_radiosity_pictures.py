@@ -1,6 +1,7 @@
 """Materials with pictures (map_Kd): the light of elements against closed forms. (pictured_test compares each element's
 part of its picture, picture_file_test reads and refuses files.)"""
 import os
+import unicodedata
 from pathlib import Path
 
 import pytest
@@ -87,6 +88,28 @@ def test_final_rays_see_the_picture_beneath_a_board(floor):
     r, g, b = beneath()
     assert r - g > 3 * (b - g) > 0
     assert beneath('--final 256')[[0, 2]] == pytest.approx([r, b], rel=0.04)
+
+
+# macOS stores names in the form NFD, most programs write NFC
+LETTERS = [chr(code) for block in ((0xc0, 0x250), (0x370, 0x500), (0x1e00, 0x1f00), (0x3040, 0x3100), (0xac00, 0xac40))
+           for code in range(*block) if len(unicodedata.normalize('NFD', chr(code))) > 1]
+
+
+@pytest.mark.parametrize('written, stored', [('NFC', 'NFD'), ('NFD', 'NFC')])
+def test_names_are_found_in_either_form_of_unicode(written, stored, tmp_path):
+    names = [f'{"".join(LETTERS[at:at + 20])} Plan' for at in range(0, len(LETTERS), 20)]
+    materials = ''
+    for number, name in enumerate(names):
+        folder, picture = (Path(unicodedata.normalize(stored, part)) for part in ('Möbel', f'{name}.PPM'))
+        (tmp_path / folder).mkdir(exist_ok=True)
+        (tmp_path / folder / picture).write_text('P3 1 1 255\n255 255 255\n')
+        materials += unicodedata.normalize(written, f'newmtl m{number}\nKd 1 1 1\nmap_Kd Möbel\\{name}.ppm\n')
+    (tmp_path / unicodedata.normalize(stored, 'über.mtl')).write_text(materials)
+    faces = ''.join(f'usemtl m{number}\nf 1/1 2/2 3/3 4/4\n' for number in range(len(names)))
+    text = FLOOR.split('usemtl')[0].replace('sub\\floor.mtl', unicodedata.normalize(written, 'Über.mtl')) + faces
+    assert len(names) > 20
+    solution = solve(tmp_path / 'names.obj', '--element 0.01 --rays 16', text=text)
+    assert 'cannot' not in solution.errors and 'material file' not in solution.errors
 
 
 @pytest.mark.parametrize('missing', ['none', 'fifo'])

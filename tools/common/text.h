@@ -18,6 +18,10 @@ std::string counted(size_t count, const std::string &what);
 // Quotes a word for a shell, if it needs quotes.
 std::string shellWord(const std::string &word);
 
+// Divides letters with marks into the letter and its marks, as Unicode's form NFD has them: those of Latin,
+// Greek, Cyrillic, Korean and Japanese. Two names that look the same become equal.
+std::string decomposed(const std::string &text);
+
 // Escapes text for HTML and XML, outside tags and within quoted attributes.
 std::string htmlText(const std::string &text);
 

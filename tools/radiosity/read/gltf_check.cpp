@@ -104,6 +104,23 @@ void check(const json &all) {
     }
 }
 
+// Lists of 2.0 were objects in 1.0, whose asset could be missing.
+void needVersion2(const json &all) {
+    const json asset = all.value("asset", json::object());
+    auto textOf = [&](const char *name) {
+        const json value = asset.is_object() ? asset.value(name, json()) : json();
+        return value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : "";
+    };
+    const std::string least = textOf("minVersion");
+    std::string version = asset.is_object() ? textOf("version") : "2.0"; // check() refuses the type
+    for (const char *list : {"accessors", "bufferViews", "meshes", "nodes", "scenes"})
+        if (version.empty() && all.contains(list) && all[list].is_object()) version = "1.0";
+    need(!version.empty() || all.contains("asset"), "is JSON, but not glTF: it has no asset");
+    if (least > "2.0") version = least;
+    need(version.starts_with("2.") && least <= "2.0",
+         "is glTF " + (version.empty() ? "without a version" : version) + ": only 2.0 is read");
+}
+
 } // namespace
 
 bool isExtensionRead(const std::string &name) { return kExtensions.count(name); }
@@ -126,7 +143,8 @@ json parseGltf(std::string_view text) {
     } catch (const json::exception &) {
         throw Refused("its JSON has a number that is too large");
     }
-    need(all.is_object() && all.contains("asset"), "is JSON, but not glTF: it has no asset");
+    need(all.is_object(), "is JSON, but not glTF: it has no asset");
+    needVersion2(all);
     check(all);
     return all;
 }

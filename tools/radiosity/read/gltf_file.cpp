@@ -135,8 +135,6 @@ void GltfFile::readJson(std::string_view text, std::string_view binary) {
     } catch (const json::exception &) {
         throw Refused("is damaged: a value has a wrong type");
     }
-    need(model.asset.version.starts_with("2.") && (model.asset.minVersion <= "2.0"),
-         "is glTF " + model.asset.version + ": only 2.0 is read");
     readBuffers(list, binary);
 }
 

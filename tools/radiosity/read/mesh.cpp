@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <set>
 
 namespace odraz::radiosity {
 
@@ -63,14 +62,6 @@ struct Format {
     bool sure; // no other format begins like this
     decltype(&readModel) read;
 };
-// Whether the first line that is not empty is a comment or a command of OBJ.
-bool isObj(std::string_view start) {
-    static const std::set<std::string_view> kCommands = {"v", "vn", "vt", "vp", "f",      "l",
-                                                         "p", "o",  "g",  "s",  "usemtl", "mtllib"};
-    if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
-    start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
-    return start.starts_with('#') || kCommands.count(start.substr(0, start.find_first_of(" \t\r\n")));
-}
 
 const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, true, readGltf}, {{".obj"}, isObj, false, readObj}};
 
@@ -85,6 +76,7 @@ bool isNamed(const Format &format, std::string path) {
 // The format by content; if no format matches, by name, so that the right reader reports the damage.
 const Format &formatOf(const std::string &path) {
     const std::string start = common::readStart(path, kStart);
+    common::need(!start.starts_with(kSolutionStart), path + ": is a solution: give the model");
     for (const Format &format : kFormats)
         if (format.begins(start)) return format;
     for (const Format &format : kFormats)

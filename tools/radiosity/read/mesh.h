@@ -67,8 +67,8 @@ struct ReadSettings {
 // Whether a file is a model, by the ending of its name or by its content.
 bool isModel(const std::string &path);
 
-// The first line of an OBJ that `export` writes.
-inline constexpr char kExportedObj[] = "# radiosity by odraz";
+// The first line of an OBJ that `export` writes, and how the files of solve and transfer begin.
+inline constexpr char kExportedObj[] = "# radiosity by odraz", kSolutionStart[] = "odraz ";
 // Claims an output (whole_file.h). Throws Refused if a model is there that `export` did not write.
 bool claimOutput(const std::string &path);
 

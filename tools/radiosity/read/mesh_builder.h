@@ -68,5 +68,7 @@ std::set<PolygonPair> cutOverlaps(Mesh &mesh, std::vector<int> &polygonOf, doubl
 // Read glTF 2.0 (.gltf, .glb) or Wavefront OBJ with its materials, as readModel() in mesh.h.
 Mesh readGltf(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
 Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
+// Whether the first line that is not empty is a comment or a command of OBJ.
+bool isObj(std::string_view start);
 
 } // namespace odraz::radiosity

@@ -1,5 +1,6 @@
 #include "tools/radiosity/read/mtl_reader.h"
 
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/read/mesh_builder.h"
 #include "tools/radiosity/read/text_lines.h"
@@ -19,8 +20,9 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-constexpr const char *kMaterialWords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke"};
-enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap }; // in their order
+constexpr const char *kMaterialWords[] = {"newmtl", "Kd", "Ke", "Ka", "map_Kd", "map_Ke", "Pm", "Pc", "Ps"};
+// In their order
+enum MaterialWord { kNew, kDiffuse, kEmission, kAmbient, kDiffuseMap, kEmissionMap, kMetal, kCoat, kSheen };
 
 // Whether a keyword names a picture.
 bool isMap(std::string_view word) {
@@ -169,6 +171,13 @@ struct MtlReader {
             case kEmissionMap:
                 picture(folderOf(path), lines, m.emissionPicture);
                 break;
+            case kMetal:
+            case kCoat:
+            case kSheen:
+                if (double x; takeNumber(lines.rest, x) && x > 0)
+                    note(keyword == kMetal ? "metal counts as diffuse"
+                                           : "clearcoat and sheen (Pc, Ps) are not used");
+                break;
             default:
                 if (isMap(lines.word) && !rest.empty())
                     note(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
@@ -193,6 +202,19 @@ struct MtlReader {
 
 std::string folderOf(const std::string &path) { return path.substr(0, path.rfind('/') + 1); }
 
+// The path of an entry of a folder, by its name, or by one in another case or Unicode form; empty: none.
+static std::string findEntry(const std::string &folder, const std::string &name) {
+    namespace fs = std::filesystem;
+    std::error_code wrong;
+    if (fs::exists(folder + name, wrong)) return folder + name;
+    const std::string wanted = common::decomposed(name);
+    for (const auto &entry : fs::directory_iterator(folder.empty() ? "." : folder, wrong)) {
+        const std::string found = entry.path().filename().string();
+        if (!strcasecmp(common::decomposed(found).c_str(), wanted.c_str())) return folder + found;
+    }
+    return "";
+}
+
 std::string findFile(const std::string &folder, std::string name) {
     namespace fs = std::filesystem;
     std::error_code wrong;
@@ -202,14 +224,14 @@ std::string findFile(const std::string &folder, std::string name) {
     if (name[0] == '/' && fs::exists(name, wrong)) return name;
     // Try the name as given, then only its last part, in the same folder
     for (std::string tried : {name, name.substr(name.rfind('/') + 1)}) {
-        std::string path = folder + tried;
         if (tried.empty() || tried[0] == '/') continue;
-        if (fs::exists(path, wrong)) return path;
-        std::string last = path.substr(path.rfind('/') + 1), directory = folderOf(path);
-        for (const auto &entry : fs::directory_iterator(directory.empty() ? "." : directory, wrong)) {
-            std::string found = entry.path().filename().string();
-            if (!strcasecmp(found.c_str(), last.c_str())) return directory + found;
+        std::string path = folder;
+        for (const fs::path &part : fs::path(tried)) {
+            if (!path.empty() && path.back() != '/') path += '/';
+            path = findEntry(path, part.string());
+            if (path.empty()) break;
         }
+        if (!path.empty()) return path;
     }
     return folder + name;
 }

@@ -8,7 +8,8 @@ namespace odraz::radiosity {
 // The folder in a path, with its slash; empty if there is none.
 std::string folderOf(const std::string &path);
 
-// Finds a file that another program named: with backslashes, folders of another system, or in another case.
+// Finds a file that another program named: with backslashes or folders of another system, in another case, or
+// in Unicode's other form (composed or decomposed, as macOS stores names).
 // Searches `folder`, which ends with a slash or is empty. Returns folder + name if there is no such file.
 std::string findFile(const std::string &folder, std::string name);
 

@@ -1,4 +1,5 @@
 // Reads a Wavefront OBJ.
+#include "tools/common/whole_file.h"
 #include "tools/radiosity/read/mesh_builder.h"
 #include "tools/radiosity/read/mtl_reader.h"
 #include "tools/radiosity/read/text_lines.h"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace odraz::radiosity {
@@ -23,6 +25,8 @@ const std::map<std::string_view, const char *> kLeftOut = {
     {"surf", "surfaces are left out"},          {"bzp", "surfaces are left out"},
     {"bsp", "surfaces are left out"},           {"usemap", "pictures of polygons (usemap) are not used"},
     {"call", "other files (call) are not read"}};
+const std::set<std::string_view> kCommands = {"v", "vn", "vt", "vp", "f",      "fo",    "l",
+                                              "p", "o",  "g",  "s",  "usemtl", "mtllib"};
 
 struct ObjContent {
     Polygons polygons;                  // materials are indices into `asked`
@@ -36,8 +40,10 @@ public:
     explicit ObjReader(const std::string &path) : path(path), lines(path) {}
 
     ObjContent read() {
+        if (!lines.isText && !isObj(common::readStart(path, 4096))) refuseFormat();
         while (lines.next()) {
             int keyword = lines.keyword(kKeywords);
+            commands += keyword >= 0 || kCommands.count(lines.word);
             // Remove a comment. Names may contain a #
             if (keyword < kUse) lines.rest = lines.rest.substr(0, lines.rest.find('#'));
             switch (keyword) {
@@ -61,7 +67,7 @@ public:
                 if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end()) note(found->second);
             }
         }
-        if (polygons.points.empty() && !lines.isText) throw ModelError(path + ": is not a text file");
+        if (polygons.points.empty() && lines.number > 0 && !commands) refuseFormat();
         if (largest > (int)polygons.points.size())
             refuse(largestLine, "there is no point " + std::to_string(largest) + ": the file has " +
                                     std::to_string(polygons.points.size()));
@@ -78,11 +84,15 @@ private:
     TextLines lines;
     std::map<std::string, int, std::less<>> numberOf; // a name's index in `asked`
     int material = -1;
-    int largest = 0; // largest point number in a polygon, and the polygon's line
+    size_t commands = 0; // number of lines with a command of OBJ
+    int largest = 0;     // largest point number in a polygon, and the polygon's line
     size_t largestLine = 0;
     std::map<std::string_view, std::vector<size_t>> unused; // features that are not used, and their lines
     void note(const char *kind) { unused[kind].push_back(lines.number); }
 
+    [[noreturn]] void refuseFormat() const {
+        throw ModelError(path + ": is neither Wavefront OBJ nor glTF 2.0 (.gltf, .glb), which are read");
+    }
     [[noreturn]] void refuse(size_t line, const std::string &what) const {
         throw ModelError(path + ":" + std::to_string(line) + ": " + what);
     }
@@ -185,6 +195,12 @@ void noteUnknown(const std::string &path, const ObjContent &content, const std::
 }
 
 } // namespace
+
+bool isObj(std::string_view start) {
+    if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
+    start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
+    return start.starts_with('#') || kCommands.count(start.substr(0, start.find_first_of(" \t\r\n")));
+}
 
 Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
     ObjContent content = ObjReader(path).read();

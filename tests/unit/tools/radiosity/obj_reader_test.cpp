@@ -98,7 +98,8 @@ TEST(ObjReader, TakesAllKindsOfText) {
 
 // Errors name the line, counted as editors count lines.
 TEST(ObjReader, NamesTheLine) {
-    const std::string zip("\x1f\x8b\b\0\0", 5);
+    const std::string zip("\x1f\x8b\b\0\0", 5),
+        neither = ": is neither Wavefront OBJ nor glTF 2.0 (.gltf, .glb), which are read";
     const std::pair<std::string, std::string> cases[] = {
         {"v 0 0 0\r\nv 0 0 \\\r\n 1\r\nf 1 2 9\r\n", ":4: there is no point 9: the file has 2"},
         {"\xef\xbb\xbfv 0 0\n", ":1: a point needs three coordinates"},
@@ -108,7 +109,13 @@ TEST(ObjReader, NamesTheLine) {
         {kObjSquare + "f 1 2/x 3\n", ":5: a polygon's points are numbers, not 2/x"},
         {kObjSquare + "f 1 2 0/1\n", ":5: there is no point 0 before this polygon"},
         {kObjSquare + "f -5 -2 -1\n", ":5: there is no point -5 before this polygon"},
-        {zip, ": is not a text file"},
+        {zip, neither},
+        {"solid a\nfacet normal 0 1 0\nouter loop\nvertex 0 0 0\n", neither}, // STL
+        {"ply\nformat ascii 1.0\nelement vertex 3\n0 0 0\n", neither},
+        {std::string("ply\nformat binary_little_endian 1.0\nend_header\n\0\0\nv 1\n", 54), neither},
+        {"#usda 1.0\ndef Mesh \"m\"\n{\n}\n", neither},
+        {std::string("odraz radiosity 5\n\0\nv 1\n", 24), ": is a solution: give the model"},
+        {"# by hand\nvn 0 1 0\n", ": holds no point"},
         {"", ": holds no point"},
         {kObjSquare + "l 1 2 3 4\n", ": holds no polygon"},
         {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ": holds no polygon with an area"},
@@ -148,8 +155,9 @@ TEST(ObjReader, NotesWhatIsNotUsed) {
         "mtllib m.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 0 1 1.0\nv 0 0 1 2\nvt nan 0\nvt 1 inf\nvt\nvt "
         ".5\nl 1 2\np 1\nvp 0 1\ncstype bezier\nsurf 0 1 0 1 1 2 3 4\nend\ncall x.obj\nusemap p\nusemtl a\n"
         "f 1/1 2/4 3/4\n";
-    ReadObj r(obj, "newmtl a\nKd 1 0 0\nd 0.5\nmap_Kd -mm 0 .5 -s 1 1 -clamp on -boost 2 a.png\nbump -bm 1 "
-                   "b.png\nnewmtl b\nd 1\nTr 1\nTr 0.5\nmap_Ke -mm 0 1 a.png\n");
+    ReadObj r(obj,
+              "newmtl a\nKd 1 0 0\nd 0.5\nmap_Kd -mm 0 .5 -s 1 1 -clamp on -boost 2 a.png\nbump -bm 1 "
+              "b.png\nPr 1\nPm 0.5\nPc 1\nnewmtl b\nd 1\nTr 1\nTr 0.5\nPm 0\nPs 1\nmap_Ke -mm 0 1 a.png\n");
     EXPECT_EQ(
         r.notes,
         (Lines{"m.obj: colours of points are not used: line 2 and 1 more",
@@ -158,8 +166,11 @@ TEST(ObjReader, NotesWhatIsNotUsed) {
                "m.obj: pictures of polygons (usemap) are not used: line 17",
                "m.obj: points and lines are left out: line 10 and 1 more",
                "m.obj: surfaces are left out: line 14", "m.obj: weights of points are not used: line 5",
-               "m.obj: bump is not used: material a", "m.obj: map_Kd's -boost is not used: material a",
+               "m.obj: bump is not used: material a",
+               "m.obj: clearcoat and sheen (Pc, Ps) are not used: material a and 1 more",
+               "m.obj: map_Kd's -boost is not used: material a",
                "m.obj: map_Kd's -mm is not used: material a", "m.obj: map_Ke's -mm is not used: material b",
+               "m.obj: metal counts as diffuse: material a",
                "m.obj: opacity is not used, so all surfaces are opaque: material a and 1 more",
                "m.obj: coordinates of pictures are missing, so their mean colours are used: a"}));
 }
