@@ -91,7 +91,7 @@ def test_final_rays_see_the_picture_beneath_a_board(floor):
 
 
 # macOS stores names in the form NFD, most programs write NFC
-LETTERS = [chr(code) for block in ((0xc0, 0x250), (0x370, 0x500), (0x1e00, 0x1f00), (0x3040, 0x3100), (0xac00, 0xac40))
+LETTERS = [chr(code) for block in ((0xc0, 0x180), (0x370, 0x500), (0x1ea0, 0x1efa), (0x3040, 0x3100), (0xac00, 0xac40))
            for code in range(*block) if len(unicodedata.normalize('NFD', chr(code))) > 1]
 
 

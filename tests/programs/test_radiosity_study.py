@@ -17,7 +17,7 @@ pytestmark = pytest.mark.usefixtures('page')
 def page(in_work):
     """The study of a cube."""
     generate('cube', 'cube.obj')
-    assert radiosity('study', 'cube.obj', '-o', 'page', '--quick').stdout == 'page/index.html: 9 solutions\n'
+    assert radiosity('study', 'cube.obj', '-o', 'page', '--quick').stdout == 'page/index.html: 10 solutions\n'
 
 
 def column(table, name, **wanted):
@@ -98,6 +98,13 @@ def test_interpolated_light_has_at_most_half_the_error_of_flat_light():
 def test_smaller_patches_and_finer_rasters_have_smaller_errors():
     coarse, fine_raster, small, both = column('table', 'median_percent')
     assert both < fine_raster < coarse and both < small < coarse
+
+
+def test_the_default_solution_is_measured_and_no_coarse_one_has_a_smaller_error():
+    errors = {row['solution']: row['rms_percent'] for row in rows_of('page/front.csv')}
+    best = min(errors, key=errors.get)
+    assert best.endswith(' elements, by rays')
+    assert column('front', 'command', solution=best) == ['radiosity solve cube.obj -o OUT.rad']
 
 
 def test_the_reference_was_compared_with_path_tracing():

@@ -56,7 +56,7 @@ def test_keys_change_lamps_and_bands_and_outline_elements(window):
     assert 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2' in window.title()
     press(window, '1', lambda: is_like(window, 'one.png') and 'lamps 2 ' in window.title())
     press(window, '1', lambda: is_like(window, 'plain.png'))
-    press(window, 4 * 'bracketleft ', lambda: ' 1 bands' in window.title())
+    press(window, 4 * 'bracketleft ', lambda: ' 1 band ' in window.title())
     window.comes(lambda: is_like(window, 'bands.png'))
     press(window, 4 * 'bracketright ', lambda: is_like(window, 'plain.png'))
     press(window, 'F3', lambda: '  elements' in window.title())

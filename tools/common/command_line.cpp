@@ -79,7 +79,7 @@ CommandLine::CommandLine(std::string name, std::vector<std::string> arguments)
     auto formatter = std::make_shared<HelpFormatter>();
     formatter->label("Positionals", "Arguments");
     parser->app.formatter(formatter);
-    parser->app.set_help_flag("--help", "print this help and exit");
+    parser->app.set_help_flag("-h,--help", "print this help and exit");
 }
 CommandLine::~CommandLine() = default;
 
@@ -201,7 +201,8 @@ int CommandLine::run(const std::vector<Command> &commands) {
         CommandLine line(parser->name + " " + command.name, {words.begin() + 1, words.end()});
         return command.run(line);
     }
-    if (std::find(words.begin(), words.end(), "--help") == words.end())
+    auto isHelp = [](const std::string &word) { return word == "--help" || word == "-h"; };
+    if (std::none_of(words.begin(), words.end(), isHelp))
         refuse((words.empty() ? "no command" : "unknown command '" + words[0] + "'") + ": use " + names);
     for (const Command &command : commands) parser->app.add_subcommand(command.name, command.what);
     std::printf("%s", parser->app.help().c_str());

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
+#include <sstream>
 
 namespace common {
 
@@ -45,8 +46,11 @@ std::string thousands(double value) {
     return text;
 }
 
-std::string counted(size_t count, const std::string &what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+std::string counted(size_t count, const std::string &what, const std::string &plural) {
+    return std::to_string(count) + " " +
+           (count == 1        ? what
+            : !plural.empty() ? plural
+                              : what + (what.ends_with("ch") ? "es" : "s"));
 }
 
 std::string shellWord(const std::string &word) {
@@ -57,82 +61,61 @@ std::string shellWord(const std::string &word) {
     return quoted + "'";
 }
 
-// Pairs by their mark: a letter, and the letter with the mark
-static constexpr const char *kMarked[][2] = {
-    {"\u0300", "AÀEÈIÌOÒUÙaàeèiìoòuùÜǛüǜNǸnǹЕЀИЍеѐиѝĒḔēḕŌṐōṑWẀwẁÂẦâầĂẰăằÊỀêềÔỒôồƠỜơờƯỪưừYỲyỳ"},
-    {"\u0301", "AÁEÉIÍOÓUÚYÝaáeéiíoóuúyýCĆcćLĹlĺNŃnńRŔrŕSŚsśZŹzźÜǗüǘGǴgǵÅǺåǻÆǼæǽØǾøǿ¨΅ΑΆΕΈΗΉΙΊΟΌΥΎΩΏ"
-               "ϊΐαάεέηήιίϋΰοόυύωώϒϓГЃКЌгѓкќÇḈçḉĒḖēḗÏḮïḯKḰkḱMḾmḿÕṌõṍŌṒōṓPṔpṕŨṸũṹWẂwẃÂẤâấĂẮăắÊẾêếÔỐôố"
-               "ƠỚơớƯỨưứ"},
-    {"\u0302", "AÂEÊIÎOÔUÛaâeêiîoôuûCĈcĉGĜgĝHĤhĥJĴjĵSŜsŝWŴwŵYŶyŷZẐzẑẠẬạậẸỆẹệỌỘọộ"},
-    {"\u0303", "AÃNÑOÕaãnñoõIĨiĩUŨuũVṼvṽÂẪâẫĂẴăẵEẼeẽÊỄêễÔỖôỗƠỠơỡƯỮưữYỸyỹ"},
-    {"\u0304", "AĀaāEĒeēIĪiīOŌoōUŪuūÜǕüǖÄǞäǟȦǠȧǡÆǢæǣǪǬǫǭÖȪöȫÕȬõȭȮȰȯȱYȲyȳИӢиӣУӮуӯGḠgḡḶḸḷḹṚṜṛṝ"},
-    {"\u0306", "AĂaăEĔeĕGĞgğIĬiĭOŎoŏUŬuŭУЎИЙийуўЖӁжӂАӐаӑЕӖеӗȨḜȩḝẠẶạặ"},
-    {"\u0307", "CĊcċEĖeėGĠgġIİZŻzżAȦaȧOȮoȯBḂbḃDḊdḋFḞfḟHḢhḣMṀmṁNṄnṅPṖpṗRṘrṙSṠsṡŚṤśṥŠṦšṧṢṨṣṩTṪtṫWẆwẇXẊ"
-               "xẋYẎyẏſẛ"},
-    {"\u0308", "AÄEËIÏOÖUÜaäeëiïoöuüyÿYŸΙΪΥΫιϊυϋϒϔЕЁІЇеёіїАӒаӓӘӚәӛЖӜжӝЗӞзӟИӤиӥОӦоӧӨӪөӫЭӬэӭУӰуӱЧӴчӵЫӸ"
-               "ыӹHḦhḧÕṎõṏŪṺūṻWẄwẅXẌxẍtẗ"},
-    {"\u0309", "AẢaảÂẨâẩĂẲăẳEẺeẻÊỂêểIỈiỉOỎoỏÔỔôổƠỞơởUỦuủƯỬưửYỶyỷ"},
-    {"\u030a", "AÅaåUŮuůwẘyẙ"},
-    {"\u030b", "OŐoőUŰuűУӲуӳ"},
-    {"\u030c", "CČcčDĎdďEĚeěLĽlľNŇnňRŘrřSŠsšTŤtťZŽzžAǍaǎIǏiǐOǑoǒUǓuǔÜǙüǚGǦgǧKǨkǩƷǮʒǯjǰHȞhȟ"},
-    {"\u030f", "AȀaȁEȄeȅIȈiȉOȌoȍRȐrȑUȔuȕѴѶѵѷ"},
-    {"\u0311", "AȂaȃEȆeȇIȊiȋOȎoȏRȒrȓUȖuȗ"},
-    {"\u031b", "OƠoơUƯuư"},
-    {"\u0323", "BḄbḅDḌdḍHḤhḥKḲkḳLḶlḷMṂmṃNṆnṇRṚrṛSṢsṣTṬtṭVṾvṿWẈwẉZẒzẓAẠaạEẸeẹIỊiịOỌoọƠỢơợUỤuụƯỰưựYỴyỵ"},
-    {"\u0324", "UṲuṳ"},
-    {"\u0325", "AḀaḁ"},
-    {"\u0326", "SȘsșTȚtț"},
-    {"\u0327", "CÇcçGĢgģKĶkķLĻlļNŅnņRŖrŗSŞsşTŢtţEȨeȩDḐdḑHḨhḩ"},
-    {"\u0328", "AĄaąEĘeęIĮiįUŲuųOǪoǫ"},
-    {"\u032d", "DḒdḓEḘeḙLḼlḽNṊnṋTṰtṱUṶuṷ"},
-    {"\u032e", "HḪhḫ"},
-    {"\u0330", "EḚeḛIḬiḭUṴuṵ"},
-    {"\u0331", "BḆbḇDḎdḏKḴkḵLḺlḻNṈnṉRṞrṟTṮtṯZẔzẕhẖ"},
-    {"\u3099", "かがきぎくぐけげこごさざしじすずせぜそぞただちぢつづてでとどはばひびふぶへべほぼうゔ"
-               "ゝゞカガキギクグケゲコゴサザシジスズセゼソゾタダチヂツヅテデトドハバヒビフブヘベホボ"
-               "ウヴワヷヰヸヱヹヲヺヽヾ"},
-    {"\u309a", "はぱひぴふぷへぺほぽハパヒピフプヘペホポ"},
-};
+// Words of a mark, and pairs of a letter without and with it
+static constexpr char kMarked[] =
+    "\u0300AÀEÈIÌOÒUÙaàeèiìoòuùÜǛüǜЕЀИЍеѐиѝÂẦâầĂẰăằÊỀêềÔỒôồƠỜơờƯỪưừYỲyỳ \u0301AÁEÉIÍOÓUÚYÝaáeéiíoóuúyýCĆ"
+    "cćLĹlĺNŃnńRŔrŕSŚsśZŹzźÜǗüǘ¨΅ΑΆΕΈΗΉΙΊΟΌΥΎΩΏϊΐαάεέηήιίϋΰοόυύωώϒϓГЃКЌгѓкќÂẤâấĂẮăắÊẾêếÔỐôốƠỚơớƯỨưứ"
+    " \u0302AÂEÊIÎOÔUÛaâeêiîoôuûCĈcĉGĜgĝHĤhĥJĴjĵSŜsŝWŴwŵYŶyŷẠẬạậẸỆẹệỌỘọộ \u0303AÃNÑOÕaãnñoõIĨiĩUŨuũÂẪâẫĂẴ"
+    "ăẵEẼeẽÊỄêễÔỖôỗƠỠơỡƯỮưữYỸyỹ \u0304AĀaāEĒeēIĪiīOŌoōUŪuūÜǕüǖИӢиӣУӮуӯ \u0306AĂaăEĔeĕGĞgğIĬiĭOŎoŏUŬuŭУЎИЙ"
+    "ийуўЖӁжӂАӐаӑЕӖеӗẠẶạặ \u0307CĊcċEĖeėGĠgġIİZŻzż \u0308AÄEËIÏOÖUÜaäeëiïoöuüyÿYŸΙΪΥΫιϊυϋϒϔЕЁІЇеёіїАӒаӓӘӚ"
+    "әӛЖӜжӝЗӞзӟИӤиӥОӦоӧӨӪөӫЭӬэӭУӰуӱЧӴчӵЫӸыӹ \u0309AẢaảÂẨâẩĂẲăẳEẺeẻÊỂêểIỈiỉOỎoỏÔỔôổƠỞơởUỦuủƯỬưửYỶyỷ"
+    " \u030aAÅaåUŮuů \u030bOŐoőUŰuűУӲуӳ \u030cCČcčDĎdďEĚeěLĽlľNŇnňRŘrřSŠsšTŤtťZŽzžAǍaǎIǏiǐOǑoǒUǓuǔÜǙüǚ"
+    " \u030fѴѶѵѷ \u0323AẠaạEẸeẹIỊiịOỌoọƠỢơợUỤuụƯỰưựYỴyỵ \u0326SȘsșTȚtț \u0327CÇcçGĢgģKĶkķLĻlļNŅnņRŖrŗSŞsş"
+    "TŢtţ \u0328AĄaąEĘeęIĮiįUŲuų \u3099かがきぎくぐけげこごさざしじすずせぜそぞただちぢつづてでとどはば"
+    "ひびふぶへべほぼうゔゝゞカガキギクグケゲコゴサザシジスズセゼソゾタダチヂツヅテデトドハバヒビフブヘベ"
+    "ホボウヴワヷヰヸヱヹヲヺヽヾ \u309aはぱひぴふぷへぺほぽハパヒピフプヘペホポ";
 
-// The size of the character that begins at `at`, in bytes of UTF-8.
-static size_t characterSize(const std::string &text, size_t at) {
+// Takes the first character of a text in UTF-8.
+static std::string takeCharacter(std::string_view &text) {
     size_t size = 1;
-    while (at + size < text.size() && ((uint8_t)text[at + size] & 0xc0) == 0x80) ++size;
-    return size;
+    while (size < text.size() && ((uint8_t)text[size] & 0xc0) == 0x80) ++size;
+    const std::string c(text.substr(0, size));
+    text.remove_prefix(size);
+    return c;
 }
 
-// A Korean syllable as its letters; empty for any other character.
-static std::string koreanLetters(const std::string &c) {
-    if (c.size() != 3) return "";
-    const int syllable =
-        (((uint8_t)c[0] & 15) << 12 | ((uint8_t)c[1] & 63) << 6 | ((uint8_t)c[2] & 63)) - 0xac00;
-    std::string letters;
-    if (syllable < 0 || syllable >= 19 * 588) return letters;
-    for (int letter : {0x1100 + syllable / 588, 0x1161 + syllable % 588 / 28, 0x11a7 + syllable % 28})
-        if (letter != 0x11a7)
-            letters += {(char)0xe1, (char)(0x80 | (letter >> 6 & 63)), (char)(0x80 | (letter & 63))};
-    return letters;
+// All letters that can be divided, and their parts.
+static std::map<std::string, std::string> dividedLetters() {
+    std::map<std::string, std::string> all;
+    std::istringstream words(kMarked);
+    for (std::string word; words >> word;) {
+        std::string_view rest = word;
+        for (std::string mark = takeCharacter(rest), letter; !rest.empty();
+             all[takeCharacter(rest)] = letter + mark)
+            letter = takeCharacter(rest);
+    }
+    for (auto &[whole, parts] : all) { // the letter may have another mark
+        std::string_view mark = parts;
+        if (auto letter = all.find(takeCharacter(mark)); letter != all.end())
+            parts = letter->second + std::string(mark);
+    }
+    // Korean syllables
+    auto utf8 = [](int c) {
+        return std::string{(char)(0xe0 | c >> 12), (char)(0x80 | (c >> 6 & 63)), (char)(0x80 | (c & 63))};
+    };
+    for (int i = 0; i < 19 * 588; ++i)
+        all[utf8(0xac00 + i)] =
+            utf8(0x1100 + i / 588) + utf8(0x1161 + i % 588 / 28) + (i % 28 ? utf8(0x11a7 + i % 28) : "");
+    return all;
 }
 
-std::string decomposed(const std::string &text) {
-    static const auto parts = [] {
-        std::map<std::string, std::pair<std::string, std::string>> all;
-        for (const auto &[mark, pairs] : kMarked)
-            for (std::string rest = pairs; !rest.empty();) {
-                const size_t first = characterSize(rest, 0), both = first + characterSize(rest, first);
-                all[rest.substr(first, both - first)] = {rest.substr(0, first), mark};
-                rest.erase(0, both);
-            }
-        return all;
-    }();
+std::string decomposed(std::string_view text) {
+    static const auto all = dividedLetters();
     std::string to;
-    for (size_t i = 0, size; i < text.size(); i += size) {
-        size = characterSize(text, i);
-        std::string letter = text.substr(i, size), marks = koreanLetters(letter);
-        if (!marks.empty()) letter.clear();
-        for (auto found = parts.find(letter); found != parts.end(); found = parts.find(letter))
-            marks = found->second.second + marks, letter = found->second.first;
-        to += letter + marks;
+    while (!text.empty()) {
+        const std::string c = takeCharacter(text);
+        auto found = all.find(c);
+        to += found == all.end() ? c : found->second;
     }
     return to;
 }

@@ -204,10 +204,11 @@ int runGenerate(common::CommandLine &line) {
     size_t triangles = 0;
     std::string model = generateObj(kind, area, &triangles);
     common::writeWhole(mtl, materials);
-    common::writeWhole(out, "mtllib " + name + "\n" + model);
+    common::writeWhole(out, kGeneratedObj + ("\nmtllib " + name + "\n") + model);
     bool fine = area > 0 || kind == "vault" || kind == "terrain";
-    std::printf("%s: %zu %s\n", out.c_str(), fine ? triangles : triangles / 2,
-                fine ? "triangles" : "polygons");
+    std::printf(
+        "%s: %s\n", out.c_str(),
+        (fine ? common::counted(triangles, "triangle") : common::counted(triangles / 2, "polygon")).c_str());
     return 0;
 }
 

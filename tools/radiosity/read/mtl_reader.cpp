@@ -204,11 +204,10 @@ std::string folderOf(const std::string &path) { return path.substr(0, path.rfind
 
 // The path of an entry of a folder, by its name, or by one in another case or Unicode form; empty: none.
 static std::string findEntry(const std::string &folder, const std::string &name) {
-    namespace fs = std::filesystem;
     std::error_code wrong;
-    if (fs::exists(folder + name, wrong)) return folder + name;
+    if (std::filesystem::exists(folder + name, wrong)) return folder + name;
     const std::string wanted = common::decomposed(name);
-    for (const auto &entry : fs::directory_iterator(folder.empty() ? "." : folder, wrong)) {
+    for (const auto &entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, wrong)) {
         const std::string found = entry.path().filename().string();
         if (!strcasecmp(common::decomposed(found).c_str(), wanted.c_str())) return folder + found;
     }

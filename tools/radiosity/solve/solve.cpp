@@ -12,6 +12,17 @@ static void addEvenSky(SolveTask &task) {
         "nothing in the model emits light: an even sky is added (--sky, --sun and --lamp add other light)");
 }
 
+// Whether no light arrives at any polygon that is not a lamp, though there are such polygons.
+static bool isDark(const Solution &b) {
+    bool reflectors = false;
+    for (size_t i = 0; i < b.texels.size(); ++i) {
+        if (maxComponent(b.emits[(size_t)b.texels[i].chart]) > 0) continue;
+        if (maxComponent(b.light[i]) > 0) return false;
+        reflectors = true;
+    }
+    return reflectors;
+}
+
 Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl, Workers &workers,
                   const int *stop, const SolveProgress &progress) {
     SolveTask task(mesh, settings, workers, stop, progress);
@@ -21,6 +32,7 @@ Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl,
         solveByRays(task);
     else
         solved.patches = solveByPatches(task, gl);
+    if (task.report.complete && isDark(task.solution)) task.report.notes.emplace_back(kDarkNote);
     solved.solution = std::move(task.solution);
     solved.report = std::move(task.report);
     solved.surroundings = std::move(task.settings.surroundings);

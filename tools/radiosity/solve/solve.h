@@ -6,6 +6,10 @@
 
 namespace odraz::radiosity {
 
+// Among the notes if a model is black.
+inline constexpr char kDarkNote[] =
+    "no light reaches the fronts of the polygons: try --two-sided, or another light";
+
 struct Solved {
     Solution solution;
     SolveReport report;

@@ -75,31 +75,32 @@ void printSolveReport(const Mesh &mesh, const Solved &solved, const SolveSetting
     const SolveReport &r = solved.report;
     bool byRays = !solved.patches;
     auto seconds = [&](SolveStep step) { return r.seconds[(int)step]; };
-    auto counted = [&](const char *what) { return common::counted((size_t)r.sweeps, what); };
-    std::printf("%zu triangles, %zu polygons in one plane each; ", mesh.triangles.size(),
-                solved.solution.charts.size());
-    size_t elements = solved.solution.elements();
+    auto counted = [](auto count, const char *what) { return common::counted((size_t)count, what); };
+    const std::string elements = counted(solved.solution.elements(), "element");
+    std::printf("%s, %s in one plane each; ", counted(mesh.triangles.size(), "triangle").c_str(),
+                counted(solved.solution.charts.size(), "polygon").c_str());
     if (byRays)
-        std::printf("%zu elements; %d sites (their corners) with %zu rays\n", elements, r.sites,
-                    r.raysFromSite);
+        std::printf("%s; %s (their corners) with %s\n", elements.c_str(), counted(r.sites, "site").c_str(),
+                    counted(r.raysFromSite, "ray").c_str());
     else
-        std::printf("%d patches, %zu elements\n", r.patches, elements);
+        std::printf("%s, %s\n", counted(r.patches, "patch").c_str(), elements.c_str());
     std::printf("processor seconds: dividing %.2f, form factors %.2f", seconds(SolveStep::kDividing),
                 seconds(SolveStep::kFormFactors));
-    if (!byRays) std::printf(" (%d hemicubes)", r.rows + r.shots);
+    if (!byRays) std::printf(" (%s)", counted(r.rows + r.shots, "hemicube").c_str());
     std::printf(", direct light %.2f, solving %.2f\n", seconds(SolveStep::kDirectLight),
                 seconds(SolveStep::kSolving));
     if (r.shots > 0)
-        std::printf("%d shots, %.2g %% of the light is not shot%s\n", r.shots, 100 * (double)r.residual,
-                    r.complete ? "" : ": stopped");
+        std::printf("%s, %.2g %% of the light is not shot%s\n", counted(r.shots, "shot").c_str(),
+                    100 * (double)r.residual, r.complete ? "" : ": stopped");
     else if (!r.complete && r.sweeps > 0)
-        std::printf("stopped: the light of %s\n", counted("sweep").c_str());
+        std::printf("stopped: the light of %s\n", counted(r.sweeps, "sweep").c_str());
     else if (!r.complete)
-        std::printf("stopped: direct light, and the rows of %d %s\n", r.rows, byRays ? "sites" : "patches");
+        std::printf("stopped: direct light, and the rows of %s\n",
+                    counted(r.rows, byRays ? "site" : "patch").c_str());
     else if (settings.bounces >= 0)
-        std::printf("%s\n", counted("bounce").c_str());
+        std::printf("%s\n", counted(r.sweeps, "bounce").c_str());
     else
-        std::printf("%s, residual %.1e\n", counted("sweep").c_str(), (double)r.residual);
+        std::printf("%s, residual %.1e\n", counted(r.sweeps, "sweep").c_str(), (double)r.residual);
 }
 
 // Prints the mean radiosity, emission included, of the materials with the largest areas.
@@ -142,12 +143,17 @@ public:
         printNotes(notes);
         prepare();
         Solved solved = solve();
+        std::vector<std::string> &found = solved.report.notes;
         if (mayLightBacks() && solved.report.complete && staysDark(solved.solution)) {
-            printNotes({"no light reaches the fronts of the polygons: both sides are lit (--two-sided)"});
+            std::erase(found, kDarkNote);
+            found.emplace_back(
+                "no light reaches the fronts of the polygons: both sides are lit (--two-sided)");
+            printNotes(found);
             lightBacks();
             solved = {};
             solved = solve();
         }
+        printNotes(found);
         solved.solution.save(job.out);
         if (solved.report.complete && job.keeps) std::remove(job.state().c_str());
         printSolveReport(mesh, solved, job.options.settings);
@@ -178,7 +184,8 @@ private:
                 state.rows = rows;
                 state.save(job.state());
             };
-        settings.needs = [](size_t bytes) {
+        settings.needs = [this](size_t bytes) {
+            bar->clear();
             std::printf("needs about %zu MB of memory\n", bytes >> 20);
             std::fflush(stdout);
         };
@@ -196,7 +203,6 @@ private:
             return solveModel(mesh, settings, gl, workers, &stop, progress);
         });
         bar->clear();
-        printNotes(solved.report.notes);
         return solved;
     }
 

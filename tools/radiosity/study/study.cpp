@@ -16,7 +16,7 @@ double Stopwatch::wall() const { return common::wallSeconds() - startWall; }
 Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
              Page &page, ProgressBar &progressBar)
     : settings(settings), mesh(mesh), gl(gl), workers(workers), stop(stop), page(page), area(areaOf(mesh)),
-      bar(progressBar), tasks(settings.tasks + (settings.quick ? 2 : 3)) {
+      bar(progressBar), tasks(settings.tasks + 3) {
     Regions regions = joinRegions(mesh, std::sqrt(area / 30000));
     if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
         throw ModelError(
@@ -28,22 +28,20 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     Stopwatch watch;
     Solved solved = solve(settings.solve);
     Solution plain = std::move(solved.solution);
-    MeasuredSolution byRays = {std::to_string(plain.elements()) + " elements, by rays",
+    MeasuredSolution byRays = {common::counted(plain.elements(), "element") + ", by rays",
                                command(""),
                                watch.processor(),
                                watch.wall(),
                                {}};
     SolveSettings s = settings.solve;
-    s.finalRays = kFinalRays;
-    reference = settings.quick ? plain : solve(s).solution;
-    if (std::all_of(reference.light.begin(), reference.light.end(),
-                    [](const Rgb &c) { return maxComponent(c) <= 0; }))
-        notes.emplace_back("no light reaches the fronts of the polygons: try --two-sided, or another light");
+    s.finalRays = settings.finalRays();
+    if (settings.quick) s.element = area / 30000; // a fourth of the elements of a final gather
+    reference = solve(s).solution;
     places = placeMeshProbes(reference, 2000);
     solvedAt(reference, places);
     for (MeshProbe &p : places) p.traced = p.solved;
     byRays.errors = errorsOf(plain);
-    if (!settings.quick) measured.push_back(byRays);
+    measured.push_back(byRays);
     comparePaths(plain, solved.surroundings);
 }
 
@@ -127,8 +125,8 @@ MeshErrors Study::errorsOf(const Solution &solution) const {
 Solved Study::measure(const std::string &kind, const std::string &options, const SolveSettings &s) {
     Stopwatch watch;
     Solved solved = solve(s);
-    std::string count = s.analytic ? std::to_string(solved.solution.elements()) + " elements"
-                                   : std::to_string(solved.report.patches) + " patches";
+    std::string count = s.analytic ? common::counted(solved.solution.elements(), "element")
+                                   : common::counted((size_t)solved.report.patches, "patch");
     measured.push_back(
         {count + ", " + kind, command(options), watch.processor(), watch.wall(), errorsOf(solved.solution)});
     return solved;

@@ -10,6 +10,8 @@
 
 namespace odraz::radiosity {
 
+inline constexpr int kFinalRays = 256, kQuickFinalRays = 64; // rays of the reference's final gather
+
 struct StudySettings {
     std::string model;
     std::string options; // the given options that `radiosity solve` also has, each after a blank
@@ -17,6 +19,7 @@ struct StudySettings {
     bool quick = false;  // only the smaller sizes and rasters, and fewer patches, shots and rays
     bool upIsZ = false;
     int tasks = 0; // number of solutions and gathers of all chapters
+    int finalRays() const { return quick ? kQuickFinalRays : kFinalRays; }
 };
 
 // A solution with its cost and errors.
@@ -26,8 +29,6 @@ struct MeasuredSolution {
     double wall;               // wall-clock time, seconds
     MeshErrors errors;
 };
-
-inline constexpr int kFinalRays = 256; // rays of the reference's final gather; a quick study has none
 
 // The reference's errors against path tracing, which shares neither its rays nor its elements.
 struct ReferenceErrors {

@@ -119,7 +119,8 @@ int runStudy(common::CommandLine &line) {
     bar.clear();
     if (!complete)
         throw std::runtime_error("interrupted: " + job.out + "/index.html has what was measured until then");
-    std::printf("%s/index.html: %zu solutions\n", job.out.c_str(), study.measured.size());
+    std::printf("%s/index.html: %s\n", job.out.c_str(),
+                common::counted(study.measured.size(), "solution").c_str());
     return 0;
 }
 

@@ -27,10 +27,10 @@ void writeReference(Study &study) {
                        std::to_string(e.paths) + " paths from each, whose own noise of " +
                        shown(e.reference.noise, 2) +
                        " % is subtracted from the rms. Smaller errors in the tables mean little.";
-    if (!study.settings.quick)
-        text += " The solution by rays has rays and elements like the reference's, so its error against it "
-                "is underestimated; it differs from the paths " +
-                shownErrors(e.byRays) + ".";
+    text +=
+        " The solution by rays, which radiosity solve finds without options, has rays and elements like the "
+        "reference's, so its error against it is underestimated; it differs from the paths " +
+        shownErrors(e.byRays) + ".";
     study.page.text(text);
 }
 
@@ -42,10 +42,10 @@ void writeSummary(Study &study) {
     page.text(
         study.settings.model + ": " + common::counted(study.mesh.triangles.size(), "triangle") + ", " +
         common::counted(study.reference.charts.size(), "polygon") +
-        " in one plane each. Errors are against a reference, a solution by rays with" +
-        (study.settings.quick ? "out a final gather"
-                              : " a final gather of " + std::to_string(kFinalRays) + " rays") +
-        ", at 2000 places spread by area. It has neither hemicubes nor patches. The rms error is the root "
+        " in one plane each. Errors are against a reference, a solution by rays with a final gather of " +
+        std::to_string(study.settings.finalRays()) +
+        " rays, at 2000 places spread by area. It has neither hemicubes nor patches. The rms error is the "
+        "root "
         "mean square of the differences in luminance, as a share of the reference's.");
     writeReference(study);
     std::vector<MeasuredSolution> all = study.measured;

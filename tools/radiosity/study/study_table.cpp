@@ -1,4 +1,5 @@
 // Measures sizes by rasters, each solved by shooting with hemicubes: the thesis's Table 4.1 for any model.
+#include "tools/common/text.h"
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>
@@ -80,10 +81,10 @@ private:
         TableCell cell = shoot(study, (ofThesis ? kThesisSizes : kSizes)[row], px,
                                study.settings.quick ? kQuickShots : kShots);
         const MeasuredSolution &m = cell.measured;
-        const std::string patches = std::to_string(cell.report.patches) + " patches";
+        const std::string patches = common::counted((size_t)cell.report.patches, "patch");
         if (ofThesis) // print each when it is done, because these take long
-            study.print(patches + " by " + std::to_string(px) +
-                        " pixels: " + std::to_string(cell.report.shots) + " shots, " + shown(m.wall) +
+            study.print(patches + " by " + std::to_string(px) + " pixels: " +
+                        common::counted((size_t)cell.report.shots, "shot") + ", " + shown(m.wall) +
                         " s (processor " + shown(m.seconds) + " s), error " + shown(m.errors.rms) + " %");
         table.rows.push_back(rowOf(cell, px));
         if (ofThesis) table.rows.back().push_back(shown(kThesisMinutes[row][column], 4));
@@ -103,7 +104,10 @@ void studyTable(Study &study, bool ofThesis) {
         "Each patch is one element, which receives light. Blocks of patches shoot it, the brightest first, "
         "each through a hemicube at one of its patches, until 0.5 % of the light is unshot, or for a number "
         "of shots that is the same for all. The remaining light is then spread evenly; if much remains, it "
-        "causes most of the error. Hemicubes see the lamps. The last time is an estimate for one hemicube at "
+        "causes most of the error. Otherwise most of it lies in corners, where surfaces meet: the light of a "
+        "block lands there as the one patch sees it, in spots that smaller patches resolve, so that more "
+        "patches may have a larger rms error while the median falls. Hemicubes see the lamps. The last time "
+        "is an estimate for one hemicube at "
         "every patch, which gathering needs. The thesis draws all of these again in every pass.");
     Table table(study, ofThesis);
     try {

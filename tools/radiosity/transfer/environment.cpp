@@ -70,8 +70,9 @@ Projected readEnvironment(const std::string &sky, bool upIsZ, std::vector<std::s
 
 std::string bandLossText(const std::string &name, const Projected &p, int bands) {
     double held = p.held[bands - 1];
-    return name + common::format(": %d bands hold %.1f %% of its energy and lose %.1f %%", bands, 100 * held,
-                                 100 * (1 - held));
+    return name + common::format(bands == 1 ? ": %d band holds %.1f %% of its energy and loses %.1f %%"
+                                            : ": %d bands hold %.1f %% of its energy and lose %.1f %%",
+                                 bands, 100 * held, 100 * (1 - held));
 }
 
 } // namespace odraz::radiosity

@@ -1,3 +1,4 @@
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"
@@ -64,15 +65,19 @@ void readTransferJob(common::CommandLine &line, TransferJob &job) {
 }
 
 void printTransferReport(const Mesh &mesh, const TransferRoom &room, const TransferReport &r) {
-    std::printf("%zu triangles, %zu polygons in one plane each; %zu texels, %zu sites with %zu rays\n",
-                mesh.triangles.size(), room.model.charts.size(), room.texels(), r.sites, r.raysFromSite);
-    std::printf("%d bands, %d functions", room.bands, room.functions());
+    auto counted = [](auto count, const char *what) { return common::counted((size_t)count, what); };
+    std::printf("%s, %s in one plane each; %s, %s with %s\n",
+                counted(mesh.triangles.size(), "triangle").c_str(),
+                counted(room.model.charts.size(), "polygon").c_str(), counted(room.texels(), "texel").c_str(),
+                counted(r.sites, "site").c_str(), counted(r.raysFromSite, "ray").c_str());
+    std::printf("%s, %s", counted(room.bands, "band").c_str(), counted(room.functions(), "function").c_str());
     for (size_t k = 0; k < room.lamps.size(); ++k)
         std::printf("%s %zu %s", k ? "," : "; lamps", k + 1, room.lamps[k].c_str());
-    std::printf("\n%d clusters of %d axes: %.1f MB instead of %.1f\n", room.clusters.count,
-                room.clusters.rank, (double)room.clusters.floats(room.clusters.rank) * 4e-6,
+    std::printf("\n%s of %s: %.1f MB instead of %.1f\n", counted(room.clusters.count, "cluster").c_str(),
+                common::counted((size_t)room.clusters.rank, "axis", "axes").c_str(),
+                (double)room.clusters.floats(room.clusters.rank) * 4e-6,
                 (double)(room.texels() * (size_t)(3 * room.bases())) * 4e-6);
-    if (!room.gloss.empty()) std::printf("gloss in %d squares\n", r.squares);
+    if (!room.gloss.empty()) std::printf("gloss in %s\n", counted(r.squares, "square").c_str());
     std::printf("processor seconds: rays %.2f, solving %.2f, clusters %.2f, gloss %.2f\n", r.seconds[0],
                 r.seconds[1], r.seconds[2], r.seconds[3]);
 }

@@ -70,7 +70,8 @@ void ViewWindow::present() {
     retone = false;
     if (s.screenshot.empty() || !solved || size == 0) return;
     pictures::writePng(s.screenshot, picture->read());
-    std::printf("%s: light was shown %d times\n", s.screenshot.c_str(), pictures);
+    std::printf("%s: light was shown %s\n", s.screenshot.c_str(),
+                common::counted((size_t)pictures, "time").c_str());
     glfwSetWindowShouldClose(window, 1);
 }
 

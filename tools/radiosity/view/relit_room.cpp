@@ -110,8 +110,9 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
         std::lock_guard held(lock);
         if (isNew) clusters = std::move(found), isNew = false, changed = true;
         if (failed) {
-            std::fprintf(stderr, "radiosity: cannot find %d clusters: %s; keeping the %d\n", failed,
-                         whyFailed.c_str(), clusters.count);
+            std::fprintf(stderr, "radiosity: cannot find %s: %s; keeping the %d\n",
+                         common::counted((size_t)failed, "cluster").c_str(), whyFailed.c_str(),
+                         clusters.count);
             if (requested == failed) requested = clusters.count;
             failed = 0;
         }
@@ -126,12 +127,13 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
 }
 
 std::string RelitRoom::title() const {
-    std::string on, all = common::format("turn %ld  tilt %ld  %d bands  ", std::lround(around),
-                                         std::lround(tilt), lighting.bands);
+    std::string on, all = common::format("turn %ld  tilt %ld  %s  ", std::lround(around), std::lround(tilt),
+                                         common::counted((size_t)lighting.bands, "band").c_str());
     if (lighting.rank < 0)
         all += "exact rows";
     else
-        common::append(all, "%d clusters of %d axes%s", clusters.count, lighting.rank,
+        common::append(all, "%s of %s%s", common::counted((size_t)clusters.count, "cluster").c_str(),
+                       common::counted((size_t)lighting.rank, "axis", "axes").c_str(),
                        requested != clusters.count ? ", finding others" : "");
     for (size_t k = 0; k < lighting.lamps.size(); ++k)
         if (lighting.lamps[k] > 0) on += " " + std::to_string(k + 1);
