@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from pictures import read_picture
-from radiosity_runs import RADIOSITY, elements_of, generate, radiosity, solve, square
+from pictures import numpy, read_picture
+from radiosity_runs import OPEN_ROOM, RADIOSITY, elements_of, generate, radiosity, solve, square
 from running import Program, check_bytes, needs, number, run, wait_for
 
 needs('script', 'convert')
@@ -30,6 +30,15 @@ def test_solve_prints_what_it_does(cube):
     assert 'sweeps, residual' in cube.output
     assert re.search(r'needs about [1-9]\d* MB', cube.output)
     assert not cube.errors
+
+
+def test_one_is_singular(in_work):
+    Path('one.obj').write_text('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')
+    by_rays, by_patches = (solve('one.obj', '--element 9', method).output for method in ('--rays 8', '--patch 9'))
+    assert '1 triangle, 1 polygon in one plane each; 1 element; 1 site (their corners) with 8 rays' in by_rays
+    assert '1 polygon in one plane each; 1 patch, 1 element\n' in by_patches and ' (1 hemicube),' in by_patches
+    assert re.search('1 band, 1 function\n1 cluster of ', radiosity(
+        'transfer', 'one.obj', '-o', 'one.prt', '--element 9 --bands 1').stdout)
 
 
 def test_the_table_has_all_elements(cube):
@@ -100,6 +109,22 @@ def test_a_picture_is_brighter_by_two_stops(cube):
     assert read_picture('dark.png').mean() < read_picture('bright.png').mean()
 
 
+def test_an_exr_has_linear_radiance(in_work):
+    furnace = solve(generate('furnace', 'furnace.obj'), '--element 0.01')
+    furnace.render('two.EXR', '--eye 0.5,0.5,0.5 --at 0,0.5,0.5 --size 64x32 --exposure 3')
+    floor = solve('floor.obj', '--element 0.1 --sky two.EXR', text=square('grey', 1))  # it reflects 0.7
+    assert floor.elements.r == pytest.approx(1.4, rel=0.001)
+
+
+def test_the_camera_looks_into_the_open_side_of_a_room(in_work):
+    text = OPEN_ROOM.read_text()
+    for side in (0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0):
+        camera = solve('open.obj', '--element 0.1 --rays 8', text=text).render('open.png', '--size 80x60')
+        eye, at = (numpy.array(point.split(','), float) for point in re.findall('[-.,e0-9]+,[-.,e0-9]+', camera))
+        assert (numpy.sign((eye - at).round(3)) == side).all()
+        text = re.sub('^v (.*) (.*) (.*)', lambda v: f'v {v[3]} {v[2]} {-float(v[1])}', text, flags=re.M)  # a quarter
+
+
 # --- Without --eye and --at the camera shows all of a plate, which fills the picture; also where z is up ---
 @pytest.mark.parametrize('model, options', [
     (square('grey', 1), '--lens 120'), (square('grey', 1), '--lens 5'),
@@ -130,6 +155,12 @@ def test_each_step_of_progress_ends_once_and_never_goes_back(cube):
     for percents in steps.values():
         assert percents == sorted(percents) and percents.count(100) == 1
     assert len(steps) == 5 and len(lines) <= 200
+
+
+def test_a_line_on_a_terminal_clears_the_bar_first(cube):
+    shown = run('script', '-qefc', f"'{RADIOSITY}' solve cube.obj -o bar.rad --element 0.25", '/dev/null').stdout
+    assert '] 100 %' in shown
+    assert not re.search(r' %[^\r\n]*(needs|triangles)', shown.replace('\r\033[K', '\n'))
 
 
 def test_ctrl_c_on_a_terminal_leaves_the_light_so_far(in_work):

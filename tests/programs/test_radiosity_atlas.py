@@ -28,7 +28,7 @@ def test_prints_its_pages_and_writes_all_files(printed):
     assert re.search('^114 polygons in 1 page, .* 1 stands for ', light, re.M)
     assert re.search(r'^light-0: \d+ x \d+ texels$', light, re.M)
     assert re.search('^radiosity-0: ', shown, re.M)
-    names = ['light-0.hdr', 'light-0.png', 'model.bin', 'model.gltf', 'model.mtl', 'model.obj']
+    names = ['light-0.exr', 'light-0.hdr', 'light-0.png', 'model.bin', 'model.gltf', 'model.mtl', 'model.obj']
     assert sorted(os.listdir('light')) == names
 
 
@@ -59,6 +59,29 @@ def test_gltf_holds_the_model_with_a_lightmap_or_unlit(folder, extension, printe
         places = values(gltf['accessors'][primitive['attributes']['TEXCOORD_1']])
         assert places.min() > 0 and places.max() < 1
         assert extension in gltf['materials'][primitive['material']]['extensions']
+
+
+# Materials of one colour, an object of two groups, and objects that touch in one plane
+OBJECTS = ('mtllib named.mtl\nv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 2 0 1\nv 2 0 0\nv 3 0 1\nv 3 0 0\n'
+           'v 0 1 0\nv 0 1 1\nv 1 1 1\nv 1 1 0\no left\nusemtl red\nf 1 2 3 4\no right\nusemtl red\nf 4 3 5 6\n'
+           'g a b\nusemtl rot\nf 6 5 7 8\no table\nusemtl red\nf 9 10 11 12\n')
+
+
+@pytest.mark.parametrize('options', ['', '--map radiosity'])
+def test_names_of_objects_groups_and_materials_are_kept(options, in_work):
+    Path('named.mtl').write_text('newmtl red\nKd .5 .1 .1\nnewmtl rot\nKd .5 .1 .1\n')
+    folder = Path(f'named{len(options)}')
+    solve('named.obj', '--element 0.1', text=OBJECTS).export(f'--atlas {folder}', *options.split())
+    assert re.findall('^((?:o|g|usemtl) .*)', (folder / 'model.obj').read_text(), re.M) == [
+        'o left', 'usemtl red_page0', 'o right', 'usemtl red_page0', 'g a b', 'usemtl rot_page0',
+        'o table', 'usemtl red_page0']
+    assert re.findall('^newmtl (.*)', (folder / 'model.mtl').read_text(), re.M) == ['red_page0', 'rot_page0']
+    gltf = json.loads((folder / 'model.gltf').read_text())
+    assert [node['name'] for node in gltf['nodes']] == ['left', 'right', 'table']
+    assert [len(gltf['meshes'][node['mesh']]['primitives']) for node in gltf['nodes']] == [1, 2, 1]
+    second = solve(folder / 'model.gltf', '--element 0.1', to='again.rad')
+    second.export(f'--atlas again{len(options)}')
+    assert re.findall('^o (.*)', Path(f'again{len(options)}/model.obj').read_text(), re.M) == ['left', 'right', 'table']
 
 
 def test_lamps_emit_unless_the_pages_have_their_light(printed):

@@ -23,6 +23,10 @@ def table(in_work):
     (2, '--rays and --patch do not go together', 'solve cube.obj -o x.rad --rays 64 --patch 2'),
     (1, 'damaged', 'export cut.rad --csv x.csv'),
     (2, 'cannot write /dev/fd/9: Bad file descriptor', 'export cube.rad --csv /dev/fd/9'),
+    (2, 'q.jpg: .jpg is not written: name a file .png or .exr', 'render cube.rad -o q.jpg'),
+    (2, 'cube.rad: is a solution: give the model', 'solve cube.rad -o x.rad'),
+    (2, 'cube.rad: is a solution: give the model', 'study cube.rad -o x'),
+    (2, 'cube.rad: is a solution: give the model', 'transfer cube.rad -o x.prt'),
 ])
 def test_refuses(status, text, words, table):
     Path('cut.rad').write_bytes(Path('cube.rad').read_bytes()[:100000])
@@ -44,7 +48,7 @@ def inputs(table, tmp_path):
     for name, text in texts.items():
         (tmp_path / name).write_text(text)
     (tmp_path / 'in.rad').write_bytes(Path('cube.rad').read_bytes())
-    (tmp_path / 'in.link').symlink_to('in.rad')
+    (tmp_path / 'link.png').symlink_to('in.rad')
     (tmp_path / 'soft').symlink_to('in.obj')
     os.link(tmp_path / 'in.obj', tmp_path / 'hard')
     return tmp_path
@@ -54,7 +58,7 @@ def inputs(table, tmp_path):
     'solve in.obj -o in.obj', 'solve in.obj -o soft', 'solve soft -o hard', 'solve in.obj -o ./in.mtl',
     'solve in.obj -o kd.ppm', 'transfer in.obj -o bump.ppm', 'transfer in.obj --check --sky sky.ppm -o sky.ppm',
     'solve in.gltf -o kd.ppm', 'solve in.obj --sky sky.ppm -o sky.ppm', 'export in.rad --csv in.rad',
-    'export in.rad --obj cube.obj', 'render in.rad -o in.link', 'render in.link -o soft',
+    'export in.rad --obj cube.obj', 'render in.rad -o link.png', 'render link.png -o soft',
 ])
 def test_overwrites_no_input(words, inputs):
     before = {path: path.read_bytes() for path in inputs.iterdir()}

@@ -86,6 +86,25 @@ def test_an_ambient_colour_above_1_shines_at_any_scale():
     assert 399.9 < solution.elements.area.sum() < 400.1
 
 
+def test_lamps_that_light_no_front_are_noted():
+    note = 'no light reaches the fronts of the polygons: try --two-sided'
+    inside_out = re.sub(r'^f (.*)', lambda face: 'f ' + ' '.join(face[1].split()[::-1]), room('grey', 'grey', 'grey'),
+                        flags=re.M) + square('weak', 0.1, 0.5, 0.9, 0.5, 'down')
+    dark, lighted = lit(inside_out), lit(inside_out, '--two-sided')
+    assert note in dark.errors and note not in lighted.errors
+    assert mean_light(lighted.elements[lighted.elements.material == 'grey']).max() > 0
+
+
+# Closed lamps shine in all directions in any program
+@pytest.mark.parametrize('model, options, noted', [
+    (PLATE + square('weak', 0.1, y=1, faces='down'), '', True),
+    (PLATE + square('weak', 0.1, y=1, faces='down'), '--two-sided', False),
+    (PLATE + room('weak', 'weak', 'weak', (0, 1, 0), (0.1, 1.1, 0.1)), '', False),
+])
+def test_open_lamps_are_noted_because_other_programs_light_both_sides(model, options, noted):
+    assert ('its lamps shine on one side here, in Blender on both' in lit(model, *options.split()).errors) == noted
+
+
 def test_a_panel_near_a_plate_lights_it_by_its_form_factor():
     elements = lit(PLATE + square('panel', 0.5, y=0.125, faces='down'), element=0.0002).elements
     plate = elements[elements.ny == 1]

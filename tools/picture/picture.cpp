@@ -1,13 +1,17 @@
 #include "tools/picture/picture.h"
 
 #include "tools/common/command_line.h"
+#include "tools/common/folders.h"
 #include "tools/common/hash.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <strings.h>
 
+#include <tinyexr.h>
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
@@ -98,6 +102,23 @@ void writeJpeg(const std::string &path, const Image &p) {
     std::string jpeg;
     int made = stbi_write_jpg_to_func(append, &jpeg, p.width, p.height, 3, p.rgb.data(), 84);
     write(path, jpeg, made);
+}
+
+void writeExr(const std::string &path, int width, int height, const std::vector<float> &rgb) {
+    common::TemporaryFolder folder;
+    const std::string part = folder / "part.exr"; // tinyexr does not write whole files or none
+    const char *error = nullptr;
+    if (SaveEXR(rgb.data(), width, height, 3, 0, part.c_str(), &error) != TINYEXR_SUCCESS)
+        throw std::runtime_error("cannot write " + path + ": " + (error ? error : "unknown error"));
+    common::writeWhole(path, common::readWhole(part));
+}
+
+bool namesExr(const std::string &path) {
+    const std::string ending = std::filesystem::path(path).extension();
+    const bool exr = !strcasecmp(ending.c_str(), ".exr");
+    common::need(exr || ending.empty() || !strcasecmp(ending.c_str(), ".png"),
+                 path + ": " + ending + " is not written: name a file .png or .exr");
+    return exr;
 }
 
 Image shrink(const Image &p, int width) {

@@ -54,6 +54,13 @@ Image linearToImage(const Picture &picture, int by);
 void writePng(const std::string &path, const Image &picture);
 void writeJpeg(const std::string &path, const Image &picture);
 
+// Writes linear red, green and blue, the top row first, as OpenEXR of 32-bit floats. Throws likewise.
+void writeExr(const std::string &path, int width, int height, const std::vector<float> &rgb);
+
+// Whether the name of an output asks for OpenEXR: it ends with .exr. Throws Refused if it has another ending
+// than .png, because a picture would have the wrong name.
+bool namesExr(const std::string &path);
+
 // Shrinks a picture to `width` by averaging areas. It is never enlarged.
 Image shrink(const Image &picture, int width);
 

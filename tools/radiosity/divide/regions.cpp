@@ -149,6 +149,7 @@ struct ChartBuilder {
         regions.charts.push_back(chart);
         regions.deviation.push_back((float)box.deviation);
         regions.material.push_back(material);
+        regions.object.push_back(mesh.triangles[(size_t)triangles[0]].object);
         return true;
     }
 
@@ -234,7 +235,7 @@ private:
     }
 };
 
-// Grows regions: sets of triangles of one material and in one plane, joined across shared edges.
+// Grows regions: sets of triangles of one object and material in one plane, joined across shared edges.
 class RegionGrower {
 public:
     explicit RegionGrower(const Mesh &mesh, double tiny)
@@ -284,10 +285,12 @@ private:
         return fronts == kBothSides / 2;
     }
 
-    // Whether triangle b has the material of triangle a and lies in its plane.
+    // Whether triangle b has the object and material of triangle a and lies in its plane.
     bool joins(int a, int b) const {
         const Triangle &s = mesh.triangles[(size_t)a], &t = mesh.triangles[(size_t)b];
-        if (s.material != t.material || dot(normals[(size_t)a], normals[(size_t)b]) < kCoplanar) return false;
+        if (s.material != t.material || s.object != t.object ||
+            dot(normals[(size_t)a], normals[(size_t)b]) < kCoplanar)
+            return false;
         const auto &points = mesh.points;
         Vec3d origin = points[(size_t)s.corners[0]], side = points[(size_t)s.corners[1]] - origin;
         double most = std::min(tiny * tiny, 1e-5 * dot(side, side));

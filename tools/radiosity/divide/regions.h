@@ -1,5 +1,5 @@
-// Turns triangles into charts. Neighbours in one plane with one material are joined into a region, which
-// becomes a chart. Its facets are rectangles if the region consists of them, otherwise its triangles.
+// Turns triangles into charts. Neighbours of one object and material in one plane are joined into a region,
+// which becomes a chart. Its facets are rectangles if the region consists of them, otherwise its triangles.
 #pragma once
 
 #include "radiosity/model.h"
@@ -12,6 +12,7 @@ struct Regions {
     std::vector<Chart> charts; // not divided into patches
     std::vector<Facet> facets;
     std::vector<int> material;    // for each chart: index into Mesh::materials
+    std::vector<int> object;      // for each chart: index into Mesh::objects, or -1
     std::vector<int> chartOf;     // for each triangle: its chart
     std::vector<float> deviation; // for each chart: the largest distance of a corner from its plane
 };

@@ -60,8 +60,8 @@ Atlas packAtlas(const Solution &solution, const AtlasSettings &settings);
 // The texels of a page in rows from top to bottom, three floats each. Texels of no chart are black.
 std::vector<float> paintPage(const Solution &solution, const Atlas &atlas, int page, PageContent content);
 
-// Writes model.obj, model.mtl, model.gltf, model.bin and the pages as PNG and HDR into a folder that must be
-// new or empty: all of them or none. Adds a summary to `notes`. Throws Refused or std::runtime_error.
+// Writes model.obj, model.mtl, model.gltf, model.bin and the pages as PNG, HDR and EXR into a folder that
+// must be new or empty: all of them or none. Adds a summary to `notes`. Throws Refused or std::runtime_error.
 void exportAtlas(const Solution &solution, const AtlasSettings &settings, const std::string &folder,
                  std::vector<std::string> &notes);
 
@@ -72,12 +72,18 @@ struct AtlasPoint {
     float u, v; // 0 .. 1 across the page, v from the top
 };
 
-// The facets on one page with the same reflectance and emission.
+// A material of the model on one page.
 struct AtlasMaterial {
-    std::string name;
+    std::string name; // the material's with _pageN
     int page;
     Rgb reflects, emits; // 1 and 0 if the page includes them
     bool pictured;       // it has a page of reflectance
+};
+
+// The facets of one object, group and material.
+struct AtlasPart {
+    std::string object, group; // as in the model; empty: none
+    size_t material;
     std::vector<int> facets;
 };
 
@@ -93,6 +99,7 @@ struct AtlasModel {
     std::vector<AtlasPoint> points; // three or four per facet, not shared
     std::vector<int> first;         // index of each facet's first point, and the number of points
     std::vector<AtlasMaterial> materials;
+    std::vector<AtlasPart> parts; // those of an object follow each other
 };
 
 // Writes the glTF. TEXCOORD_0 and TEXCOORD_1 are coordinates on the pages. Light is a material's lightmap

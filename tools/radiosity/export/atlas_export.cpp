@@ -63,11 +63,11 @@ std::string mtlOf(const AtlasModel &m) {
     common::append(text, "# %s-N.png are sRGB; 1 stands for %.7g in %s-N.hdr, which are linear\n",
                    m.name.c_str(), (double)m.one, m.name.c_str());
     text += m.radiosity ? "# They contain radiance, emission included: show them unchanged\n"
-                        : "# They contain irradiance over pi: multiply it by Kd and add Ke to get radiance\n";
-    if (m.pictured)
-        text += "# For materials called pictured.. use reflectance-N.png instead of Kd, at the same "
-                "coordinates\n";
+                        : "# They contain irradiance over pi: multiply it by Kd and add Ke to get radiance\n"
+                          "# Blender takes map_Kd instead of Kd: for Blender, export with --map radiosity\n";
     for (const AtlasMaterial &a : m.materials) {
+        if (a.pictured)
+            common::append(text, "# Use reflectance-%d.png instead of Kd, at the same coordinates\n", a.page);
         common::append(text, "newmtl %s\nKd %.7g %.7g %.7g\nKe %.7g %.7g %.7g\n", a.name.c_str(),
                        (double)a.reflects.x, (double)a.reflects.y, (double)a.reflects.z, (double)a.emits.x,
                        (double)a.emits.y, (double)a.emits.z);
@@ -78,10 +78,11 @@ std::string mtlOf(const AtlasModel &m) {
 
 std::string objOf(const AtlasModel &m) {
     std::string text;
-    common::append(text,
-                   "# by odraz: vt are coordinates on %s-N.png and .hdr; every plane is a smoothing group\n"
-                   "mtllib model.mtl\n",
-                   m.name.c_str());
+    common::append(
+        text,
+        "# by odraz: vt are coordinates on %s-N.png, .hdr and .exr; every plane is a smoothing group\n"
+        "mtllib model.mtl\n",
+        m.name.c_str());
     const int digits = m.solution.digits() + 1;
     for (const AtlasPoint &p : m.points) {
         Vec3d at = m.solution.inModel(p.p);
@@ -91,10 +92,14 @@ std::string objOf(const AtlasModel &m) {
         common::append(text, "vt %.8f %.8f\n", (double)p.u, 1 - (double)p.v); // v is counted from the bottom
     for (const Chart &c : m.solution.charts)
         common::append(text, "vn %.6g %.6g %.6g\n", (double)c.n.x, (double)c.n.y, (double)c.n.z);
-    for (size_t k = 0; k < m.materials.size(); ++k) {
-        common::append(text, "usemtl %s\n", m.materials[k].name.c_str());
+    std::string object, group;
+    for (const AtlasPart &part : m.parts) {
+        if (part.object != object) text += "o " + part.object + "\n", group.clear();
+        if (part.group != group) text += "g " + part.group + "\n";
+        object = part.object, group = part.group;
+        text += "usemtl " + m.materials[part.material].name + "\n";
         int chart = -1;
-        for (int i : m.materials[k].facets) {
+        for (int i : part.facets) {
             const Facet &f = m.solution.facets[(size_t)i];
             if (f.chart != chart) common::append(text, "s %d\n", f.chart + 1);
             chart = f.chart;
@@ -127,18 +132,20 @@ void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &p
         std::vector<float> light =
             paintPage(b, atlas, (int)i, s.radiosity ? PageContent::Radiosity : PageContent::Light);
         writePng(folder, name + ".png", page, light, model.one);
+        pictures::writeExr(folder / (name + ".exr"), page.width, page.height, light);
         writeHdr(folder, name + ".hdr", page, std::move(light));
         if (model.pictured)
             writePng(folder, "reflectance-" + std::to_string(i) + ".png", page,
                      paintPage(b, atlas, (int)i, PageContent::Reflectance), 1);
     }
     folder.finish();
-    notes.push_back(common::format("%zu polygons in %zu page%s, filled by %.0f %%; in PNG 1 stands for %.4g",
-                                   b.charts.size(), atlas.pages.size(), atlas.pages.size() == 1 ? "" : "s",
+    notes.push_back(common::format("%s in %s, filled by %.0f %%; in PNG 1 stands for %.4g",
+                                   common::counted(b.charts.size(), "polygon").c_str(),
+                                   common::counted(atlas.pages.size(), "page").c_str(),
                                    100. * (double)atlas.used / (double)texels, (double)model.one));
     if (atlas.coarse)
-        notes.push_back(std::to_string(atlas.coarse) +
-                        " polygons have fewer texels than asked for: raise --page");
+        notes.push_back(common::counted((size_t)atlas.coarse, "polygon has", "polygons have") +
+                        " fewer texels than asked for: raise --page");
 }
 
 } // namespace odraz::radiosity

@@ -15,9 +15,11 @@ namespace odraz::radiosity {
 AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
     : solution(b), name(atlas.settings.radiosity ? "radiosity" : "light"),
       radiosity(atlas.settings.radiosity), pictured(false), one(one), pages(atlas.pages.size()) {
-    using Key = std::tuple<int, bool, float, float, float, float, float, float>;
+    using Key = std::tuple<std::string, int, bool, float, float, float, float, float, float>;
     std::map<Key, size_t> known;
-    std::vector<double> area; // area of each pictured material, to average its reflectance
+    std::map<std::tuple<std::string, std::string, size_t>, size_t> knownParts;
+    std::map<std::string, size_t> order, uses; // of objects; of names of materials
+    std::vector<double> area;                  // area of each pictured material, to average its reflectance
     for (size_t i = 0; i < b.facets.size(); ++i) {
         const Facet &f = b.facets[i];
         const Chart &c = b.charts[(size_t)f.chart];
@@ -31,16 +33,23 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
         bool paged = p.pictured && !radiosity;
         if (radiosity) reflects = {1, 1, 1}, emits = {};
         Rgb key = paged ? Rgb{} : reflects;
+        std::string title = b.materialOf(f.chart);
+        if (title.empty()) title = "material";
         auto [entry, added] = known.try_emplace(
-            {p.page, paged, key.x, key.y, key.z, emits.x, emits.y, emits.z}, materials.size());
+            {title, p.page, paged, key.x, key.y, key.z, emits.x, emits.y, emits.z}, materials.size());
         if (added) {
-            std::string title =
-                common::format("%s%zu_page%d", paged ? "pictured" : "material", materials.size(), p.page);
-            materials.push_back({title, p.page, paged ? Rgb{} : reflects, emits, paged, {}});
+            title += common::format("_page%d", p.page);
+            // Parts of a picture that emits share a name
+            if (size_t used = ++uses[title]; used > 1) title += common::format("_%zu", used);
+            materials.push_back({title, p.page, paged ? Rgb{} : reflects, emits, paged});
             area.push_back(0);
         }
         AtlasMaterial &m = materials[entry->second];
-        m.facets.push_back((int)i);
+        const std::string object = b.objectOf(f.chart), group = b.groupOf(f.chart);
+        order.try_emplace(object, order.size());
+        auto [part, isNew] = knownParts.try_emplace({object, group, entry->second}, parts.size());
+        if (isNew) parts.push_back({object, group, entry->second, {}});
+        parts[part->second].facets.push_back((int)i);
         if (paged) {
             m.reflects += reflects * (c.width * c.height),
                 area[entry->second] += (double)(c.width * c.height);
@@ -48,6 +57,9 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
         }
     }
     first.push_back((int)points.size());
+    std::stable_sort(parts.begin(), parts.end(), [&](const AtlasPart &a, const AtlasPart &c) {
+        return std::pair(order[a.object], a.group) < std::pair(order[c.object], c.group);
+    });
     for (size_t k = 0; k < materials.size(); ++k)
         if (materials[k].pictured) materials[k].reflects = materials[k].reflects * (float)(1 / area[k]);
 }
@@ -120,16 +132,16 @@ void addPoints(GltfBuffer &to, const AtlasModel &m) {
     to.describe(begin, GL_ARRAY_BUFFER, GL_FLOAT, count, "VEC2");
 }
 
-// Adds the triangles of material k. Returns them as a primitive.
-Json addTriangles(GltfBuffer &to, const AtlasModel &m, size_t k) {
+// Adds the triangles of a part. Returns them as a primitive.
+Json addTriangles(GltfBuffer &to, const AtlasModel &m, const AtlasPart &part) {
     size_t begin = to.bytes.size(), indices = to.accessors.size();
-    for (int i : m.materials[k].facets)
+    for (int i : part.facets)
         for (int p = m.first[(size_t)i]; p + 2 < m.first[(size_t)i + 1]; ++p)
             for (int corner : {m.first[(size_t)i], p + 1, p + 2}) put(to.bytes, (uint32_t)corner);
     to.describe(begin, GL_ELEMENT_ARRAY_BUFFER, GL_UNSIGNED_INT, (to.bytes.size() - begin) / 4, "SCALAR");
     return {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}, {"TEXCOORD_1", 2}}},
             {"indices", indices},
-            {"material", k}};
+            {"material", part.material}};
 }
 
 } // namespace
@@ -137,14 +149,26 @@ Json addTriangles(GltfBuffer &to, const AtlasModel &m, size_t k) {
 void writeGltf(const AtlasModel &m, const std::string &path, const std::string &binary) {
     GltfBuffer buffer;
     addPoints(buffer, m);
-    Json primitives = Json::array(), materials = Json::array(), images = Json::array(),
-         textures = Json::array();
+    Json nodes = Json::array(), meshes = Json::array(), materials = Json::array(), images = Json::array(),
+         textures = Json::array(), roots = Json::array();
     Json extensions = {m.radiosity ? "KHR_materials_unlit" : "MOZ_lightmap"};
     bool bright = false;
-    for (size_t k = 0; k < m.materials.size(); ++k) {
-        primitives.push_back(addTriangles(buffer, m, k));
-        materials.push_back(materialOf(m, m.materials[k]));
-        bright |= maxComponent(m.materials[k].emits) > 1;
+    for (const AtlasMaterial &a : m.materials) {
+        materials.push_back(materialOf(m, a));
+        bright |= maxComponent(a.emits) > 1;
+    }
+    // A node for each object, or for each group outside objects
+    auto titleOf = [](const AtlasPart &part) { return part.object.empty() ? part.group : part.object; };
+    for (size_t k = 0; k < m.parts.size(); ++k) {
+        if (k == 0 || titleOf(m.parts[k]) != titleOf(m.parts[k - 1])) {
+            roots.push_back(nodes.size());
+            nodes.push_back({{"mesh", nodes.size()}});
+            meshes.push_back({{"primitives", Json::array()}});
+            if (!titleOf(m.parts[k]).empty()) nodes.back()["name"] = titleOf(m.parts[k]);
+            if (const Vec3 &origin = m.solution.origin; length(origin) > 0)
+                nodes.back()["translation"] = {origin.x, origin.y, origin.z};
+        }
+        meshes.back()["primitives"].push_back(addTriangles(buffer, m, m.parts[k]));
     }
     if (bright) extensions.push_back("KHR_materials_emissive_strength");
     for (size_t i = 0; i < m.pages * (m.pictured ? 2 : 1); ++i) {
@@ -156,15 +180,12 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
                     {"minFilter", GL_LINEAR},
                     {"wrapS", GL_CLAMP_TO_EDGE},
                     {"wrapT", GL_CLAMP_TO_EDGE}};
-    Json node = {{"mesh", 0}};
-    if (const Vec3 &origin = m.solution.origin; length(origin) > 0)
-        node["translation"] = {origin.x, origin.y, origin.z};
     Json all = {{"asset", {{"version", "2.0"}, {"generator", "odraz radiosity"}}},
                 {"extensionsUsed", extensions},
                 {"scene", 0},
-                {"scenes", Json::array({{{"nodes", Json::array({0})}}})},
-                {"nodes", Json::array({node})},
-                {"meshes", Json::array({{{"primitives", primitives}}})},
+                {"scenes", Json::array({{{"nodes", roots}}})},
+                {"nodes", nodes},
+                {"meshes", meshes},
                 {"materials", materials},
                 {"textures", textures},
                 {"images", images},

@@ -32,7 +32,8 @@ constexpr struct ExportKind {
     {"--obj", "FILE", "the same as OBJ",
      [](const Solution &b, const std::string &to, const AtlasSettings &) { exportPolygons(b, to, false); }},
     {"--atlas", "DIR",
-     "a new folder with lightmaps (PNG, and linear HDR) and the model as OBJ and glTF with the coordinates "
+     "a new folder with lightmaps (PNG, and linear HDR and EXR) and the model as OBJ and glTF with the "
+     "coordinates "
      "of the lightmaps",
      writeAtlas}};
 
@@ -53,8 +54,10 @@ int runExport(common::CommandLine &line) {
         line.option(k.option, k.value, read, k.what);
     }
     line.group(kAtlas);
-    line.option("--map", {"light", "radiosity"}, s.radiosity,
-                "irradiance over pi, which viewers multiply by colours; or visible light, emission included");
+    line.option(
+        "--map", {"light", "radiosity"}, s.radiosity,
+        "irradiance over pi, which viewers multiply by colours; or visible light, emission included, as "
+        "Blender needs it");
     line.option("--texels", "N", s.texels, {1e-9, 1e9},
                 "texels per unit of length; by default as fine as the elements, which is exact");
     line.option("--padding", "N", s.padding, {1, 64}, "texels of padding around every polygon");
@@ -77,13 +80,14 @@ int runRender(common::CommandLine &line) {
     RelightOptions relight;
     line.about("Traces a picture. The exposure adapts to what the camera sees.");
     line.argument("SOLUTION", in, "a file that solve or transfer wrote", false);
-    line.option("-o", "FILE.png", out, "the picture");
+    line.option("-o", "FILE.png", out, "the picture; FILE.exr: linear radiance, without exposure and tone");
     camera.addTo(line);
     relight.addTo(line);
     line.parse();
     if (in.empty() || out.empty()) throw common::Refused("render needs a solution and -o FILE.png");
     camera.finish(line);
     claimOutput(out);
+    pictures::namesExr(out); // refuses other formats
     Workers workers = allProcessors();
     RenderSettings &s = camera.settings;
     auto eyeFor = [&](const Solution &solution, const TransferRoom *room) {

@@ -15,6 +15,31 @@
 
 namespace odraz::radiosity {
 
+// The horizontal direction to the only open side of a room: five sides of its box have polygons that face
+// inwards. 0 if there is no such side. `lo` and `hi`: the box, with y up.
+static Vec3 openSideOf(const Solution &solution, bool upIsZ, const Vec3 &lo, const Vec3 &hi) {
+    static constexpr float Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
+    const Vec3 size = hi - lo;
+    Vec3 open = {};
+    int closed = 0;
+    for (size_t k = 0; k < 3; ++k)
+        for (float sign : {-1.f, 1.f}) {
+            const auto axis = kAxes[k];
+            const float side = sign > 0 ? hi.*axis : lo.*axis,
+                        whole = size.*kAxes[(k + 1) % 3] * size.*kAxes[(k + 2) % 3];
+            double area = 0;
+            for (const Facet &f : solution.facets) {
+                const Chart &c = solution.charts[(size_t)f.chart];
+                if (upright(c.n, upIsZ).*axis * sign < -0.9f &&
+                    std::fabs(upright(f.corner(c, 0), upIsZ).*axis - side) < 0.02f * length(size))
+                    area += areaOf(outlineOf(f));
+            }
+            closed += area > 0.5 * (double)whole;
+            if (k != 1 && area < 0.1 * (double)whole) open.*axis = sign;
+        }
+    return closed == 5 ? open : Vec3{};
+}
+
 void placeCamera(const Solution &solution, RenderSettings &s) {
     s.origin = solution.origin;
     std::vector<Vec3> corners;
@@ -38,7 +63,8 @@ void placeCamera(const Solution &solution, RenderSettings &s) {
         }
         if (fronts[k] > fronts[best] * 1.001) best = k;
     }
-    Vec3 middle = (lo + hi) * 0.5f, away = from(fronts[0] < 0.1 * fronts[best] ? best : 0);
+    Vec3 middle = (lo + hi) * 0.5f, away = openSideOf(solution, s.upIsZ, lo, hi);
+    if (length(away) == 0) away = from(fronts[0] < 0.1 * fronts[best] ? best : 0);
     Vec3 right = normalize(cross(Vec3{0, 1, 0}, away)), up = cross(away, right);
     // Find the distance at which the field of view, less 5 %, holds all corners
     float tanY = std::tan(s.lens * (kPi / 360)) * 0.95f, tanX = tanY * (float)s.width / (float)s.height,
@@ -147,6 +173,11 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
     HeapFrame traced(s.width, s.height);
     traceFrame(RadiosityView(solution, s), workers, traced.frame);
     std::vector<Rgb> pixels = traced.pixels();
+    if (pictures::namesExr(path)) {
+        std::vector<float> light;
+        for (const Rgb &c : pixels) light.insert(light.end(), {c.x, c.y, c.z});
+        return pictures::writeExr(path, s.width, s.height, light);
+    }
     std::vector<float> all;
     for (const Rgb &c : pixels)
         if (float light = maxComponent(c); light > 0) all.push_back(light);

@@ -35,14 +35,15 @@ struct HeapFrame {
     std::vector<Rgb> pixels() const; // rows from top to bottom
 };
 
-// Places the camera above the model and to one side, so that the picture shows all facets.
+// Places the camera so that the picture shows all facets: before the open side of a room that has five walls,
+// else above the model and to one side.
 void placeCamera(const Solution &solution, RenderSettings &settings);
 
 // Tone-maps light to a colour from 0 to 1 (not linear), whose brightness is the position of the light's
 // logarithm between `low` and `high`.
 Rgb logarithmicTone(const Rgb &light, float low, float high);
 
-// Renders a picture and writes it as PNG. Throws std::runtime_error.
+// Renders a picture and writes it as PNG, or as OpenEXR, with linear radiance. Throws std::runtime_error.
 void render(const Solution &solution, const RenderSettings &settings, Workers &workers,
             const std::string &path);
 

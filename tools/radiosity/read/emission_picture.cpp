@@ -36,13 +36,13 @@ public:
         while (deepest < 6 && given.size() << (2 * (deepest + 1)) <= kMostParts) ++deepest;
         shades.clear(), parts.clear();
         texture = &picture, source = mesh.materials[(size_t)material].emissionPicture;
-        for (size_t i = 0; i < given.size(); ++i) divide(given[i].corners, coordinates[i], 0);
+        for (size_t i = 0; i < given.size(); ++i) divide(given[i], coordinates[i], 0);
         addParts(material);
     }
 
 private:
     struct ShadedTriangle {
-        std::array<int, 3> corners;
+        Triangle triangle;
         std::array<float, 6> at;
         Shade shade;
     };
@@ -73,7 +73,8 @@ private:
     }
 
     // Adds a triangle if it has one colour, otherwise divides it into four.
-    void divide(const std::array<int, 3> &c, const std::array<float, 6> &at, int depth) {
+    void divide(const Triangle &t, const std::array<float, 6> &at, int depth) {
+        const std::array<int, 3> &c = t.corners;
         auto half = [&](size_t a, size_t b) {
             return std::array<float, 2>{(at[2 * a] + at[2 * b]) / 2, (at[2 * a + 1] + at[2 * b + 1]) / 2};
         };
@@ -94,15 +95,16 @@ private:
         if (placed && depth < deepest && (depth < 2 || spread > kStep / 2)) {
             const int all[6] = {c[0], c[1], c[2], middle(c[0], c[1]), middle(c[1], c[2]), middle(c[2], c[0])};
             for (size_t k = 0; k < 4; ++k)
-                divide({all[kParts[k][0]], all[kParts[k][1]], all[kParts[k][2]]}, quarters[k], depth + 1);
+                divide({{all[kParts[k][0]], all[kParts[k][1]], all[kParts[k][2]]}, t.material, t.object},
+                       quarters[k], depth + 1);
             return;
         }
         auto step = [](float x) { return (int)std::lround(x / kStep); };
         Shade shade = {step(mean.x), step(mean.y), step(mean.z)};
-        double area = length(normalOf(mesh, {c, 0}));
+        double area = length(normalOf(mesh, t));
         ShadeSum &sum = shades[shade];
         sum.area += area, sum.light = sum.light + toDouble(mean) * area;
-        parts.push_back({c, at, shade});
+        parts.push_back({t, at, shade});
     }
 
     // Makes a material for each shade. The first one replaces the original.
@@ -117,7 +119,7 @@ private:
                 mesh.materials[(size_t)number].emits[k] = source.tint[k] * (float)(sum.light[k] / sum.area);
         }
         for (const ShadedTriangle &p : parts) {
-            mesh.triangles.push_back({p.corners, numbers[p.shade]});
+            mesh.triangles.push_back({p.triangle.corners, numbers[p.shade], p.triangle.object});
             mesh.coordinates.push_back(p.at);
         }
     }

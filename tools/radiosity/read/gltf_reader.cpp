@@ -100,6 +100,7 @@ private:
                 }
             }
         }
+        polygons.objects.push_back({n.name.empty() ? mesh.name : n.name, ""});
         PointSets points;
         for (const tinygltf::Primitive &p : mesh.primitives)
             readPrimitive(p, named("mesh", mesh.name, n.mesh), transform,
@@ -175,7 +176,8 @@ private:
             if (step == 1 && (three[0] == three[1] || three[1] == three[2] || three[2] == three[0])) continue;
             const size_t before = polygons.polygons.size();
             need(before < kMostTriangles, "has more than 2^26 triangles");
-            polygons.polygons.push_back({polygons.corners.size(), p.material, (int)before + 1});
+            polygons.polygons.push_back(
+                {polygons.corners.size(), p.material, (int)before + 1, (int)polygons.objects.size() - 1});
             for (size_t k : three) polygons.corners.push_back(cornerOf(k));
         }
         if (step == 3 && corners % 3) kinds["corners that make no triangle are left out"].push_back(name);

@@ -78,7 +78,7 @@ public:
         : path(path), settings(settings), notes(notes), given(std::move(given)) {}
 
     Mesh build(std::vector<MeshMaterial> &&materials) {
-        mesh.materials = std::move(materials);
+        mesh.materials = std::move(materials), mesh.objects = std::move(given.objects);
         for (const MeshMaterial &m : mesh.materials) pictured |= m.hasPicture();
         weldPoints();
         collectTriangles();
@@ -204,15 +204,16 @@ private:
             mesh.flat += (int)(count - 2 - triangulator.triangles.size());
             plain |= p.material < 0;
             for (const auto &triangle : triangulator.triangles)
-                add(corners, triangle, p.material < 0 ? materials : p.material);
+                add(corners, triangle, p.material < 0 ? materials : p.material, p.object);
             // Do not cut a large polygon that crosses itself: too many of its triangles overlap
             polygonOf.resize(mesh.triangles.size(), crosses && count < 1000 ? ~(int)i : (int)i);
         }
         if (plain) mesh.materials.push_back(noMaterial());
     }
 
-    void add(const std::vector<Polygons::Corner> &corners, const std::array<int, 3> &which, int material) {
-        Triangle t = {{}, material};
+    void add(const std::vector<Polygons::Corner> &corners, const std::array<int, 3> &which, int material,
+             int object) {
+        Triangle t = {{}, material, object};
         std::array<float, 6> at;
         bool placed = true;
         for (size_t k = 0; k < 3; ++k) {

@@ -18,12 +18,14 @@ struct Polygons {
         size_t firstCorner; // its corners end where the next polygon's begin
         int material;       // -1: none
         int line;           // line in the file, or number of the polygon; see `unit`
+        int object = -1;    // -1: none
     };
     std::vector<Vec3d> points;
     std::vector<std::array<float, 2>> coordinates; // on the material's pictures
     std::vector<Corner> corners;
     const char *unit = "line"; // what Polygon::line counts
     std::vector<Polygon> polygons;
+    std::vector<MeshObject> objects;
 };
 
 inline constexpr char kNoMaterial[] = "(none)"; // the material of polygons without one

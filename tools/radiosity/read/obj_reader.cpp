@@ -17,8 +17,9 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr const char *kKeywords[] = {"v", "vt", "f", "fo", "usemtl", "mtllib"};
-enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary }; // in their order
+constexpr const char *kKeywords[] = {"v", "vt", "f", "fo", "usemtl", "mtllib", "o", "g"};
+// In their order
+enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary, kObjectName, kGroupName };
 // Notes on lines that are left out, by keyword
 const std::map<std::string_view, const char *> kLeftOut = {
     {"p", "points and lines are left out"},     {"l", "points and lines are left out"},
@@ -63,6 +64,10 @@ public:
             case kLibrary:
                 if (!lines.rest.empty()) libraries.emplace_back(lines.rest);
                 break;
+            case kObjectName:
+            case kGroupName:
+                beginObject(keyword);
+                break;
             default:
                 if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end()) note(found->second);
             }
@@ -83,9 +88,11 @@ private:
     const std::string &path;
     TextLines lines;
     std::map<std::string, int, std::less<>> numberOf; // a name's index in `asked`
-    int material = -1;
-    size_t commands = 0; // number of lines with a command of OBJ
-    int largest = 0;     // largest point number in a polygon, and the polygon's line
+    int material = -1, objectNumber = -1;
+    MeshObject object;                 // the current one
+    std::map<MeshObject, int> objects; // its index in `polygons`
+    size_t commands = 0;               // number of lines with a command of OBJ
+    int largest = 0;                   // largest point number in a polygon, and the polygon's line
     size_t largestLine = 0;
     std::map<std::string_view, std::vector<size_t>> unused; // features that are not used, and their lines
     void note(const char *kind) { unused[kind].push_back(lines.number); }
@@ -125,7 +132,7 @@ private:
     }
 
     void readPolygon() {
-        polygons.polygons.push_back({polygons.corners.size(), material, (int)lines.number});
+        polygons.polygons.push_back({polygons.corners.size(), material, (int)lines.number, objectNumber});
         while (!lines.rest.empty()) polygons.corners.push_back(corner(takeWord(lines.rest)));
     }
 
@@ -148,6 +155,14 @@ private:
         if (point > largest) largest = point, largestLine = lines.number;
         int coordinate = numbers[1] < 0 ? numbers[1] + (int)polygons.coordinates.size() : numbers[1] - 1;
         return {point < 0 ? before + point : point - 1, coordinate};
+    }
+
+    // An `o` ends the group, because most programs write only one of the two.
+    void beginObject(int keyword) {
+        object = keyword == kObjectName ? MeshObject{std::string(lines.rest), ""}
+                                        : MeshObject{object.name, std::string(lines.rest)};
+        objectNumber = objects.emplace(object, (int)objects.size()).first->second;
+        if ((size_t)objectNumber == polygons.objects.size()) polygons.objects.push_back(object);
     }
 
     void use() {
@@ -194,6 +209,15 @@ void noteUnknown(const std::string &path, const ObjContent &content, const std::
         notes.push_back(path + ": no material file has " + std::to_string(count - kMost) + " more names");
 }
 
+// Whether a lamp is an open surface, with an edge beside which no other lamp lies.
+bool hasOpenLamps(const Mesh &mesh) {
+    std::set<std::pair<int, int>> edges;
+    for (const Triangle &t : mesh.triangles)
+        if (const auto &e = mesh.materials[(size_t)t.material].emits; e[0] + e[1] + e[2] > 0)
+            for (size_t k = 0; k < 3; ++k) edges.emplace(t.corners[k], t.corners[(k + 1) % 3]);
+    return std::any_of(edges.begin(), edges.end(), [&](auto e) { return !edges.count({e.second, e.first}); });
+}
+
 } // namespace
 
 bool isObj(std::string_view start) {
@@ -211,7 +235,11 @@ Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<
     for (Polygons::Polygon &p : content.polygons.polygons)
         if (p.material >= 0) used[(size_t)p.material] = true, p.material = found[(size_t)p.material];
     noteUnknown(path, content, found, used, materials, notes);
-    return buildMesh(path, std::move(content.polygons), std::move(materials), settings, notes);
+    Mesh mesh = buildMesh(path, std::move(content.polygons), std::move(materials), settings, notes);
+    if (!settings.twoSided && hasOpenLamps(mesh) &&
+        !common::readStart(path, sizeof kGeneratedObj).starts_with(kGeneratedObj))
+        notes.push_back(path + ": its lamps shine on one side here, in Blender on both (--two-sided)");
+    return mesh;
 }
 
 } // namespace odraz::radiosity

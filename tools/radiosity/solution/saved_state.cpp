@@ -6,7 +6,7 @@
 
 namespace odraz::radiosity {
 
-static constexpr char kStateMagic[] = "odraz radiosity state 5\n";
+static constexpr char kStateMagic[] = "odraz radiosity state 6\n";
 
 void SavedState::save(const std::string &path) const {
     std::string body;
@@ -49,7 +49,7 @@ uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
     std::map<std::string, uint64_t> pictures;
     put(all, mesh.points), put(all, std::vector<Vec3>{mesh.origin});
     for (const Triangle &t : mesh.triangles) {
-        const int words[4] = {t.corners[0], t.corners[1], t.corners[2], t.material};
+        const int words[] = {t.corners[0], t.corners[1], t.corners[2], t.material, t.object};
         all.append((const char *)words, sizeof words);
     }
     for (const MeshMaterial &m : mesh.materials) {

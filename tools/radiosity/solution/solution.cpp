@@ -57,14 +57,16 @@ bool valid(const Solution &b) {
     auto finite = [&](const std::vector<Rgb> &list) {
         return all(list, [](const Rgb &c) { return moderate(c); });
     };
+    auto named = [&](const std::vector<int> &offsets) {
+        return offsets.empty() ||
+               (offsets.size() == b.charts.size() && !b.names.empty() && b.names.back() == 0 &&
+                all(offsets, [&](int at) { return within(at, 1, b.names.size()); }));
+    };
     return moderate(b.origin) && !b.charts.empty() && b.light.size() == b.texels.size() &&
            b.reflects.size() == b.charts.size() && b.emits.size() == b.charts.size() && finite(b.light) &&
            finite(b.reflects) && finite(b.emits) && finite(b.cellReflects) &&
-           (b.cellReflects.empty() || b.cellReflects.size() == b.cells.size()) &&
-           (b.material.empty() ||
-            (b.material.size() == b.charts.size() && !b.names.empty() && b.names.back() == 0 &&
-             all(b.material, [&](int at) { return within(at, 1, b.names.size()); }))) &&
-           all(b.charts, [&](const Chart &c) { return valid(c, b); }) &&
+           (b.cellReflects.empty() || b.cellReflects.size() == b.cells.size()) && named(b.material) &&
+           named(b.object) && named(b.group) && all(b.charts, [&](const Chart &c) { return valid(c, b); }) &&
            all(b.facets, [&](const Facet &f) { return valid(f, b); }) &&
            all(b.texels, [&](const Texel &t) { return valid(t, b); }) &&
            all(b.cells, [&](const Cell &c) { return valid(c, b); });
@@ -72,20 +74,20 @@ bool valid(const Solution &b) {
 
 namespace {
 
-constexpr char kSolutionMagic[] = "odraz radiosity 5\n";
+constexpr char kSolutionMagic[] = "odraz radiosity 6\n";
 
 } // namespace
 
 void Solution::put(std::string &to) const {
     const std::vector<Vec3> origins = {origin};
     radiosity::put(to, origins, charts, facets, cells, texels, light, reflects, emits, cellReflects, material,
-                   names);
+                   object, group, names);
 }
 
 bool Solution::get(const std::string &from, size_t &at) {
     std::vector<Vec3> origins;
     if (!radiosity::get(from, at, origins, charts, facets, cells, texels, light, reflects, emits,
-                        cellReflects, material, names) ||
+                        cellReflects, material, object, group, names) ||
         origins.size() != 1)
         return false;
     origin = origins[0];
@@ -113,8 +115,8 @@ Solution::Solution(const std::string &path) {
         throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
 }
 
-std::string Solution::materialOf(int chart) const {
-    std::string name = material.empty() ? "" : &names[(size_t)material[(size_t)chart]];
+std::string Solution::nameOf(const std::vector<int> &offsets, int chart) const {
+    std::string name = offsets.empty() ? "" : &names[(size_t)offsets[(size_t)chart]];
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return c < ' '; }, '?');
     return name;

@@ -28,10 +28,12 @@ struct Solution {
     std::vector<Rgb> light;           // light that arrives at each texel
     std::vector<Rgb> reflects, emits; // one per chart; the mean if its material has a picture
     std::vector<Rgb> cellReflects;    // one per cell; empty if no material has a picture
-    std::vector<int> material; // per chart, the offset of its material's name in `names`; empty: unknown
-    std::vector<char> names;   // materials' names, each followed by a 0
-    std::vector<Rgb> gloss;    // per texel, the radiance that a polished surface sends to one eye; usually
-                               // empty, not in files
+    // Per chart, the offset in `names` of its material's name, and of the model's names for the part to which
+    // it belongs (OBJ's `o` and `g`); empty: unknown
+    std::vector<int> material, object, group;
+    std::vector<char> names; // each followed by a 0
+    std::vector<Rgb> gloss;  // per texel, the radiance that a polished surface sends to one eye; usually
+                             // empty, not in files
 
     Solution() = default;
     // Reads a file. Throws std::runtime_error, with the file's name first, also if it is not valid().
@@ -54,8 +56,10 @@ struct Solution {
     int digits() const { return digitsAt(origin); }
     static int digitsAt(const Vec3 &origin) { return length(origin) > 0 ? 13 : 7; }
 
-    // The name of a chart's material, in printable characters; empty if unknown.
-    std::string materialOf(int chart) const;
+    // The names of a chart's material, object and group, in printable characters; empty if unknown.
+    std::string materialOf(int chart) const { return nameOf(material, chart); }
+    std::string objectOf(int chart) const { return nameOf(object, chart); }
+    std::string groupOf(int chart) const { return nameOf(group, chart); }
 
     // The number of elements with at least one piece.
     size_t elements() const;
@@ -75,6 +79,7 @@ struct Solution {
     };
 
 private:
+    std::string nameOf(const std::vector<int> &offsets, int chart) const;
     Rgb bilinear(const std::vector<Rgb> &texelValues, int cell, float u, float v) const;
     CellPoint cellPointAt(int chart, const Vec3 &p) const;
 };

@@ -1,6 +1,7 @@
 #include "tools/radiosity/solution/solve_task.h"
 
 #include "tools/common/clock.h"
+#include "tools/common/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,15 +36,24 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
         if ((double)(c.width * c.height) < 3 * side * side) c.across = c.down = 1;
     }
     if (coarse > 0)
-        report.notes.push_back(std::to_string(coarse) + " polygons are longer than " +
-                               std::to_string(kMaxAcross) +
-                               " elements: their elements are longer than --element asks");
+        report.notes.push_back(common::counted((size_t)coarse, "polygon is", "polygons are") +
+                               " longer than " + std::to_string(kMaxAcross) +
+                               " elements: elements there are longer than --element asks");
     solution.origin = mesh.origin;
     this->settings.surroundings.moveTo(mesh.origin);
+    // Adds a name, and returns its offset.
+    auto added = [&](const std::string &name) {
+        solution.names.insert(solution.names.end(), name.c_str(), name.c_str() + name.size() + 1);
+        return (int)(solution.names.size() - name.size() - 1);
+    };
     std::vector<int> begin; // offset of each material's name
-    for (const MeshMaterial &m : mesh.materials) {
-        begin.push_back((int)solution.names.size());
-        solution.names.insert(solution.names.end(), m.name.c_str(), m.name.c_str() + m.name.size() + 1);
+    for (const MeshMaterial &m : mesh.materials) begin.push_back(added(m.name));
+    std::vector<std::array<int, 2>> objects; // offsets of each object's name and group, then of an empty name
+    for (const MeshObject &o : mesh.objects) objects.push_back({added(o.name), added(o.group)});
+    objects.push_back({added(""), (int)solution.names.size() - 1});
+    for (int object : regions.object) {
+        const auto &[name, group] = object < 0 ? objects.back() : objects[(size_t)object];
+        solution.object.push_back(name), solution.group.push_back(group);
     }
     for (int material : regions.material) {
         solution.material.push_back(begin[(size_t)material]);

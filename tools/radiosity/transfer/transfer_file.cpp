@@ -13,7 +13,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr char kTransferMagic[] = "odraz transfer 4\n";
+constexpr char kTransferMagic[] = "odraz transfer 5\n";
 
 bool finite(const std::vector<float> &list) {
     return std::all_of(list.begin(), list.end(), [](float x) { return std::fabs(x) < 1e18f; });

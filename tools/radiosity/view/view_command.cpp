@@ -65,7 +65,11 @@ void readViewJob(common::CommandLine &line, ViewJob &job) {
     job.solve.upIsZ = job.camera.settings.upIsZ;
     job.camera.finish(line);
     job.solve.finish(line);
-    if (!job.view.screenshot.empty()) claimOutput(job.view.screenshot);
+    if (!job.view.screenshot.empty()) {
+        claimOutput(job.view.screenshot);
+        common::need(!pictures::namesExr(job.view.screenshot),
+                     "--screenshot writes .png; render writes .exr");
+    }
     job.view.name = job.in.substr(job.in.rfind('/') + 1);
     job.view.placed = job.camera.placed;
 }

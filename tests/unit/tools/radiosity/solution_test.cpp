@@ -111,6 +111,9 @@ TEST_F(SolutionFile, IsRefusedIfItIsInconsistent) {
             b.material = {0}, b.names = {'a', 0};
         },
         [](Solution &b) {
+            b.group = {0, 2}, b.names = {'a', 0};
+        },
+        [](Solution &b) {
             b.cellReflects.resize(b.cells.size(), Rgb{NAN, 0, 0});
         },
     };
