@@ -33,6 +33,11 @@ def test_refuses(status, text, words, table):
     refuses(status, text, RADIOSITY, *words.split())
 
 
+@pytest.mark.parametrize('command', ['', 'solve', 'render'])
+def test_h_is_help(command):
+    assert radiosity(*command.split(), '-h').stdout == radiosity(*command.split(), '--help').stdout
+
+
 # --- No output may replace an input, by whatever name, nor a model, from which the solution may have been made ---
 @pytest.fixture
 def inputs(table, tmp_path):

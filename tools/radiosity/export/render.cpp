@@ -18,24 +18,21 @@ namespace odraz::radiosity {
 // The horizontal direction to the only open side of a room: five sides of its box have polygons that face
 // inwards. 0 if there is no such side. `lo` and `hi`: the box, with y up.
 static Vec3 openSideOf(const Solution &solution, bool upIsZ, const Vec3 &lo, const Vec3 &hi) {
-    static constexpr float Vec3::*kAxes[] = {&Vec3::x, &Vec3::y, &Vec3::z};
     const Vec3 size = hi - lo;
     Vec3 open = {};
     int closed = 0;
-    for (size_t k = 0; k < 3; ++k)
-        for (float sign : {-1.f, 1.f}) {
-            const auto axis = kAxes[k];
-            const float side = sign > 0 ? hi.*axis : lo.*axis,
-                        whole = size.*kAxes[(k + 1) % 3] * size.*kAxes[(k + 2) % 3];
-            double area = 0;
+    for (const Vec3 &axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}})
+        for (const Vec3 &out : {axis, axis * -1.f}) {
+            const float at = std::max(dot(lo, out), dot(hi, out));
+            double area = 0, whole = (double)(size.x * size.y * size.z / dot(size, axis));
             for (const Facet &f : solution.facets) {
                 const Chart &c = solution.charts[(size_t)f.chart];
-                if (upright(c.n, upIsZ).*axis * sign < -0.9f &&
-                    std::fabs(upright(f.corner(c, 0), upIsZ).*axis - side) < 0.02f * length(size))
+                if (dot(upright(c.n, upIsZ), out) < -0.9f &&
+                    at - dot(upright(f.corner(c, 0), upIsZ), out) < 0.02f * length(size))
                     area += areaOf(outlineOf(f));
             }
-            closed += area > 0.5 * (double)whole;
-            if (k != 1 && area < 0.1 * (double)whole) open.*axis = sign;
+            closed += area > 0.5 * whole;
+            if (axis.y == 0 && area < 0.1 * whole) open = out;
         }
     return closed == 5 ? open : Vec3{};
 }

@@ -108,17 +108,17 @@ void check(const json &all) {
 void needVersion2(const json &all) {
     const json asset = all.value("asset", json::object());
     auto textOf = [&](const char *name) {
-        const json value = asset.is_object() ? asset.value(name, json()) : json();
-        return value.is_string() ? value.get<std::string>() : value.is_number() ? value.dump() : "";
+        std::string text =
+            asset.is_object() ? asset.value(name, json("")).dump() : "2.0"; // check() refuses that
+        std::erase(text, '"');
+        return text;
     };
-    const std::string least = textOf("minVersion");
-    std::string version = asset.is_object() ? textOf("version") : "2.0"; // check() refuses the type
+    std::string version = textOf("version"), least = textOf("minVersion");
     for (const char *list : {"accessors", "bufferViews", "meshes", "nodes", "scenes"})
         if (version.empty() && all.contains(list) && all[list].is_object()) version = "1.0";
     need(!version.empty() || all.contains("asset"), "is JSON, but not glTF: it has no asset");
-    if (least > "2.0") version = least;
     need(version.starts_with("2.") && least <= "2.0",
-         "is glTF " + (version.empty() ? "without a version" : version) + ": only 2.0 is read");
+         "is glTF " + std::max(version, least) + ": only 2.0 is read");
 }
 
 } // namespace
