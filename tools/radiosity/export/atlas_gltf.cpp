@@ -18,7 +18,7 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
     using Key = std::tuple<std::string, int, bool, float, float, float, float, float, float>;
     std::map<Key, size_t> known;
     std::map<std::tuple<std::string, std::string, size_t>, size_t> knownParts;
-    std::map<std::string, size_t> order, uses; // of objects; of names of materials
+    std::map<std::string, size_t> order, uses; // objects in order; uses of a name
     std::vector<double> area;                  // area of each pictured material, to average its reflectance
     for (size_t i = 0; i < b.facets.size(); ++i) {
         const Facet &f = b.facets[i];
