@@ -8,7 +8,7 @@
 
 namespace odraz {
 
-// Fills table[] with functions of the library `soname`. `names` is the list of their names: each name ends
+// Fills table[] with functions of the library `soname`, or with those of libc if it is null. `names` is the list of their names: each name ends
 // with a zero, and the list ends with an empty name. Returns null, or the missing library or function.
 const char *loadFunctions(const char *soname, const char *names, void **table);
 

@@ -1,24 +1,19 @@
 #include "maker/screen.h"
 
 #include "film.h"
-#include "host/library.h"
+#include "host/process.h"
 
 namespace odraz::maker {
 
 const char *open(Screen &s, int width, int height) {
-    if (!glfwInit()) return "no display: set DISPLAY";
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    s.window = glfwCreateWindow(width, height, FILM_NAME "-debug", nullptr, nullptr);
+    Quiet libraries;
+    const char *wrong = openGlfwWindow(s.window, width, height, FILM_NAME "-debug", s.gl);
+    if (wrong) return wrong;
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    s.hidden = s.window ? glfwCreateWindow(16, 16, "", nullptr, nullptr) : nullptr;
-    if (!s.hidden) return "no OpenGL 3.3 on this display";
-    glfwMakeContextCurrent(s.window);
+    s.hidden = glfwCreateWindow(16, 16, "", nullptr, nullptr);
+    if (!s.hidden) return "no second window on this display";
     s.width = width;
     s.height = height;
-    if (fillGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, s.gl))
-        return "no OpenGL 3.3 on this display";
     // Make the texture and the framebuffer for show()
     s.gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
     s.gl.glGenTextures(1, &s.texture);

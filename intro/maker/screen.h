@@ -1,11 +1,8 @@
 // The window of odraz-debug, and a picture in it.
 #pragma once
 
-#include "base/gl.h"
+#include "host/glfw.h"
 #include "intro.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 namespace odraz::maker {
 

@@ -98,7 +98,7 @@ def early(lines):
 NEUTRAL = {'answers.cpp.o', 'early.cpp.o', 'libengine.a(text.cpp.o)', 'liboptions.a(options.cpp.o)',
            'liboutput.a(output.cpp.o)'}
 HOST = ['clock', 'cpu', 'error', 'files', 'library', 'process', 'threads', 'window']
-LINUX = NEUTRAL | {f'libhost.a({part}.cpp.o)' for part in HOST}
+LINUX = NEUTRAL | {f'libhost.a({part}.cpp.o)' for part in (*HOST, 'environment')}
 WINDOWS = NEUTRAL | {'command_line.cpp.o'} | {
     f'libhost_windows.a({part}.cpp.o)' for part in (*HOST, 'calls', 'context')}
 

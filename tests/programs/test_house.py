@@ -10,7 +10,7 @@ import pytest
 from running import BUILD, FILM, SOURCE, needs, needs_built, refuses, run
 
 SPECIAL = {'intro/base/avx.h': r'.*intrin\.h', 'intro/base/wasm.h': r'wasm_simd128\.h', 'intro/base/gl.h': 'GL/.*',
-           'intro/host/cpu.cpp': r'cpuid\.h'}  # system headers
+           'intro/host/glfw.h': r'GLFW/glfw3\.h', 'intro/host/cpu.cpp': r'cpuid\.h'}  # system headers
 
 
 @pytest.fixture(scope='module')

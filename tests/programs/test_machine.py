@@ -18,10 +18,6 @@ def draws(*command, **options):
     return picture
 
 
-def test_refuses_to_play_without_a_display(film):
-    refuses(1, 'no X display', film)
-
-
 @pytest.mark.parametrize('library, text, options', [
     ('libX11.so.6', 'libX11.so.6 is missing', []),
     ('libpthread.so.0', 'libpthread.so.0', ['--dump', '-', '--threads', 2]),
@@ -32,6 +28,7 @@ def test_names_what_is_missing(film, tmp_path, library, text, options):
 
 @pytest.mark.parametrize('variable, text', [
     ('LIBGL_DRIVERS_PATH=/none', 'no headless OpenGL 3.3: install'),  # one line, though Mesa prints more
+    ('MESA_GL_VERSION_OVERRIDE=3.0', 'no headless OpenGL 3.3: MESA_GL_VERSION_OVERRIDE is 3.0: unset it\n'),
     ('MESA_EXTENSION_OVERRIDE=-GL_EXT_texture_integer', 'cannot light the hall: OpenGL 3.3 cannot draw integers')])
 def test_refuses_the_hall_where_opengl_lacks_something(film, variable, text):
     refuses(1, text, 'env', variable, film, *HALL)

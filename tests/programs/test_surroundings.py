@@ -12,7 +12,7 @@ import signal
 
 import pytest
 
-from running import BUILD, FILM, check_bytes, refuses, run
+from running import BUILD, FILM, check_bytes, needs_built, refuses, run
 
 SCENES = {'plain': ('--dump', '-', '--from', 20, '--to', 20.04, '--size', '64x36'),
           'hall': ('--dump', '-', '--from', 120, '--to', 120.04, '--size', '64x36')}
@@ -107,14 +107,33 @@ def test_draws_where_signals_are_ignored(film, draws):
     draws('plain', film, preexec_fn=ignore)
 
 
+@pytest.fixture(params=['safe', 'debug'])
+def opens(request):
+    """A program that opens a window: the film, or odraz-debug. (test_radiosity_view.py has a third)"""
+    needs_built(f'{FILM}-{request.param}')
+    return BUILD / f'{FILM}-{request.param}', '--mute'
+
+
 # No display of another test has such a number
 @pytest.mark.parametrize('name', [':99999999', 'unix/:99999999', 'nowhere.invalid:0', '/', pytest.param(LONG, id='x')])
-def test_refuses_a_display_that_does_not_exist(film, name):
-    refuses(1, 'no X display', film, '--window', env={'DISPLAY': name})
+def test_refuses_a_display_that_does_not_exist(opens, name):
+    refuses(1, f'DISPLAY is {name[:400]}', *opens, env={'DISPLAY': name})
 
 
-def test_refuses_a_screen_that_its_display_does_not_have(film, display):
-    refuses(1, 'no X display', film, '--window', env={'DISPLAY': display().env['DISPLAY'] + '.99'})
+def test_refuses_a_screen_that_its_display_does_not_have(opens, display):
+    name = display().env['DISPLAY'] + '.99'
+    refuses(1, f'DISPLAY is {name}, which cannot be opened', *opens, env={'DISPLAY': name})
+
+
+def test_refuses_a_display_that_does_not_admit_the_user(opens, display, tmp_path):
+    (tmp_path / 'cookie').write_bytes(b'\xff\xff' + bytes(5) + b'\x12MIT-MAGIC-COOKIE-1\0\x10' + 16 * b'x')
+    name = display('64x64', '-auth', tmp_path / 'cookie').env['DISPLAY']
+    line = f'DISPLAY is {name}, which cannot be opened'
+    refuses(1, line, *opens, env={'DISPLAY': name, 'XAUTHORITY': '/dev/null'})
+
+
+def test_refuses_to_open_a_window_without_a_display(opens):
+    refuses(1, 'no X display: set DISPLAY', *opens, env={'DISPLAY': ''})
 
 
 # --- Environments that only root can make ---

@@ -3,7 +3,7 @@ import re
 
 import pytest
 
-from running import BUILD, FILM, lacking, needs, wait_for
+from running import BUILD, FILM, lacking, needs, needs_built, wait_for
 
 needs('xprop', 'openbox', 'wmctrl')
 PACKED, SAFE = BUILD / FILM, BUILD / f'{FILM}-safe'  # the same program; the second one starts without unpacking
@@ -60,10 +60,12 @@ def test_plays_to_its_end_by_itself(screen):
     assert re.search('^credits', played.stdout, re.M)
 
 
-def test_without_integers_in_opengl_it_leaves_out_the_halls_scenes_alone(screen):
-    options = ('--window', '--size', '320x180', '--from', 147)
-    window = screen.play(SAFE, *options, env={'MESA_EXTENSION_OVERRIDE': '-GL_EXT_texture_integer'})
-    assert 'cannot light the hall' in window.errors()
+@pytest.mark.parametrize('name, options', [('safe', ['--window']), ('debug', ['--mute'])])
+def test_without_integers_in_opengl_it_leaves_out_the_halls_scenes_alone(screen, name, options):
+    needs_built(f'{FILM}-{name}')
+    window = screen.play(BUILD / f'{FILM}-{name}', *options, '--size', '320x180', '--from', 147, title=f'^{FILM}',
+                         env={'MESA_EXTENSION_OVERRIDE': '-GL_EXT_texture_integer'})
+    window.comes(lambda: 'cannot light the hall' in window.errors())
     screen.do('key', 'Escape')
     assert window.ended() == 0
 
@@ -84,8 +86,14 @@ def test_a_missing_library_opens_a_window(screen, tmp_path):
     assert 'libGL.so.1 is missing' in report_of(screen, PACKED, env=lacking('libGL.so.1', tmp_path))
 
 
-def test_a_missing_driver_opens_a_window_and_mesa_prints_nothing(screen):
-    assert report_of(screen, SAFE, env={'LIBGL_DRIVERS_PATH': '/none'}).count('\n') == 1
+@pytest.mark.parametrize('variable, value, cause', [
+    ('LIBGL_DRIVERS_PATH', '/none', ': install libgl1-mesa-dri'),
+    ('LIBGL_ALWAYS_INDIRECT', '1', ': LIBGL_ALWAYS_INDIRECT is 1: unset it'),
+    ('MESA_GL_VERSION_OVERRIDE', '3.0', ', only 3.0 .*: MESA_GL_VERSION_OVERRIDE is 3.0: unset it'),
+    ('MESA_GLSL_VERSION_OVERRIDE', '130', ', only .*: MESA_GLSL_VERSION_OVERRIDE is 130: unset it')])
+def test_what_lacks_opengl_opens_a_window_and_mesa_prints_nothing(screen, variable, value, cause):
+    line = f'{FILM}: no OpenGL 3.3 on this display{cause}(, or use --dump)?\n'
+    assert re.fullmatch(line, report_of(screen, SAFE, env={variable: value}))
 
 
 def test_a_screen_of_16_bits_opens_a_window(display):

@@ -1,6 +1,7 @@
 // Headless OpenGL on EGL's surfaceless platform.
 #include "host/headless.h"
 
+#include "host/environment.h"
 #include "host/library.h"
 #include "host/process.h"
 
@@ -17,7 +18,10 @@ struct Egl {
 };
 
 const char *openHeadlessGl(Gl &gl) {
-    static const char kMissing[] = "no headless OpenGL 3.3: install libegl1 and libgl1-mesa-dri";
+    auto wrong = [&] {
+        return causeOf("no headless OpenGL 3.3" ODRAZ_LOWERS_GL "install libegl1 and libgl1-mesa-dri",
+                       nullptr);
+    };
     static Egl egl;
     // Mesa does not check whether it got the memory that it asked for
     if (!couldAddress(1 << 30)) return "not enough memory for OpenGL: raise ulimit -v";
@@ -25,22 +29,17 @@ const char *openHeadlessGl(Gl &gl) {
     if (const char *line = jitForbidden()) return line;
     // Render in software, so that pictures are equal on all machines, unless the environment says otherwise
     int (*setenv)(const char *, const char *, int);
-    if (!loadFunctions("libc.so.6", "setenv\0", (void **)&setenv)) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
-    if (loadFunctions("libEGL.so.1", ODRAZ_EGL(ODRAZ_NAME), (void **)&egl)) return kMissing;
+    if (!loadFunctions(nullptr, "setenv\0", (void **)&setenv)) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+    if (loadFunctions("libEGL.so.1", ODRAZ_EGL(ODRAZ_NAME), (void **)&egl)) return wrong();
     EGLDisplay display = egl.eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (!display || !egl.eglInitialize(display, nullptr, nullptr) || !egl.eglBindAPI(EGL_OPENGL_API))
-        return kMissing;
-    static const EGLint kVersion[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                      3,
-                                      EGL_CONTEXT_MINOR_VERSION,
-                                      3,
-                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                      EGL_NONE};
+        return wrong();
+    static const EGLint kVersion[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
     EGLContext context = egl.eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kVersion);
-    if (!context || !egl.eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return kMissing;
     auto find = [](const char *name) { return (void *)egl.eglGetProcAddress(name); };
-    return fillGl(find, gl) ? kMissing : nullptr;
+    if (!context || !egl.eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) || fillGl(find, gl))
+        return wrong();
+    return nullptr;
 }
 
 } // namespace odraz

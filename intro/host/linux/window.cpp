@@ -3,6 +3,7 @@
 
 #include "film.h"
 #include "host/clock.h"
+#include "host/environment.h"
 #include "host/linux/sys.h"
 #include "host/linux/xlib.h"
 #include "host/process.h"
@@ -159,17 +160,17 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     w.x.XInitThreads();
     w.drawing = w.x.XOpenDisplay(nullptr);
     w.events = w.x.XOpenDisplay(nullptr);
-    if (!w.drawing || !w.events) return "no X display: set DISPLAY (XWayland works too), or use --dump";
+    if (!w.drawing || !w.events)
+        return causeOf(
+            "no X display\0, which cannot be opened, or use --dump\0DISPLAY\0\0set DISPLAY, or use --dump",
+            nullptr);
     w.x.XSetErrorHandler(ignoreError);
     w.x.XSetIOErrorHandler(displayGone);
 
     // Choose a format for OpenGL 3.3
     static const int kFormat[] = {GLX_DOUBLEBUFFER, True, GLX_RED_SIZE, 8, GLX_GREEN_SIZE, 8,
                                   GLX_BLUE_SIZE,    8,    None};
-    static const int kVersion[] = {
-        GLX_CONTEXT_MAJOR_VERSION_ARB,    3,   GLX_CONTEXT_MINOR_VERSION_ARB, 3, GLX_CONTEXT_PROFILE_MASK_ARB,
-        GLX_CONTEXT_CORE_PROFILE_BIT_ARB, None};
-    static const char kNoGl[] = "no OpenGL 3.3 on this display: install libgl1-mesa-dri, or use --dump";
+    static const int kVersion[] = {GLX_CONTEXT_MAJOR_VERSION_ARB, 3, GLX_CONTEXT_MINOR_VERSION_ARB, 3, None};
     int count = 0, depth = DefaultDepth(w.drawing, DefaultScreen(w.drawing));
     if (depth < 24) return "the screen has too few colours: set it to 24 bits, or use --dump";
     GLXFBConfig *configs = w.glx.glXChooseFBConfig(w.drawing, DefaultScreen(w.drawing), kFormat, &count);
@@ -181,18 +182,28 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
         if (visual && visual->depth == depth) break;
     }
     // Make the context and the window, both for the drawing thread
-    auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)w.glx.glXGetProcAddress(
-        (const GLubyte *)"glXCreateContextAttribsARB");
-    if (chosen >= count || !createContext) return kNoGl;
-    GLXContext context = createContext(w.drawing, configs[chosen], nullptr, True, kVersion);
-    if (!context) return kNoGl;
-    createWindow(w, visual, fullScreen, width, height);
-    suspendScreenSaver(w.events);
-    if (!w.glx.glXMakeCurrent(w.drawing, w.window, context)) return kNoGl;
     auto find = [](const char *name) {
         return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name);
     };
-    if (fillGl(find, window.gl)) return kNoGl;
+    auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)find("glXCreateContextAttribsARB");
+    const char *version = nullptr;
+    auto wrong = [&] {
+        return causeOf("no OpenGL 3.3 on this display" ODRAZ_LOWERS_GL
+                       "install libgl1-mesa-dri, or use --dump",
+                       version);
+    };
+    if (chosen >= count || !createContext) return wrong();
+    GLXContext context = createContext(w.drawing, configs[chosen], nullptr, True, kVersion);
+    if (!context) {
+        // Ask an older context for its version, if there is one. Xvfb would crash without a drawable
+        context = createContext(w.drawing, configs[chosen], nullptr, True, kVersion + 4);
+        w.glx.glXMakeCurrent(w.drawing, DefaultRootWindow(w.drawing), context);
+        version = (const char *)((decltype(&::glGetString))find("glGetString"))(GL_VERSION);
+        return wrong();
+    }
+    createWindow(w, visual, fullScreen, width, height);
+    suspendScreenSaver(w.events);
+    if (!w.glx.glXMakeCurrent(w.drawing, w.window, context) || fillGl(find, window.gl)) return wrong();
     // Swap at the display's vertical sync, so that pictures do not tear and follow its rate
     if (auto setInterval = (PFNGLXSWAPINTERVALSGIPROC)find("glXSwapIntervalSGI")) setInterval(1);
     if (startThread(listen, &w))

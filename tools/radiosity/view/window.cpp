@@ -1,12 +1,9 @@
 #include "tools/radiosity/view/window.h"
 
-#include "host/library.h"
+#include "host/glfw.h"
 #include "host/process.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/read/upright.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,24 +18,15 @@ static ViewWindow &of(GLFWwindow *window) { return *(ViewWindow *)glfwGetWindowU
 ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     Quiet libraries;
     if (const char *missing = openGlfw()) throw std::runtime_error(missing);
-    if (!glfwInit()) throw std::runtime_error("there is no display to open a window on: set DISPLAY");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    window =
-        glfwCreateWindow(s.camera.width, s.camera.height, ("radiosity: " + s.name).c_str(), nullptr, nullptr);
     ViewGl gl;
+    std::string title = "radiosity: " + s.name;
+    if (const char *wrong = openGlfwWindow(window, s.camera.width, s.camera.height, title.c_str(), gl))
+        throw std::runtime_error(wrong);
     auto find = [](const char *name) { return (void *)glfwGetProcAddress(name); };
-    bool missing = !window;
-    if (window) {
-        glfwMakeContextCurrent(window);
-        gl.glClipControl = (PFNGLCLIPCONTROLPROC)find("glClipControl");
-        missing =
-            fillGl(find, gl) || fillFunctions(find, ODRAZ_VIEW_GL(ODRAZ_NAME), (void **)&gl.glUniform1i);
-    }
-    if (missing) {
+    gl.glClipControl = (PFNGLCLIPCONTROLPROC)find("glClipControl");
+    if (const char *missing = fillFunctions(find, ODRAZ_VIEW_GL(ODRAZ_NAME), (void **)&gl.glUniform1i)) {
         glfwTerminate();
-        throw std::runtime_error("no OpenGL 3.3 on this display: install libgl1-mesa-dri, or the driver");
+        throw std::runtime_error(std::string("OpenGL lacks ") + missing + ": install another driver");
     }
     glfwSwapInterval(s.spin > 0 ? 0 : 1);
     glfwSetWindowUserPointer(window, this);
