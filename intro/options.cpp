@@ -10,10 +10,13 @@ static_assert(kMaxWorkers == 64 && kMaxWidth == 7680 && kMaxHeight == 4320, "the
 
 namespace {
 
-[[gnu::noinline]] bool same(const char *a, const char *b) {
-    while (*a && *a == *b) ++a, ++b;
-    return *a == *b;
+// Returns what follows `start` in `text`, or "?" if the text does not start with it.
+[[gnu::noinline]] const char *after(const char *start, const char *text) {
+    while (*start && *start == *text) ++start, ++text;
+    return *start ? "?" : text;
 }
+
+bool same(const char *a, const char *b) { return !*after(a, b); }
 
 // Reads an integer from 0 up to a limit. Returns false if there are no digits or the number is larger.
 bool readInteger(const char *&p, int64_t limit, int64_t &value) {
@@ -72,6 +75,8 @@ bool readQuality(const char *p, Options &o) {
     return false;
 }
 
+bool readHelp(const char *, Options &o) { return o.help = true; }
+
 struct Option {
     char name[10];
     char value[7]; // its value's name in the help; "" if it has no value
@@ -109,7 +114,8 @@ constexpr Option kOptions[] = {
     {"--doctor", "", "list what this machine has and lacks", "",
      [](const char *, Options &o) { return o.doctor = true; }},
     {"--version", "", "", "", [](const char *, Options &o) { return o.version = true; }},
-    {"--help", "", "", "", [](const char *, Options &o) { return o.help = true; }},
+    {"-h", "", "", "", readHelp},
+    {"--help", "", "", "", readHelp},
 };
 
 } // namespace
@@ -130,20 +136,23 @@ void writeHelp(AnyText &t) {
 
 bool parseOptions(int argc, const char *const *argv, double duration, Options &o, AnyText &wrong) {
     for (int i = 1; i < argc; ++i) {
-        const char *name = argv[i], *value = i + 1 < argc ? argv[i + 1] : "";
-        const Option *option = nullptr;
-        for (const Option &known : kOptions)
-            if (same(name, known.name)) option = &known;
-        if (!option) {
-            wrong << "unknown option '" << name << "': " FILM_NAME " --help lists them";
-            return false;
-        }
+        const char *name = argv[i], *value;
+        const Option *option = kOptions;
+        while (*(value = after(option->name, name)) && (*value != '=' || !*option->value))
+            if (++option == kOptions + sizeof kOptions / sizeof *kOptions) {
+                wrong << "unknown option '" << name << "': " FILM_NAME " --help lists them";
+                return false;
+            }
+        // The value follows = or is the next word
+        if (*value)
+            ++value;
+        else if (*option->value && ++i < argc)
+            value = argv[i];
         if (!option->read(value, o)) {
-            wrong << name << " needs " << option->expects;
+            wrong << option->name << " needs " << option->expects;
             if (*value) wrong << ", not '" << value << '\'';
             return false;
         }
-        if (*option->value) ++i;
     }
     if (o.to.scale == 0) o.to = {(int64_t)(duration * 1e6), 1000000};
     double from = seconds(o.from), to = seconds(o.to);

@@ -36,7 +36,7 @@ def test_the_commit_is_that_of_the_sources_or_unknown(folder, env, commit, warni
 
 def test_help_names_every_option(film):
     usage = run(film, '--help').stdout
-    assert usage.startswith('usage')
+    assert usage.startswith('usage') and usage == run(film, '-h').stdout
     options = set(re.findall(r'"(--[a-z]+)"', (SOURCE / 'intro/options.cpp').read_text()))
     assert options and options <= set(re.findall(r'--\w+', usage))
 

@@ -62,6 +62,12 @@ TEST(Options, ReadsEveryOption) {
     EXPECT_TRUE(good({"--window", "--stats"}).window);
     EXPECT_STREQ(good({"--wav", "film.wav", "--from", "2"}).wav, "film.wav");
     EXPECT_STREQ(good({"--wav", "-", "--dump", "frames"}).wav, "-");
+    o = good({"--dump=a=b", "--from=2", "--size=64x36", "--to", "3"});
+    EXPECT_STREQ(o.dump, "a=b");
+    EXPECT_EQ(seconds(o.from), 2);
+    EXPECT_EQ(seconds(o.to), 3);
+    EXPECT_EQ(o.width, 64);
+    EXPECT_TRUE(good({"-h"}).help && good({"--help"}).help);
 }
 
 TEST(Options, ReportsWhatIsWrongInALine) {
@@ -71,11 +77,12 @@ TEST(Options, ReportsWhatIsWrongInALine) {
     for (const char *line : {"--quality live", "--quality live --fps 60", "--dump x --quality live",
                              "--dump x --quality live --fps 60000/1001"})
         EXPECT_NE(bad(line).find("--quality live is for --dump with --fps 60"), std::string::npos) << line;
+    EXPECT_EQ(bad("--to=x"), "--to needs seconds, like 12.5, not 'x'");
     EXPECT_NE(bad("--frames").find("--frames"), std::string::npos);
     EXPECT_NE(bad("--quality best").find("draft, play, film, reference or live, not 'best'"),
               std::string::npos);
     for (const char *line : {"film", "--fps", "--from 3 --to 2", "--dump", "--dump ", "--dump x --window",
-                             "--dump x --stats", ""})
+                             "--dump x --stats", "--dump=", "--mute=1", "--dumps=x", "--d=x", ""})
         EXPECT_FALSE(bad(line).empty()) << line;
     const std::pair<std::string, const char *> kBadValues[] = {
         {"--fps ", "0 -1 1e3 25/0 25/ 2000 1/2000 99999999999999999999"},
