@@ -283,6 +283,7 @@ int run(const Options &o, Stage &stage, Follower &follower, Edits &edits, std::s
     Maker &m = theMaker;
     if (const char *problem = loadFilm(stage, screen, follower.solverHash(), m)) return report(problem);
     if (m.closes) return glfwTerminate(), 0;
+    if (!stage.problem().empty()) report(stage.problem().c_str());
     Panel panel(o.width, o.height, (double)o.fps.numerator / (double)o.fps.denominator, nanoseconds);
     listen(panel, screen.window);
 

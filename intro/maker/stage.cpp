@@ -28,6 +28,7 @@ void Stage::settle(int w, int h, int count, bool silent) {
 const char *Stage::load(Loaded &to, const Gl &gl, const Progress &report) {
     IntroSettings settings = {.width = width, .height = height, .hall = true};
     Workers &workers = to.pool->workers();
+    to.intro = nullptr;
     to.memory = MappedArena(to.live->memoryNeeded(settings, workers.count));
     if (!to.memory.arena.base) return "not enough memory: try a smaller --size";
     return to.live->load(to.intro, settings, to.memory.arena, workers, kDrawnHemicubes, &gl, report);
@@ -66,7 +67,8 @@ const char *Stage::loadFirst(const Gl &gl, uint64_t solvers, const Current &curr
         if (!wait(progress)) now.pool->abort();
     loading.join();
     done = false;
-    if (loadError) return loadError;
+    if (!now.intro) return loadError;
+    if (loadError) wrong = loadError;
     useLive(now.live, newSound(now, 0));
     return nullptr;
 }
@@ -99,7 +101,8 @@ void Stage::change(const Gl &gl, uint64_t solvers, int block, const Current &cur
 bool Stage::poll(int block) {
     if (!done.exchange(false)) return false;
     loading.join();
-    if (loadError) return wrong = loadError, false;
+    if (loadError) wrong = loadError;
+    if (!next.intro) return false;
     std::swap(now, next);
     useLive(now.live, newSound(now, block));
     return true;

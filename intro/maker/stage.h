@@ -18,6 +18,7 @@ public:
     // Opens the shared object, for live(). If that fails, problem() has the reason.
     explicit Stage(std::string object);
     ~Stage() { giveUp(); }
+    // One line: why there is no film, or why its hall has no light, so that its scenes are black
     const std::string &problem() const { return wrong; }
 
     // Sets the size of pictures and the number of threads. `mute`: no sound.
@@ -25,7 +26,8 @@ public:
     using Current = std::function<void(bool)>;
     // Loads the film on a thread, which calls current(true) first, to make an OpenGL context current, and
     // current(false) at its end. Meanwhile calls wait(progress) repeatedly, with 0 .. 1; `wait` returns false
-    // to give up. Returns null, or an error line. `solvers`: a hash of the code that solves the hall.
+    // to give up. Returns null, or an error line if there is no film. `solvers`: a hash of the code that
+    // solves the hall.
     const char *loadFirst(const Gl &gl, uint64_t solvers, const Current &current,
                           const std::function<bool(float)> &wait);
 
