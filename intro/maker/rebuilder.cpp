@@ -91,7 +91,7 @@ void Rebuilder::backdate() {
 }
 
 void Rebuilder::readError() {
-    static const std::regex error("error:|undefined reference|CMake Error");
+    static const std::regex error("error:|sorry, unimplemented:|undefined reference|CMake Error");
     std::ifstream log(build + "/live/build.log");
     std::string last;
     firstError.clear();

@@ -9,7 +9,7 @@ namespace odraz {
 static consteval float operator""_s(long double x) { return fromBits((bits((float)x) + 0x8000) & ~0xffff); }
 
 // clang-format off
-constexpr Instrument kInstruments[] = {
+constexpr Instrument kInstruments[] = { // rows in the enum's order
     [kGlassDrop] = {.partials = 8, .level = 0.11_s, .stretch = 1.46_s, .scatter = 0.01_s, .tilt = 1.2_s, .softer = 1, .decay = 4.5_s, .damp = 0.9_s,
         .release = 3, .detune = 0.0004_s, .spread = 0.5_s, .room = 1, .echo = 0.3_s},
     [kPiano] = {.partials = 20, .level = 0.134_s, .stretch = 1.003_s, .tilt = 0.9_s, .softer = 1.2_s, .decay = 7, .damp = 0.8_s,

@@ -8,7 +8,7 @@
 namespace odraz {
 
 // clang-format off
-constexpr const char *const kChords[] = {
+constexpr const char *const kChords[kSceneCount] = { // rows in the enum's order
     [kPoint] = "DDDDDA",
     [kTable] = "DFBADGADBG",
     [kFlake] = "DBCDBFCDBFGA",
@@ -286,7 +286,7 @@ static int semitonesUpAt(int scene, int bar) {
 
 // Returns the crossfeed in per cent (mixer.h). The sound is narrow before direct light, widest in the finale.
 static int crossfeedAt(int scene, int bar) {
-    static constexpr int8_t kCrossfeed[kSceneCount] = {
+    static constexpr int8_t kCrossfeed[kSceneCount] = { // rows in the enum's order
         [kPoint] = 15, [kTable] = 25, [kFlake] = 12,  [kPatches] = 16,
         [kHall] = 13,  [kOdraz] = 6,  [kCredits] = 10};
     return scene == kPatches && bar < kEvents[kDirectLight].row / 16 ? 35 : kCrossfeed[scene];

@@ -10,7 +10,7 @@ namespace odraz {
 #include "show/point_of_light.keys"
 
 // The paths of the point of light, by scene. The file of keys says what a path's channels mean here.
-static KEYED CameraPath kPoints[kSceneCount] = {
+static KEYED CameraPath kPoints[kSceneCount] = { // rows in the enum's order
     [kPoint] = path(kPointWakes),    [kTable] = path(kPointOfTable), [kFlake] = path(kPointOfFlake),
     [kPatches] = path(kPointOfWire), [kHall] = path(kPointOfHall),   [kOdraz] = path(kPointOfBalls),
     [kCredits] = path(kPointGoes)};

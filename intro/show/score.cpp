@@ -9,12 +9,18 @@ namespace {
 
 constexpr float kRing = 16; // length of an event's sound, rows
 
-static_assert(sizeof kChords / sizeof *kChords == kSceneCount);
+static_assert(
+    [] {
+        for (const Part &p : kParts)
+            if (!kChords[p.scene]) return false;
+        return true;
+    }(),
+    "every scene with parts has chords in kChords");
 static_assert(
     [] {
         for (const Part &p : kParts) {
             int bars = 0;
-            while (kChords[p.scene][bars]) ++bars;
+            while (kChords[p.scene] && kChords[p.scene][bars]) ++bars;
             if (p.bars[0] >= p.bars[1] || p.bars[1] > bars) return false;
         }
         return true;

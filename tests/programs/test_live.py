@@ -12,7 +12,7 @@ from running import FILM, copy_sources, needs, number, run, wait_for
 pytestmark = pytest.mark.long
 needs('git', 'cmake', 'wmctrl')
 MATERIALS, TABLE, HALL = 'show/materials.cpp', 'show/scenes/table.cpp', 'show/hall.cpp'
-HALL_MODEL = 'show/hall_model.cpp'
+HALL_MODEL, MUSIC = 'show/hall_model.cpp', 'show/music.h'
 TABLE_IN_RED = (TABLE, r'0\.8f, kSilver\)', '0.8f, kRed)')
 THIN_SHAFT = (HALL_MODEL, r'kShaft, 0\.46f', 'kShaft, 0.4f')
 
@@ -151,6 +151,12 @@ def test_changed_sources_and_compiler_errors_are_shown(start):
     assert numpy.array_equal(red[:60], wrong[:60]), 'the picture does not stay'
     assert not numpy.array_equal(red, wrong), 'the error is not over the picture'
     maker.goes_back(TABLE)
+    for edit, error in ((r'    .kCredits. = "d+",\n', ''), 'every scene with parts has chords in kChords'), (
+            (r'(    .kPoint. = "D+A",\n)(    .kTable. = .*\n)', r'\2\1'), 'sorry, unimplemented: '):
+        maker.mark()
+        maker.edit(MUSIC, *edit)
+        maker.reports(error)
+        maker.goes_back(MUSIC)
     maker.changes(MATERIALS, r'diffuse = 0\.375f', 'diffuse = 0.9f')
     maker.goes_back(MATERIALS)
     maker.changes('show/events.h', '{kBallsSetOff, *kTable, *16,', '{kBallsSetOff, kTable, 4,')
@@ -163,7 +169,7 @@ def test_changed_sources_and_compiler_errors_are_shown(start):
     maker.press('Escape')
     maker.titled('not saved')
     maker.leave()
-    assert all(re.search(' shown | error: ', line) for line in maker.program.errors().splitlines())
+    assert all(re.search(' shown | error: |sorry, ', line) for line in maker.program.errors().splitlines())
 
 
 def test_edits_are_saved_into_the_sources(start, tmp_path):

@@ -21,11 +21,10 @@ public:
         write("CMakeLists.txt", "cmake_minimum_required(VERSION 3.20)\nproject(p NONE)\n"
                                 "add_custom_target(live COMMAND sh ${CMAKE_SOURCE_DIR}/make "
                                 "${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})\n");
-        write(
-            "make",
-            "if grep -q oops $1/intro/show/a.cpp; then\n"
-            "echo building; echo $1/intro/show/a.cpp:3:1: error: oops; echo b.cpp: error: later; exit 1; fi\n"
-            "cp $1/intro/show/a.cpp $2/live/live.so\n");
+        write("make", "if grep -q oops $1/intro/show/a.cpp; then\n"
+                      "echo building; echo $1/intro/show/a.cpp:3:1: `cat $1/intro/show/a.cpp`; echo b.cpp: "
+                      "error: later; exit 1; fi\n"
+                      "cp $1/intro/show/a.cpp $2/live/live.so\n");
         write("intro/show/a.cpp", "one");
         std::string command = "cmake -G Ninja -S " + (folder / "") + " -B " + build() + " >/dev/null";
         EXPECT_EQ(std::system(command.c_str()), 0);
@@ -80,10 +79,13 @@ TEST_F(Rebuilding, BuildsWhatIsSaved) {
 }
 
 TEST_F(Rebuilding, ReportsTheFirstError) {
-    p.write("intro/show/a.cpp", "oops");
-    ASSERT_EQ(next(), Rebuilder::Event::Failed);
-    EXPECT_EQ(r.error(), "intro/show/a.cpp:3:1: error: oops");
-    EXPECT_TRUE(quiet());
+    for (std::string line :
+         {"error: oops", "sorry, unimplemented: oops"}) { // the second for rows out of order
+        p.write("intro/show/a.cpp", line);
+        ASSERT_EQ(next(), Rebuilder::Event::Failed);
+        EXPECT_EQ(r.error(), "intro/show/a.cpp:3:1: " + line);
+        EXPECT_TRUE(quiet());
+    }
     p.write("intro/show/a.cpp", "well");
     ASSERT_EQ(next(), Rebuilder::Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "well");

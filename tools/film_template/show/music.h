@@ -8,7 +8,7 @@
 namespace odraz {
 
 // clang-format off
-constexpr const char *const kChords[] = {
+constexpr const char *const kChords[kSceneCount] = { // rows in the enum's order
     [kStage] = "DBADD",
 };
 
