@@ -30,7 +30,6 @@ void packFilm(char **words) {
     PackedFile packed = makePacked(pe ? kPe : kElf, program, readParameters(model), safeName);
     auto stretches = attribute(file, common::readWhole(map), common::readWhole(symbols), program);
     Report report = makeReport(stretches, packed.bits, packed.used, packed.overhead);
-    std::fputs(printReport(report).c_str(), stdout);
     common::writeWhole(reportPath, printJson(report));
     checkBudget(out, packed, budget);
     writeBytes(out, packed.bytes, modeOf(in));

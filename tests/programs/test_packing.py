@@ -41,7 +41,8 @@ def test_packs_over_its_earlier_output_and_prints_the_difference():
 
 def test_the_films_packer_makes_the_same():
     Path('none').touch()
-    run(BUILD / 'pack_film', *'elf in same model'.split(), '', *'65536 none none same.json'.split())
+    result = run(BUILD / 'pack_film', *'elf in same model'.split(), '', *'65536 none none same.json'.split())
+    assert re.fullmatch(r'same: \d+ bytes .* left of 65536\n', result.stdout)  # tools/ledger pack prints the costs
     run('cmp', 'same', 'hello')
     run('cmp', 'same.json', 'report')
 
