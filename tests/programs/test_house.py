@@ -106,6 +106,29 @@ def test_every_include_and_every_link_goes_to_a_known_room(tree):
     assert len(house.includes) >= 20 and len(house.links) >= 20
 
 
+def arrows(tree):
+    """The lines of knows() between the rooms that intro/README.md draws, as its arrows. Files of a room are labels."""
+    page = (SOURCE / 'intro/README.md').read_text()
+    drawn = set(re.findall(r'^    ([\w.]+) -->(?:\|([\w.]+)\|)? ([\w.]+)$', page, re.M))
+    rooms, known = {room for user, _, used in drawn for room in (user, used)}, set()
+    for user, others in House(tree).knows.items():
+        for other in others:
+            (_, a, *_), (_, b, *inside) = (PurePosixPath(name).parts + ('',) for name in (user, other))
+            label = next((part for part in inside if part.endswith('.h')), '')
+            if a != b and {a, b} <= rooms and user.startswith('intro/') and other.startswith('intro/'):
+                known.add((a, label, b))
+    return drawn, known
+
+
+def test_the_graph_of_the_rooms_shows_what_they_know(tree):
+    drawn, known = arrows(tree)
+    assert drawn == known
+    folders = {path.parent.name for path in SOURCE.glob('intro/*/CMakeLists.txt')}
+    assert folders - {room for user, _, used in drawn for room in (user, used)} == {'maker'}
+    planted = {**tree, 'packer/x/CMakeLists.txt': 'knows(intro/sound intro/timeline/track.h)'}
+    assert arrows(planted)[1] - known == {('sound', 'track.h', 'timeline')}
+
+
 @pytest.mark.parametrize('name, included', [
     ('intro/base/text.h', 'intro/host/files.h'),
     ('intro/trace/quality.h', 'intro/trace/scene/shape.h'),

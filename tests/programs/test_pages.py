@@ -1,4 +1,4 @@
-"""The links of the pages lead to files that exist."""
+"""The links of the pages lead to files that exist, and the keys that they name are in the table of keys."""
 import re
 
 from running import SOURCE, run
@@ -19,3 +19,20 @@ def test_a_dead_link_would_be_found(tmp_path):
     page = tmp_path / 'wrong.md'
     page.write_text('[a](nothing.md)')
     assert dead_links([page]) == [f'{page}: nothing.md']
+
+
+def unknown_keys(text):
+    """The single letters in code, which are keys of odraz-debug, that its table does not list."""
+    table = re.findall(r'^    {Action.*?"(.*?)"', (SOURCE / 'intro/maker/panel/keys.h').read_text(), re.M)
+    named = set(re.findall(r'`([A-Z])`', text))
+    assert named
+    return named - set(re.findall(r'\b[A-Z]\b', ' '.join(table)))
+
+
+def test_every_key_that_a_page_names_is_one():
+    pages = (SOURCE / folder / 'show/README.md' for folder in ('intro', 'tools/film_template'))
+    assert not unknown_keys(''.join(page.read_text() for page in pages if page.exists()))
+
+
+def test_an_unknown_key_would_be_found():
+    assert unknown_keys('`G` shows the path from outside, `K` sets a key') == {'G'}
