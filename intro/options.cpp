@@ -123,8 +123,9 @@ constexpr Option kOptions[] = {
 bool isStdout(const char *path) { return same(path, "-"); }
 
 void writeHelp(AnyText &t) {
-    t << "usage: " FILM_NAME " [--window] [--mute]       watch the film; space pauses, ESC leaves\n"
-         "       " FILM_NAME " --dump DIR|- [--fps N]    write its frames as binary PPM\n";
+    t << "usage: " FILM_NAME " [--window] [--mute]       watch the film\n"
+         "       " FILM_NAME " --dump DIR|- [--fps N]    write its frames as binary PPM\n"
+         "keys: space pauses, arrows seek, L loops, M mutes, F: window, ESC leaves\n";
     for (const Option &o : kOptions) {
         int line = t.size;
         t << "  " << o.name;

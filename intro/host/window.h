@@ -7,16 +7,29 @@
 
 namespace odraz {
 
+// What keys do: space, M, L, left and right arrow, F, ESC.
+enum Action { kPause, kMute, kLoop, kBack, kAhead, kFullScreen, kEnd, kActions };
+
 struct WindowState; // the system's own
 
 struct FilmWindow {
     WindowState *state;
-    Gl gl;             // current on the thread that opened the window
-    int width, height; // the last size that the system reported; another thread sets it
-    int paused;        // 1: the viewer has paused the film by the space bar; another thread sets it
+    Gl gl;                   // current on the thread that opened the window
+    int width, height;       // the last size that the system reported; another thread sets it
+    int presses[kAhead + 1]; // how often these keys were pressed; another thread counts
+    unsigned events;         // number of the window's events: after one it may have to be drawn again
     GLuint picture, framebuffer;
     int64_t loadingShown; // when loading was last shown, in nanoseconds()
 };
+
+// Whether this key is switched on: kPause, kMute or kLoop.
+inline bool isOn(const FilmWindow &window, Action key) {
+    return __atomic_load_n(&window.presses[key], __ATOMIC_RELAXED) & 1;
+}
+
+// Does what a key does that went down, without Ctrl, Alt or Meta, and returns it; kFullScreen and kEnd are
+// left to the system's window. `keys`: the system's number of each key.
+int press(FilmWindow &window, const uint16_t keys[kActions], uint64_t key);
 
 // Opens a window, full screen or of width x height pixels, and makes its context current. ESC, Alt-F4 and the
 // close button set *leave, on another thread, even while this one is busy. The process ends with status 0 at
@@ -35,7 +48,8 @@ struct Viewport {
 };
 Viewport viewportOf(const FilmWindow &window, int width, int height);
 
-// Shows a picture of width x height RGBA pixels, top row first. All calls must have the same size.
+// Shows a picture of width x height RGBA pixels, top row first, or the last one again if it is null. All
+// calls must have the same size. While the film is paused, two bars stand in the lower left corner.
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height);
 
 // Shows the progress of loading, 0 .. 1; `window` is a FilmWindow. It may be called often: it draws at most

@@ -1,5 +1,7 @@
 #include "play/playback.h"
 
+#include "base/maths.h"
+
 namespace odraz {
 
 static_assert(kSoundRate == kDeviceRate && kSoundBlock == kDeviceBlock);
@@ -93,9 +95,9 @@ int64_t Playback::step(int64_t now) {
         return kNap;
     }
     if (!leaps)
-        fill(level + kFade < 1 ? level + kFade : 1);
+        fill(__atomic_load_n(&muted, __ATOMIC_RELAXED) ? max(level - kFade, 0.f) : min(level + kFade, 1.f));
     else if (level > 0)
-        fill(level - kFade > 0 ? level - kFade : 0);
+        fill(max(level - kFade, 0.f));
     else
         leap(playing ? film + held : begin, still);
     left = kSoundBlock;
@@ -109,7 +111,7 @@ void Playback::follow(int64_t now, bool full) {
     double time = (double)(position - left - held) / kSoundRate;
     if (held && !clock->started() && full)
         clock->start(time, now);
-    else if (held && clock->started() && level == 1)
+    else if (held && clock->started() && !quiet && (level == 1 || level == 0))
         clock->correct(time, now);
     __atomic_store_n(&audible, quiet - left < held, __ATOMIC_RELEASE);
 }

@@ -27,8 +27,9 @@ public:
     // sleep before the next call.
     int64_t step(int64_t now);
 
-    // These may be called on any thread. The sound fades out when paused. silence() is true once nothing is
-    // heard any more.
+    // These may be called on any thread. The sound fades out when paused or muted. silence() is true once
+    // nothing is heard any more.
+    void mute(bool on) { __atomic_store_n(&muted, on, __ATOMIC_RELAXED); }
     void pause(bool on) { __atomic_store_n(&paused, on, __ATOMIC_RELEASE); }
     bool silence() const { return !__atomic_load_n(&audible, __ATOMIC_ACQUIRE); }
 
@@ -50,7 +51,7 @@ private:
     int left;                   // frames of the block that are not written yet
     float level;                // loudness at the end of the last block, 0 .. 1
     bool opened, sought, doubt; // doubt: the clock's time may be wrong
-    bool paused, audible;
+    bool paused, muted, audible;
     int16_t block[2 * kSoundBlock];
 };
 

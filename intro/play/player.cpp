@@ -1,5 +1,6 @@
 #include "play/player.h"
 
+#include "base/maths.h"
 #include "host/clock.h"
 #include "host/process.h"
 #include "host/threads.h"
@@ -18,15 +19,17 @@ struct Player {
     Intro *intro;
     const Options *options;
     const int *leave;
-    double to;  // seconds of the film
-    bool ended; // no more pictures are made
+    double from, to;     // seconds of the film: pictures are made from here on
+    bool stopped, ended; // no more pictures shall be made; all are made
     Queue queue;
     Statistics statistics;
     Music music;
 
     bool leaves() const { return __atomic_load_n(leave, __ATOMIC_RELAXED); }
 
-    bool goesOn(double time) const { return time < to && !leaves(); }
+    bool stops() const { return __atomic_load_n(&stopped, __ATOMIC_RELAXED) || leaves(); }
+
+    bool goesOn(double time) const { return time < to && !stops(); }
     int64_t now() const { return nanoseconds(); }
     double filmAt(int64_t now) const {
         return music.clock.started() ? music.clock.at(now) : Governor::kNotBegun;
@@ -48,7 +51,18 @@ struct Player {
     }
     unsigned add(const FinishedPicture &m) { return queue.add(m); }
     void await(unsigned number) const {
-        while (!queue.removed(number) && !leaves()) sleepFor(kNap);
+        while (!queue.removed(number) && !stops()) sleepFor(kNap);
+    }
+
+    // Makes pictures from this time on. All others are forgotten.
+    void seek(double time) {
+        __atomic_store_n(&stopped, true, __ATOMIC_RELAXED);
+        while (!__atomic_load_n(&ended, __ATOMIC_ACQUIRE) && !leaves()) sleepFor(kNap);
+        from = time;
+        queue.made = queue.shown = 0;
+        statistics.sixtieth = 0;
+        stopped = false;
+        __atomic_store_n(&ended, false, __ATOMIC_RELEASE);
     }
 };
 
@@ -57,9 +71,11 @@ struct Player {
     Governor governor;
     const Options &o = *p.options;
     if (o.quality == QualityName::Count && !o.sized) governor.width = o.width, governor.height = o.height;
-    makePictures(p, governor, seconds(o.from));
-    __atomic_store_n(&p.ended, true, __ATOMIC_RELEASE);
-    return nullptr;
+    for (;;) {
+        makePictures(p, governor, p.from);
+        __atomic_store_n(&p.ended, true, __ATOMIC_RELEASE);
+        while (__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE)) sleepFor(kNap);
+    }
 }
 
 } // namespace
@@ -68,7 +84,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
          const Recorder *recorder) {
     double from = seconds(o.from), to = seconds(o.to);
     static Player p; // too large for the stack
-    p.intro = &intro, p.options = &o, p.leave = leave, p.to = to;
+    p.intro = &intro, p.options = &o, p.leave = leave, p.from = from, p.to = to;
     if (startThread(make, &p)) {
         Message m;
         m << "no thread to trace on: " << kMoreThreads;
@@ -76,21 +92,43 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     }
 
     // The film and its sound begin when the first pictures are ready
-    while (p.queue.ready() < Queue::kAhead && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE) && !p.leaves())
-        sleepFor(kNap);
+    auto mustWait = [] {
+        return p.queue.ready() < Queue::kAhead && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE);
+    };
+    while (mustWait() && !p.leaves()) sleepFor(kNap);
     startMusic(p.music, sound, from, leave);
     int64_t firstShown = 0;
+    unsigned drawn = 0; // number of events when it was drawn last
     for (double time = from;;) {
         int64_t before = nanoseconds();
         p.music.clock.watch(before, processorNanoseconds());
-        bool paused = __atomic_load_n(&window.paused, __ATOMIC_RELAXED);
-        p.music.playback.pause(paused);
-        if (paused) p.music.clock.start(time, before);
-        time = p.music.clock.at(before);
-        if (time < from) time = from; // the first sound is not heard yet
-        if (time >= to || p.leaves()) break;
+        unsigned events = __atomic_load_n(&window.events, __ATOMIC_RELAXED);
+        // The film stands while it is paused, and after a seek until pictures are ready
+        bool still = isOn(window, kPause) || mustWait();
+        p.music.playback.pause(still);
+        p.music.playback.mute(isOn(window, kMute));
+        if (still)
+            p.music.clock.start(time, before);
+        else
+            time = p.music.clock.at(before);
+        if (time < p.from) time = p.from; // the first sound is not heard yet
+        bool over = time >= to;
+        if (p.leaves() || (over && !isOn(window, kLoop))) break;
+        auto taken = [&](Action key) {
+            return __atomic_exchange_n(&window.presses[key], 0, __ATOMIC_RELAXED);
+        };
+        int seek = taken(kAhead) - taken(kBack);
+        if (over || seek) {
+            time += 5 * seek;
+            if (time > to - 1) time = to - 1;
+            if (over || time < from) time = from;
+            p.seek(time);
+            continue;
+        }
         Queue::Action action = p.queue.action(time);
         if (action == Queue::kWait) {
+            if (still && events != drawn) present(window, nullptr, o.width, o.height);
+            drawn = events;
             sleepFor(kNap);
             continue;
         }

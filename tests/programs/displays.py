@@ -1,4 +1,5 @@
 """Displays in memory, and the windows on them: what they show, and how a user acts on them."""
+import ctypes
 import os
 import re
 import signal
@@ -60,6 +61,18 @@ class Display:
         needs('openbox', 'xprop')
         self.start('openbox')
         wait_for(lambda: 'window id' in self.run('xprop', '-root', '_NET_SUPPORTING_WM_CHECK', status=None).stdout)
+
+    def is_saved(self, after=None):
+        """Whether the screen saver is on. after: first makes it start after so many seconds without input."""
+        x11, saver = ctypes.CDLL('libX11.so.6'), ctypes.CDLL('libXss.so.1')
+        x11.XOpenDisplay.restype = x11.XDefaultRootWindow.restype = ctypes.c_void_p
+        opened = ctypes.c_void_p(x11.XOpenDisplay(self.env['DISPLAY'].encode()))
+        if after:
+            x11.XSetScreenSaver(opened, after, 0, 1, 1)
+        info = (ctypes.c_int * 12)()  # a window, 8 bytes; the state, 1 while it is on
+        saver.XScreenSaverQueryInfo(opened, ctypes.c_void_p(x11.XDefaultRootWindow(opened)), info)
+        x11.XCloseDisplay(opened)
+        return info[2] == 1
 
     def find(self, title):
         """The number of the visible window whose title matches, or None."""
@@ -142,6 +155,21 @@ class Window:
         now = self.picture()
         return now is not None and not numpy.array_equal(now, picture)
 
+    def stands(self):
+        """Whether it shows the same picture while the program works."""
+        before = self.picture()
+        return self.works(0.05) and self.shows(before)
+
+    def has_sign(self):
+        """Whether the film's sign of a pause, two white bars on black, is in the lower left corner."""
+        picture = self.picture()
+        if picture is None:
+            return False
+        unit, bars = min(picture.shape[:2]) // 100 + 1, numpy.zeros((5, 5))
+        bars[1:4, 1::2] = 255
+        corner = picture[::-1][3 * unit:8 * unit, 6 * unit:11 * unit, 0]
+        return numpy.array_equal(corner, bars.repeat(unit, 0).repeat(unit, 1))
+
     def managed(self):
         """Whether the window manager lists it."""
         needs('wmctrl')
@@ -154,7 +182,8 @@ class Window:
         self.display.do(*pause)  # on a busy machine it could end meanwhile
         assert self.geometry() == '1000x700+0+0', f'{self.geometry()} is not the whole screen'
         picture = self.picture()
-        assert not picture[:67].any() and not picture[-67:].any(), 'the bars are not black'
+        # The pause's sign is at the left
+        assert not picture[:67].any() and not picture[-67:, 100:].any(), 'the bars are not black'
         self.comes(self.is_bright)
         self.display.do(*pause)
         self.comes(lambda: self.differs(picture))

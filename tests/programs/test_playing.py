@@ -13,6 +13,11 @@ if not Path('/usr/share/alsa/alsa.conf').exists():
 SAFE = BUILD / f'{FILM}-safe'  # the packed film is the same program and starts seconds later
 
 
+FILE_DEVICE = """pcm.!default {{ type file slave.pcm "nothing" file "{}" format "raw" }}
+pcm.nothing {{ type null }}
+"""
+
+
 @pytest.fixture(scope='module')
 def music():
     return music_of(SAFE, 12)
@@ -38,13 +43,10 @@ def play(screen, tmp_path):
 def into_file(play, tmp_path):
     """Plays the film to ALSA's file device, and returns what that gets; None if it is not opened."""
     file = tmp_path / 'played'
-    devices = f"""pcm.!default {{ type file slave.pcm "nothing" file "{file}" format "raw" }}
-pcm.nothing {{ type null }}
-"""
 
     def into_file(*options):
         file.unlink(missing_ok=True)
-        play(*options, devices=devices)
+        play(*options, devices=FILE_DEVICE.format(file))
         return frames_of(file.read_bytes()) if file.exists() else None
     return into_file
 
@@ -64,6 +66,22 @@ def test_plays_from_the_middle_with_its_sound(into_file):
 
 def test_mute_plays_in_silence(into_file):
     assert into_file('--mute', '--to', 1) is None
+
+
+def test_m_mutes_and_the_music_is_heard_again(screen, tmp_path):
+    (tmp_path / 'alsa.conf').write_text(FILE_DEVICE.format(tmp_path / 'played'))
+    options = '--window', '--size', '160x90', '--from', 50
+    window = screen.load(SAFE, *options, env={'ALSA_CONFIG_PATH': tmp_path / 'alsa.conf'})
+
+    def is_heard():
+        played = tmp_path / 'played'
+        return played.exists() and any(played.read_bytes()[-4 * RATE:])  # for a second; dither is heard, too
+    window.comes(is_heard)
+    screen.do('key', 'm')
+    window.comes(lambda: not is_heard())
+    screen.do('key', 'm')
+    window.comes(is_heard)
+    window.escape()
 
 
 def test_mute_is_for_playing_alone(tmp_path):

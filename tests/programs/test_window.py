@@ -1,12 +1,14 @@
-"""The film in a window: it starts, draws, pauses, resizes, fills the screen, and ends."""
+"""The film in a window: it starts, draws, pauses, seeks, resizes, fills the screen, and ends."""
 import re
 
 import pytest
 
+from pictures import numpy
 from running import BUILD, FILM, lacking, needs, needs_built, wait_for
 
 needs('xprop', 'openbox', 'wmctrl')
 PACKED, SAFE = BUILD / FILM, BUILD / f'{FILM}-safe'  # the same program; the second one starts without unpacking
+SMALL = ('--window', '--mute', '--size', '320x180', '--quality', 'draft')
 
 
 @pytest.fixture
@@ -29,12 +31,8 @@ def test_a_bar_grows_while_it_loads_and_escape_ends_it(screen):
 def test_pauses_and_draws_at_other_sizes(screen):
     window = screen.play(SAFE, '--window', '--size', '640x360', '--from', 50, '--stats')
     assert window.size() == (640, 360)
-
-    def stands():
-        before = window.picture()
-        return window.works(0.05) and window.shows(before)
     screen.do('key', 'space')
-    window.comes(stands)
+    window.comes(window.stands)
     paused = window.picture()
     screen.do('key', 'space')
     window.comes(lambda: window.differs(paused))
@@ -53,6 +51,62 @@ def test_pauses_and_draws_at_other_sizes(screen):
     assert window.ended() == 0
     assert re.search(r'^flake +[1-9]', window.output(), re.M)
     assert window.errors() == ''
+
+
+def test_a_key_acts_once_and_alone(screen):
+    window = screen.play(SAFE, *SMALL, '--from', 24)
+    screen.do('key', 'ctrl+space', 'key', 'alt+space', 'key', 'super+space', 'key', 'ctrl+Escape', 'key', 'ctrl+Right')
+    before = window.picture()
+    window.comes(lambda: window.differs(before))
+    screen.do('keydown', 'space', 'keydown', 'space', 'keyup', 'space')  # a held key goes down again and again
+    window.comes(window.stands)
+    screen.do('keydown', 'm', 'keydown', 'space', 'keyup', 'm', 'keydown', 'space', 'keyup', 'space')
+    before = window.picture()
+    window.comes(lambda: window.differs(before))
+    window.escape()
+
+
+def test_arrows_seek_and_keep_the_pause_which_has_a_sign(screen):
+    window = screen.play(SAFE, *SMALL, '--from', 24)
+    assert not window.has_sign()
+    screen.do('key', 'space')
+    window.comes(lambda: window.has_sign() and window.stands())
+    seen = []
+    for key in 'Right', 'Right', 'Left', 'Left', 'Left', 'Left', 'Left':
+        before = window.picture()
+        screen.do('key', key)
+        window.comes(lambda: window.differs(before) or len(seen) > 3)
+        window.comes(lambda: window.has_sign() and window.stands())
+        seen.append(window.picture())
+    assert numpy.array_equal(seen[0], seen[2])
+    assert numpy.array_equal(seen[5], seen[6])  # not before --from
+    screen.do('windowsize', window.number, 400, 300)
+    window.comes(lambda: window.size() == (400, 300) and window.has_sign())
+    screen.do('key', 'space')
+    window.comes(lambda: not window.has_sign())
+    window.escape()
+
+
+def test_plays_again_by_l(screen):
+    window = screen.play(SAFE, *SMALL, '--from', 24, '--to', 25)
+    screen.do('key', 'l')
+    window.works(2)  # a second of the film takes less
+    screen.do('key', 'l')
+    assert window.ended() == 0
+
+
+def test_holds_off_the_screen_saver_only_while_it_moves(screen):
+    window = screen.play(SAFE, *SMALL, '--from', 24)
+    screen.is_saved(after=1)
+    window.works(2)
+    assert not screen.is_saved()
+    screen.do('key', 'space')
+    window.comes(screen.is_saved)
+    screen.do('key', 'space')
+    window.comes(lambda: not screen.is_saved())
+    window.works(2)
+    assert not screen.is_saved()
+    window.escape()
 
 
 def test_plays_to_its_end_by_itself(screen):
@@ -119,6 +173,10 @@ def test_a_window_manager_gives_it_the_full_screen(screen):
     window.comes(lambda: 'FULLSCREEN' in screen.run('xprop', '-id', window.number, '_NET_WM_STATE').stdout)
     window.comes(lambda: window.size() == (1000, 700))
     window.comes(window.is_bright)
+    assert f'"{FILM}", "{FILM}"' in screen.run('xprop', '-id', window.number, 'WM_CLASS').stdout
+    for size in (500, 350), (1000, 700):
+        screen.do('key', 'f')
+        window.comes(lambda: window.size() == size)
     window.escape()
 
 

@@ -65,6 +65,19 @@ def test_draws_between_bars_at_another_size_and_alt_f4_ends_it(wine, screen):
     assert re.search('^flake +[1-9]', window.program.output(), re.M)
 
 
+def test_keys_act_once_and_alone_and_the_pause_has_a_sign(wine, screen):
+    window = play(screen, wine, SAFE, '--mute', *SMALL, '--from', 24, '--quality', 'draft')
+    focus = ('windowfocus', '--sync', window.number)
+    screen.do(*focus, 'key', 'ctrl+space', 'keydown', 'space', 'keydown', 'space', 'keyup', 'space')
+    window.program.comes(window.has_sign)
+    before = window.picture()
+    screen.do(*focus, 'key', 'Right')
+    window.program.comes(lambda: window.differs(before) and window.has_sign())
+    screen.do(*focus, 'key', 'f')
+    window.program.comes(lambda: window.geometry() == '1000x700+0+0' and window.has_sign())
+    ends(window)
+
+
 def test_has_odd_and_tiny_sizes_and_plays_on(wine, screen):
     window = play(screen, wine, PACKED, '--mute', '--window', '--size', '641x359', '--from', 30)
     assert window.size() == (641, 359)

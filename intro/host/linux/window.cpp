@@ -31,9 +31,12 @@ struct WindowState {
     // Used by the thread that listens, which gets the window's events because the window is made through it
     Display *events;
     Window window;
-    Atom closeRequest;
+    Atom closeRequest, state, full;
     FilmWindow *film;
     int *leave;
+    unsigned held; // the code of the key that went down last, until it goes up
+    bool opened;   // whether the window was opened on the full screen and has not left it yet
+    void (*suspend)(Display *, Bool); // suspends screen savers that support the MIT extension; may be null
 };
 
 namespace {
@@ -47,18 +50,42 @@ int displayGone(Display *) {
     sys::exit(1);
 }
 
+// Asks the window manager to switch between full screen and window. `event`: the window's, which is changed.
+void switchScreen(WindowState &w, XEvent &event) {
+    event.type = ClientMessage;
+    event.xclient.message_type = w.state;
+    event.xclient.format = 32;
+    event.xclient.data.l[0] = 2; // toggle
+    event.xclient.data.l[1] = (long)w.full;
+    event.xclient.data.l[2] = 0;
+    w.x.XSendEvent(w.events, DefaultRootWindow(w.events), False,
+                   SubstructureRedirectMask | SubstructureNotifyMask, &event);
+    // The window would stay as large as the screen
+    if (w.opened)
+        w.x.XResizeWindow(w.events, w.window, (unsigned)w.film->width / 2, (unsigned)w.film->height / 2);
+    w.opened = false;
+}
+
 bool isLeaving(WindowState &w, XEvent &event) {
+    static const uint16_t kKeys[kActions] = {XK_space, XK_m, XK_l, XK_Left, XK_Right, XK_f, XK_Escape};
     if (event.type == ClientMessage) return (Atom)event.xclient.data.l[0] == w.closeRequest;
-    if (event.type != KeyPress) return false;
+    unsigned code = event.xkey.keycode;
+    // If another window has the focus, no event says that the key goes up
+    if (event.type == FocusOut || (event.type == KeyRelease && code == w.held)) w.held = 0;
+    if (event.type != KeyPress || code == w.held) return false;
+    w.held = code;
     KeySym key = w.x.XLookupKeysym(&event.xkey, 0);
-    if (key == XK_space) __atomic_xor_fetch(&w.film->paused, 1, __ATOMIC_RELAXED);
-    return key == XK_Escape || (key == XK_F4 && (event.xkey.state & Mod1Mask));
+    if (event.xkey.state & (ControlMask | Mod1Mask | Mod4Mask))
+        return key == XK_F4 && (event.xkey.state & Mod1Mask);
+    int action = press(*w.film, kKeys, key);
+    if (action == kFullScreen) switchScreen(w, event);
+    return action == kEnd;
 }
 
 [[gnu::force_align_arg_pointer]] void *listen(void *context) {
     WindowState &w = *(WindowState *)context;
-    // Wait for events, and wake up every 20 s to hold off the screen saver
-    for (;;) {
+    // Wait for events, and wake up every 20 s to hold off the screen saver while the film moves
+    for (bool moved = false;;) {
         while (w.x.XPending(w.events)) {
             XEvent event;
             w.x.XNextEvent(w.events, &event);
@@ -66,31 +93,36 @@ bool isLeaving(WindowState &w, XEvent &event) {
                 __atomic_store_n(&w.film->width, event.xconfigure.width, __ATOMIC_RELAXED);
                 __atomic_store_n(&w.film->height, event.xconfigure.height, __ATOMIC_RELAXED);
             }
+            // Without a window manager the program must take the keyboard focus itself
+            if (event.type == MapNotify) w.x.XSetInputFocus(w.events, w.window, RevertToParent, CurrentTime);
             if (isLeaving(w, event)) {
                 __atomic_store_n(w.leave, 1, __ATOMIC_RELAXED);
                 // Let the film end by itself if it can, but do not wait long for a slow driver
                 sleepFor(80000000);
                 sys::exit(0);
             }
+            __atomic_add_fetch(&w.film->events, 1, __ATOMIC_RELAXED);
         }
-        w.x.XResetScreenSaver(w.events);
+        bool moves = !isOn(*w.film, kPause);
+        if (moves != moved && w.suspend) w.suspend(w.events, moves);
+        moved = moves;
+        if (moves) w.x.XResetScreenSaver(w.events);
         w.x.XFlush(w.events);
         sys::waitFor(ConnectionNumber(w.events), sys::kInput, 20000);
     }
 }
 
-// Suspends screen savers that support the MIT extension. Without its library, only XResetScreenSaver() above
-// holds them off. A display may lack the extension (Xwayland), and Xlib would then print an error, so it is
-// queried first.
-void suspendScreenSaver(Display *display) {
+// Finds suspend(). Without it, only XResetScreenSaver() above holds off screen savers. A display may lack the
+// extension (Xwayland), and Xlib would then print an error, so it is queried first.
+void findScreenSaver(WindowState &w) {
     struct {
         Bool (*query)(Display *, int *, int *);
         void (*suspend)(Display *, Bool);
     } saver;
     int events, errors;
     if (!loadFunctions("libXss.so.1", "XScreenSaverQueryExtension\0XScreenSaverSuspend\0", (void **)&saver) &&
-        saver.query(display, &events, &errors))
-        saver.suspend(display, True);
+        saver.query(w.events, &events, &errors))
+        w.suspend = saver.suspend;
 }
 
 void hidePointer(WindowState &w) {
@@ -101,49 +133,52 @@ void hidePointer(WindowState &w) {
                       w.x.XCreatePixmapCursor(w.events, blank, blank, &black, &black, 0, 0));
 }
 
-bool hasWindowManager(WindowState &w) {
-    Atom type, check = w.x.XInternAtom(w.events, "_NET_SUPPORTING_WM_CHECK", False);
-    int format;
-    unsigned long items = 0, rest;
-    unsigned char *data = nullptr;
-    w.x.XGetWindowProperty(w.events, DefaultRootWindow(w.events), check, 0, 1, False, AnyPropertyType, &type,
-                           &format, &items, &rest, &data);
-    if (data) w.x.XFree(data);
-    return items > 0;
+// As Xinerama describes it.
+struct Monitor {
+    int number;
+    short x, y, width, height;
+};
+
+// The primary monitor; the whole screen if monitors are not known.
+Monitor primaryMonitor(WindowState &w) {
+    Monitor *(*query)(Display *, int *), *found = nullptr;
+    int count = 0, screen = DefaultScreen(w.events);
+    if (!loadFunctions("libXinerama.so.1", "XineramaQueryScreens\0", (void **)&query))
+        found = query(w.events, &count);
+    if (count) return *found;
+    return {0, 0, 0, (short)DisplayWidth(w.events, screen), (short)DisplayHeight(w.events, screen)};
 }
 
 void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int width, int height) {
     Xlib &x = w.x;
-    int screen = DefaultScreen(w.events);
-    Window root = RootWindow(w.events, screen);
-    if (fullScreen) width = DisplayWidth(w.events, screen), height = DisplayHeight(w.events, screen);
-    w.film->width = width;
-    w.film->height = height;
+    Window root = DefaultRootWindow(w.events);
+    Monitor at = {0, 0, 0, (short)width, (short)height};
+    if (fullScreen) at = primaryMonitor(w);
+    w.film->width = at.width;
+    w.film->height = at.height;
     XSetWindowAttributes attributes = {};
     attributes.colormap = x.XCreateColormap(w.events, root, visual->visual, AllocNone);
-    attributes.event_mask = KeyPressMask | StructureNotifyMask;
-    w.window = x.XCreateWindow(w.events, root, 0, 0, (unsigned)width, (unsigned)height, 0, visual->depth,
-                               InputOutput, visual->visual,
+    attributes.event_mask =
+        KeyPressMask | KeyReleaseMask | FocusChangeMask | ExposureMask | StructureNotifyMask;
+    w.window = x.XCreateWindow(w.events, root, at.x, at.y, (unsigned)at.width, (unsigned)at.height, 0,
+                               visual->depth, InputOutput, visual->visual,
                                CWColormap | CWBorderPixel | CWBackPixel | CWEventMask, &attributes);
-    x.XStoreName(w.events, w.window, FILM_NAME);
+    static const char kClass[] = FILM_NAME "\0" FILM_NAME;
+    x.XStoreName(w.events, w.window, kClass);
+    x.XChangeProperty(w.events, w.window, 67 /* XA_WM_CLASS */, 31 /* XA_STRING */, 8, PropModeReplace,
+                      (const unsigned char *)kClass, sizeof kClass);
     w.closeRequest = x.XInternAtom(w.events, "WM_DELETE_WINDOW", False);
     x.XSetWMProtocols(w.events, w.window, &w.closeRequest, 1);
-    if (fullScreen) {
-        // Set before mapping, so that the window is never shown at its normal size first
-        Atom state = x.XInternAtom(w.events, "_NET_WM_STATE", False);
-        Atom full = x.XInternAtom(w.events, "_NET_WM_STATE_FULLSCREEN", False);
-        x.XChangeProperty(w.events, w.window, state, 4 /* XA_ATOM */, 32, PropModeReplace,
-                          (unsigned char *)&full, 1);
-    }
+    w.state = x.XInternAtom(w.events, "_NET_WM_STATE", False);
+    w.full = x.XInternAtom(w.events, "_NET_WM_STATE_FULLSCREEN", False);
+    w.opened = fullScreen;
+    // Set before mapping, so that the window is never shown at its normal size first
+    if (fullScreen)
+        x.XChangeProperty(w.events, w.window, w.state, 4 /* XA_ATOM */, 32, PropModeReplace,
+                          (unsigned char *)&w.full, 1);
+    x.XkbSetDetectableAutoRepeat(w.events, True, nullptr); // or a held key would seem to go up and down
     hidePointer(w);
     x.XMapRaised(w.events, w.window);
-    // Without a window manager the program must take the keyboard focus itself, once the window is mapped
-    if (!hasWindowManager(w)) {
-        XEvent event;
-        do x.XNextEvent(w.events, &event);
-        while (event.type != MapNotify);
-        x.XSetInputFocus(w.events, w.window, RevertToParent, CurrentTime);
-    }
     x.XSync(w.events, False);
 }
 
@@ -202,7 +237,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
         return wrong();
     }
     createWindow(w, visual, fullScreen, width, height);
-    suspendScreenSaver(w.events);
+    findScreenSaver(w);
     if (!w.glx.glXMakeCurrent(w.drawing, w.window, context) || fillGl(find, window.gl)) return wrong();
     // Swap at the display's vertical sync, so that pictures do not tear and follow its rate
     if (auto setInterval = (PFNGLXSWAPINTERVALSGIPROC)find("glXSwapIntervalSGI")) setInterval(1);

@@ -3,6 +3,7 @@
 
 #include "host/library.h"
 
+#include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
@@ -12,10 +13,10 @@ namespace odraz {
 #define ODRAZ_XLIB(F) \
     F(XInitThreads) F(XOpenDisplay) F(XCloseDisplay) F(XCreateWindow) F(XMapRaised) \
     F(XNextEvent) F(XPending) F(XSync) F(XFlush) F(XInternAtom) F(XSetWMProtocols) F(XChangeProperty) \
-    F(XGetWindowProperty) F(XFree) F(XStoreName) F(XSetInputFocus) F(XCreateColormap) \
+    F(XStoreName) F(XSetInputFocus) F(XCreateColormap) \
     F(XCreateBitmapFromData) F(XCreatePixmapCursor) F(XDefineCursor) F(XResetScreenSaver) \
     F(XSetErrorHandler) F(XSetIOErrorHandler) F(XLookupKeysym) F(XCreateGC) F(XDrawString) \
-    F(XSetForeground)
+    F(XSetForeground) F(XSendEvent) F(XResizeWindow) F(XkbSetDetectableAutoRepeat)
 // clang-format on
 
 struct Xlib {

@@ -23,14 +23,26 @@ namespace {
 WindowState theWindow = {}; // one process shows one window
 
 constexpr uint32_t kSize = 5, kClose = 16, kSetCursor = 32, kKeyDown = 256, kCommand = 0x112,
-                   kScreenSaver = 0xf140, kMonitorPower = 0xf170;
-constexpr uint64_t kEscape = 27, kSpace = 32;
+                   kVisible = 0x10000000, kPopUp = 0x80000000, kOverlapped = 0xcf0000, kScreenSaver = 0xf140,
+                   kMonitorPower = 0xf170;
+// Windows's numbers of keys
+constexpr uint16_t kKeys[kActions] = {32, 'M', 'L', 37, 39, 'F', 27};
+constexpr int kControl = 17, kLeftMeta = 91, kRightMeta = 92;
 
 void leave() {
     __atomic_store_n(theWindow.leave, 1, __ATOMIC_RELAXED);
     // Let the film end by itself if it can, but do not wait long for a slow driver
     sleepFor(80000000);
     endProcess(0);
+}
+
+// Switches between full screen and a window of half its size.
+void switchScreen(HANDLE window) {
+    bool full = theWindow.surface.style == (kPopUp | kVisible);
+    theWindow.surface.style = (full ? kOverlapped : kPopUp) | kVisible;
+    SetWindowLongA(window, -16 /* GWL_STYLE */, (int)theWindow.surface.style);
+    SetWindowPos(window, nullptr, 0, 0, GetSystemMetrics(0) >> full, GetSystemMetrics(1) >> full,
+                 0x20 /* SWP_FRAMECHANGED */);
 }
 
 // Windows calls this function, in its own convention.
@@ -41,14 +53,24 @@ void leave() {
         __atomic_store_n(&film.width, (int)(b & 0xffff), __ATOMIC_RELAXED);
         __atomic_store_n(&film.height, (int)(b >> 16 & 0xffff), __ATOMIC_RELAXED);
     }
+    int action = kActions;
+    // Keys with Alt have another message. Bit 30: the key was down before
+    if (message == kKeyDown && !(b >> 30 & 1) &&
+        (GetKeyState(kControl) | GetKeyState(kLeftMeta) | GetKeyState(kRightMeta)) >= 0)
+        action = press(film, kKeys, a);
+    if (action == kFullScreen) switchScreen(window);
     // The system turns Alt-F4 and the close button into the same message
-    if (message == kClose || (message == kKeyDown && a == kEscape)) leave();
-    if (message == kKeyDown && a == kSpace) __atomic_xor_fetch(&film.paused, 1, __ATOMIC_RELAXED);
+    if (message == kClose || action == kEnd) leave();
+    // Keep display and machine awake while the film moves, and this thread lives
+    bool moves = !isOn(film, kPause);
+    SetThreadExecutionState(moves ? 0x80000003 : 0x80000000);
+    __atomic_add_fetch(&film.events, 1, __ATOMIC_RELAXED);
     if (message == kSetCursor && (b & 0xffff) == 1 /* within */) {
         SetCursor(nullptr);
         return 1;
     }
-    if (message == kCommand && ((a & 0xfff0) == kScreenSaver || (a & 0xfff0) == kMonitorPower)) return 0;
+    if (message == kCommand && moves && ((a & 0xfff0) == kScreenSaver || (a & 0xfff0) == kMonitorPower))
+        return 0;
     return DefWindowProcA(window, message, a, b);
 }
 
@@ -77,7 +99,6 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     kind.receive = (void *)receive;
     kind.name = FILM_NAME;
     RegisterClassA(&kind);
-    constexpr uint32_t kVisible = 0x10000000, kPopUp = 0x80000000, kOverlapped = 0xcf0000;
     Surface &s = w.surface;
     if (fullScreen) {
         s = {kind.name, kPopUp | kVisible, 0, 0, GetSystemMetrics(0), GetSystemMetrics(1)};
@@ -89,7 +110,6 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     if (const char *line = openSurface(s)) return line;
     if (!s.dc) return "no display: log in to one, or use --dump";
     SetForegroundWindow(s.window);
-    SetThreadExecutionState(0x80000003); // keep display and machine awake while this thread lives
     if (createContext(s.dc, window.gl)) return kNoGl;
     // Swap at the display's vertical sync, so that pictures do not tear and follow its rate
     auto setInterval = (__attribute__((ms_abi)) int (*)(int))glFunction("wglSwapIntervalEXT");

@@ -50,8 +50,9 @@ Handle standard(int descriptor);
     F(QueryPerformanceFrequency) F(ReleaseSemaphore) F(SetStdHandle) F(SetThreadExecutionState) F(Sleep) F(TerminateProcess) \
     F(VirtualAlloc) F(VirtualFree) F(WaitForSingleObject) F(WideCharToMultiByte) F(WriteConsoleW) F(WriteFile)
 #define ODRAZ_USER32(F) \
-    F(AdjustWindowRect) F(CreateWindowExA) F(DefWindowProcA) F(DispatchMessageA) F(GetDC) F(GetMessageA) \
-    F(GetSystemMetrics) F(MessageBoxW) F(RegisterClassA) F(SetCursor) F(SetForegroundWindow) F(SetProcessDPIAware)
+    F(AdjustWindowRect) F(CreateWindowExA) F(DefWindowProcA) F(DispatchMessageA) F(GetDC) F(GetKeyState) \
+    F(GetMessageA) F(GetSystemMetrics) F(MessageBoxW) F(RegisterClassA) F(SetCursor) F(SetForegroundWindow) \
+    F(SetProcessDPIAware) F(SetWindowLongA) F(SetWindowPos)
 #define ODRAZ_GDI32(F) F(ChoosePixelFormat) F(SetPixelFormat) F(SwapBuffers)
 #define ODRAZ_OPENGL32(F) F(wglCreateContext) F(wglGetProcAddress) F(wglMakeCurrent)
 #define ODRAZ_WINMM(F) \
@@ -151,6 +152,7 @@ HANDLE CreateWindowExA(uint32_t more, const char *kind, const char *title, uint3
 int64_t DefWindowProcA(HANDLE window, uint32_t message, uint64_t a, uint64_t b);
 int64_t DispatchMessageA(const void *message);
 HANDLE GetDC(HANDLE window);
+int16_t GetKeyState(int key); // < 0 while it is down
 int GetMessageA(void *message /* 48 bytes */, HANDLE window, uint32_t first,
                 uint32_t last); // < 0 if it fails
 int GetSystemMetrics(int which);
@@ -159,6 +161,8 @@ uint16_t RegisterClassA(const odraz::windows::WindowClass *);
 HANDLE SetCursor(HANDLE);
 int SetForegroundWindow(HANDLE window);
 int SetProcessDPIAware();
+int SetWindowLongA(HANDLE window, int which, int value);
+int SetWindowPos(HANDLE window, HANDLE after, int x, int y, int width, int height, uint32_t flags);
 
 int ChoosePixelFormat(HANDLE dc, const odraz::windows::PixelFormat *);
 int SetPixelFormat(HANDLE dc, int format, const odraz::windows::PixelFormat *);

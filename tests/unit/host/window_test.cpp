@@ -51,6 +51,8 @@ std::vector<Blit> shown(int width, int height) {
     gl.glFramebufferTexture2D = [](GLenum, GLenum, GLenum, GLuint, GLint) {};
     gl.glClearColor = [](GLfloat, GLfloat, GLfloat, GLfloat) {};
     gl.glClear = [](GLbitfield) {};
+    gl.glEnable = gl.glDisable = [](GLenum) {};
+    gl.glScissor = [](GLint, GLint, GLsizei, GLsizei) {};
     gl.glBlitFramebuffer = blit;
     gl.glGetError = [] { return std::exchange(error, (GLenum)GL_NO_ERROR); };
     for (int i = 0; i < 2; ++i) {

@@ -92,6 +92,7 @@ struct Play {
     std::vector<double> film;         // the film's time at each millisecond
     int64_t frozen = -1, thawed = -1; // moments at which the process is stopped, and continued
     int64_t pauses = -1, goesOn = -1; // moments at which the viewer pauses, and continues
+    int64_t mutes = -1, unmutes = -1; // moments at which the viewer mutes the sound, and hears it again
 
     // Plays for `length`. Returns the errors between sound and film, in milliseconds, of all frames played at
     // full loudness between two moments.
@@ -106,6 +107,7 @@ struct Play {
                 if (now >= 300 * kMillisecond && !clock.started()) clock.start(begin, now);
                 bool paused = now >= pauses && now < goesOn;
                 player.pause(paused);
+                player.mute(now >= mutes && now < unmutes);
                 if (paused) clock.start(film.back(), now);
                 if (now >= picture && clock.started()) {
                     clock.watch(now, now - (frozen >= 0 && now >= thawed ? thawed - frozen : 0));
@@ -226,5 +228,19 @@ TEST(Playback, StopsWhileTheViewerPauses) {
     for (const Device::PlayedFrame &f : p.device.record)
         if (f.when > 5100 * kMillisecond && f.when < 9 * kSecond) {
             ASSERT_EQ(f.value, 0) << "it is silent meanwhile";
+        }
+}
+
+TEST(Playback, FollowsADeviceWhileItIsMuted) {
+    Play p;
+    p.device.speed = 0.998;
+    p.mutes = 5 * kSecond;
+    p.unmutes = 55 * kSecond;
+    EXPECT_LT(largest(p.run(60 * kSecond, 55100 * kMillisecond, 60 * kSecond)), 8);
+    EXPECT_LT(p.unsteady(), 0.015);
+    EXPECT_EQ(p.source.sought, 0);
+    for (const Device::PlayedFrame &f : p.device.record)
+        if (f.when > 5100 * kMillisecond && f.when < p.unmutes) {
+            ASSERT_EQ(f.value, 0);
         }
 }
