@@ -12,7 +12,17 @@ extern "C" void *memcpy(void *__restrict to, const void *__restrict from, size_t
     return __builtin_memcpy(to, from, n);
 }
 
+// Reports how many bytes are decoded.
+extern "C" __attribute__((import_module("e"), import_name("p"))) void progress(uint32_t bytes);
+
 namespace {
+
+struct Reporting : web::WasmTracker {
+    void begin(uint32_t i) {
+        if (i % 4096 == 0) progress(i);
+        WasmTracker::begin(i);
+    }
+};
 
 // Layout, ModelParameters and payload follow the decoder's own data; then come the decoded bytes and the
 // model
@@ -27,6 +37,6 @@ EXPORT(d) unsigned char *decode() {
     const ModelParameters &parameters = *(const ModelParameters *)(&layout + 1);
     unsigned char *image = payload() + kMostPayload, *model = image + kMostDecoded;
     Decoder decoder = {(const uint8_t *)(&parameters + 1)};
-    codeImage<web::WasmTracker>(decoder, layout, parameters, model, image);
+    codeImage<Reporting>(decoder, layout, parameters, model, image);
     return image;
 }

@@ -182,10 +182,10 @@ void writeModel(const std::string &path, const ModelParameters &parameters) {
 // If something fails, for example because a Content-Security-Policy forbids workers or WebAssembly, the page
 // shows one sentence. A click before the program starts is remembered.
 constexpr char kLoader[] =
-    R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],k,e=onerror=onunhandledrejection=()=>{
+    R"((async()=>{let m={},s,t=document.currentScript.previousSibling.data,i=0,o=[],k,e=()=>{
 document.body.textContent='This browser or site allows no WebAssembly, workers or DecompressionStream: it cannot play the film.'}
 onclick=()=>clicked=1
-if(document.characterSet[0]=='w'){
+try{if(document.characterSet=='windows-1252'){
 [...new TextDecoder('latin1').decode(Uint8Array.from({length:256},(_,i)=>i))].map((c,i)=>m[c]=i)
 s=[...t].map(c=>m[c])
 }else{s=new Uint8Array(await(await fetch(location.href)).arrayBuffer());i=BEGIN}
@@ -193,19 +193,22 @@ for(;o.length<COUNT;o.push(s[i++]^k))if(o.length%BLOCK<1)k=s[i++]
 o=new Uint8Array(o)
 s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
 s=new Uint8Array(await new Response(s).arrayBuffer());o=o.slice(HEAD)
-eval(new TextDecoder().decode(s.slice(DECODER)))})())";
+eval(new TextDecoder().decode(s.slice(DECODER)))}catch{e()}})())";
 
 // The script that is deflated with the decoder, after it. It decodes `o` and runs the decoded script with the
-// program. The decoder runs in a worker, so the page stays responsive.
+// program. The decoder runs in a worker, so the page stays responsive, and reports how many bytes are
+// decoded.
 constexpr char kStarter[] =
-    R"(let w=new Worker(URL.createObjectURL(new Blob([`onmessage=async({data:[s,o]})=>{let x=(await WebAssembly.instantiate(s.slice(
-MODEL))).instance.exports,b=new Uint8Array(x.memory.buffer),i=x.i()
+    R"js(let w=new Worker(URL.createObjectURL(new Blob([`onmessage=async({data:[s,o]})=>{let x=(await WebAssembly.instantiate(s.slice(
+MODEL),{e:{p:postMessage}})).instance.exports,b=new Uint8Array(x.memory.buffer),i=x.i()
 b.set(s.slice(0,MODEL),i);b.set(o,i+MODEL);i=x.d();postMessage(b.slice(i,i+ALL))}
 onunhandledrejection=e=>{throw e}`])))
 w.onerror=e
-w.onmessage=({data:s})=>{w.terminate()
-new Function('data',new TextDecoder().decode(s.slice(0,SCRIPT)))(s.slice(SCRIPT))}
-w.postMessage([s.slice(0,DECODER),o]))";
+w.onmessage=({data:s})=>{if(s.length){w.terminate()
+new Function('data',new TextDecoder().decode(s.slice(0,SCRIPT)))(s.slice(SCRIPT))
+}else document.body.innerHTML=`<div style="position:fixed;left:30%;top:49%;width:40%;text-align:center;background:linear-gradient(90deg,#cc6b3d ${
+s=s*100/ALL|0}%,#1d100a 0">unpacking ${document.title} ${s} %</div>`}
+w.postMessage([s.slice(0,DECODER),o]))js";
 
 // Replaces names in a script by numbers.
 std::string filled(std::string script, std::initializer_list<std::pair<std::string, size_t>> numbers) {

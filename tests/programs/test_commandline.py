@@ -39,6 +39,9 @@ def test_help_names_every_option(film):
     assert usage.startswith('usage') and usage == run(film, '-h').stdout
     options = set(re.findall(r'"(--[a-z]+)"', (SOURCE / 'intro/options.cpp').read_text()))
     assert options and options <= set(re.findall(r'--\w+', usage))
+    keys = re.search('^keys: (.*)', usage, re.M)[1]
+    readme = ' '.join((SOURCE / 'README.md').read_text().split())
+    assert [part for part in re.split('[,:] ', keys) if part.rpartition(' ')[0] and part not in readme] == []
 
 
 @pytest.mark.parametrize('status, text, options', [

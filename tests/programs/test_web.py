@@ -42,6 +42,11 @@ def test_html_keeps_the_bytes_of_the_comment_and_all_of_it():
     assert not re.search(b'[\0\r]|[-!]>', b'-' + text)
 
 
+def test_has_a_language_and_says_that_it_needs_scripts():
+    before = PAGE.read_bytes().partition(b'<!--')[0]
+    assert b'<html lang=en>' in before and before.endswith(b'<noscript>This film needs JavaScript.</noscript>')
+
+
 @pytest.fixture(scope='module')
 def plain(work):
     """A folder with the pictures that browsers without relaxed SIMD draw."""

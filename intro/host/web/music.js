@@ -28,7 +28,7 @@ const connect = () => {
 const seekMusic = () => {
   asked = scheduled = 0, zero = null, waiting = []
   composer.postMessage(['seek', blockAt(from), turn])
-  if (!silent) connect(), audio.resume()
+  if (audio) connect(), audio.resume()
 }
 const compose = () => {
   const most = playing ? kComposed + Math.max(0, filmAt() - from) : kFirst

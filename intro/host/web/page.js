@@ -1,22 +1,37 @@
 // The film as a page: main() gets the program (main_web.cpp) as bytes, and the scripts of its workers as text. Times are
 // seconds of the film, or milliseconds (t) of the page's clock.
 const find = selector => document.querySelector(selector), now = () => performance.now()
-const canvas = find('canvas'), bar = find('i'), button = find('b'), word = find('p'), printed = find('pre')
+const canvas = find('canvas'), bar = find('i'), button = find('button'), word = find('p'), printed = find('pre')
 // In memory: WebKit would draw by OpenGL, which without a GPU takes a third of the workers' time
 const draw = canvas.getContext('2d', { alpha: false, willReadFrequently: true })
 const q = new URLSearchParams(location.search), full = q.get('full') != '0'
-let x, module, url, duration, from, over // x: the functions of the page's instance; from: where the film begins
-let playing, since, clicked // playing: after the click; since: when waiting for pictures began; clicked: the click's time
+// x: the functions of the page's instance; from: where the film begins, at first and after its end at `begins`; over:
+// something has failed
+let x, module, url, duration, begins, from, over
+// playing: from the click to the end; since: when waiting for pictures began; clicked: the click's time; loops: at its
+// end the film begins again; frame: the next call of step()
+let playing, since, clicked, loops, frame
 const say = text => { if (word.textContent != text) word.textContent = text }
-const fail = what => { over = 1; button.textContent = ''; say(what) }
+const fail = what => { over = 1; button.textContent = ''; awake(0); say(what) }
+const stop = e => fail('The film has stopped: ' + (e.message ?? e))
+// Makes a callback that catches its errors. The page's own events also report errors of other scripts (extensions)
+const own = f => async (...all) => { try { await f(...all) } catch (e) { stop(e) } }
 
 // --- The film's clock, which stops while `holds` has a reason or the system has stopped the sound ---
-const holds = new Set
+const holds = new Set, kPaused = '\u275a\u275a', kSolving = 'The light of the hall is being solved.'
 let stopped, going, begun // stopped: the film's time while it is stopped; begun: its first pictures are ready
 const filmAt = () => !begun ? -1e9 : going ? x.at(now()) : stopped
+// Keeps the screen on, or phones would sleep. `lock`: a promise
+let lock
+const awake = on => {
+  if (!on == !lock) return
+  lock?.then(l => l?.release())
+  lock = on ? navigator.wakeLock?.request('screen').catch(() => {}) : null
+}
 const check = () => {
   const t = now(), goes = begun && !holds.size && (silent || audio.state == 'running')
   if (!goes == !going) return
+  awake(goes)
   if (!(going = goes)) return stopped = x.at(t)
   x.start(stopped - (silent ? 0 : 0.1), t)
   settled = t + 400
@@ -27,10 +42,10 @@ const hold = why => {
   holds.add(why), check()
 }
 const release = why => {
-  if (!holds.delete(why) || holds.size) return
-  navigator.wakeLock?.request('screen').catch(() => {}) // or phones would sleep
-  if (!begun && !silent) zero = audio.currentTime + 0.1, schedule()
-  begun = 1
+  if (!holds.delete(why)) return
+  if (why == 'start') begun = 1
+  if (holds.size) return
+  if (zero == null && !silent) zero = audio.currentTime + 0.1, schedule()
   audio?.resume(), check()
 }
 
@@ -39,12 +54,16 @@ const sounds = () => audio?.state == 'running' && audio.currentTime > 0.25 // so
 const begin = t => {
   const needs = x.can(from) == kLater, share = x.ready()
   bar.style.width = 100 * (needs ? solved * 0.8 : 0.8 + share / 5) + '%'
-  say(needs ? 'The light of the hall is being solved.' : '')
+  say(needs ? kSolving : holds.has('pause') ? kPaused : '')
   if (!sounds() && t - since > 2500) silent = 1
   const audible = silent || sounds() && waiting.length > 3
-  if (audible && (share == 1 || x.can(from) == kNever)) bar.style.width = 0, release('start')
+  if (audible && (share == 1 || x.can(from) == kNever)) {
+    bar.style.width = 0
+    if (holds.has('pause')) showDue(from, t)
+    release('start')
+  }
 }
-const step = (t = now()) => {
+const step = own((t = now()) => {
   if (over) return
   check()
   if (silent && sounds()) silent = 0, seek(0) // it was slow to start
@@ -56,29 +75,41 @@ const step = (t = now()) => {
       t < settled ? x.start(heardAt(t), t) : x.correct(heardAt(t), t)
     }
     const film = x.at(t), state = x.can(Math.max(film, from))
-    if (film >= duration) return end()
+    if (film >= duration) {
+      if (!loops) return end()
+      seek(-duration)
+    }
     if (state == kLater) hold('hall')
     say(state == kNever ? unlit : '')
     if (state == kNever) draw.fillRect(0, 0, w, h)
     showDue(film, t)
   } else if (holds.has('hall')) {
-    say('The light of the hall is being solved.')
+    say(kSolving)
     bar.style.width = 100 * solved + '%'
-  }
+  } else if (holds.has('pause')) say(kPaused)
   compose()
   assign()
-  requestAnimationFrame(step)
-}
+  frame = requestAnimationFrame(step)
+})
 const statistics = () => {
   const b = new Uint8Array(x.memory.buffer, x.statistics((first - clicked) / 1e3), 4096)
   return new TextDecoder().decode(b.slice(0, b.indexOf(0)))
 }
+// Shows the poster again, and prepares the film's beginning
 const end = () => {
-  over = 1
-  audio?.close()
-  document.exitFullscreen?.().catch(() => {})
+  cancelAnimationFrame(frame)
   if (q.has('stats')) printed.textContent = statistics()
-  else location.reload()
+  audio?.close()
+  awake(silent = 0)
+  audio = null
+  document.exitFullscreen?.().catch(() => {})
+  document.body.className = ''
+  bar.style.width = playing = 0
+  say('')
+  go(begins)
+  holds.clear()
+  if (poster) paint(poster)
+  compose(), assign()
 }
 
 // --- The viewer ---
@@ -88,7 +119,7 @@ const play = () => {
   if (over) return
   if (playing) return pause()
   prepare()
-  playing = 1, clicked = since = now()
+  playing = 1, shown = 0, clicked = since = now()
   document.body.className = 'on'
   draw.fillRect(0, 0, w, h)
   openSound()
@@ -98,22 +129,26 @@ const play = () => {
 }
 const pause = () => {
   if (holds.has('pause')) release('pause')
-  else if (going) hold('pause'), say('\u275a\u275a')
+  else if (going) hold('pause')
   else if (!holds.size) audio?.resume() // the system has stopped the sound
 }
-const seek = by => {
-  if (!begun || over) return
-  from = stopped = Math.max(0, Math.min(filmAt() + by, duration - 1))
+const go = to => {
+  from = stopped = Math.max(0, Math.min(to, duration - 1))
   going = begun = 0, since = now()
-  holds.delete('pause'), holds.delete('hall'), holds.add('start')
+  holds.delete('hall'), holds.add('start')
   ++turn, beginPictures(), seekMusic()
 }
+const seek = by => playing && !over && go((begun ? filmAt() : from) + by)
 const key = e => {
-  const is = letter => [e.key.toUpperCase(), e.code.slice(3)].includes(letter) // the key's letter, or its place on the keyboard
-  if (e.key == 'Enter' || e.key == ' ') play()
+  // Some events of other scripts have no key
+  if (!e.key || e.repeat || e.ctrlKey || e.altKey || e.metaKey) return
+  // The key's letter, or its place on the keyboard
+  const is = letter => [e.key.toUpperCase(), e.code?.slice(3)].includes(letter)
+  if ((e.key == 'Enter' || e.key == ' ') && e.target != button) play() // the button is clicked by them
   if (e.key == 'ArrowLeft') seek(-5)
   if (e.key == 'ArrowRight') seek(5)
   if (is('M') && gain) gain.gain.value = 1 - gain.gain.value
+  if (is('L')) loops = !loops
   if (is('F')) document.fullscreenElement ? document.exitFullscreen() : fullScreen()
   if (e.key == 'Escape' && playing) end()
 }
@@ -123,30 +158,29 @@ const can = code => {
   const parts = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, body.length, ...body]
   return WebAssembly.validate(new Uint8Array(parts))
 }
-const main = async (wasm, scripts) => {
-  onerror = onunhandledrejection = e => fail('The film has stopped: ' + (e.reason?.message ?? e.message ?? e))
+const main = own(async (wasm, scripts) => {
   const kZero = [65, 0, 253, 15] // i32.const 0, i8x16.splat
   if (!can(kZero)) return fail('This browser has no WebAssembly SIMD.')
   module = await WebAssembly.compile(can([...kZero, ...kZero, ...kZero, 253, 133, 2]) ? wasm : plain(wasm))
   x = (await WebAssembly.instantiate(module, { env: { progress() {} } })).exports
   url = URL.createObjectURL(new Blob([scripts], { type: 'text/javascript' }))
   duration = x.duration(), count = await measureWorkers(x.workers(cores))
-  from = stopped = Math.max(0, Math.min(parseFloat(q.get('from')) || 0, duration - 1))
+  begins = from = stopped = Math.max(0, Math.min(parseFloat(q.get('from')) || 0, duration - 1))
   prepare()
   startComposer()
   compose()
-  onclick = play
-  onkeydown = key
-  document.onvisibilitychange = () => {
+  onclick = own(play)
+  onkeydown = own(key)
+  document.onvisibilitychange = own(() => {
     if (playing && !over) document.hidden ? hold('hidden') : release('hidden')
-  }
+  })
   button.textContent = '\u25b6 play'
-  if (q.has('stats')) setInterval(() => { if (shown) printed.textContent = statistics() }, 1000)
+  if (q.has('stats')) setInterval(own(() => { if (shown && playing) printed.textContent = statistics() }), 1000)
   // For tests
   const state = () => ({
     film: filmAt(), heard: zero != null && audio.state == 'running' ? heardAt(now()) : null, ready: pictures.size,
-    shown, skipped, first: first - clicked, unlit, hall: lit >= count, over, duration,
+    shown, skipped, first: first - clicked, unlit, hall: lit >= count, over, duration, playing,
   })
   self.film = { module, start: startWorker, statistics, state }
   if (self.clicked) play()
-}
+})

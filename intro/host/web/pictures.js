@@ -1,14 +1,15 @@
 // The program plans pictures, and workers trace them. `pictures` holds them by time until they are shown.
 const pictures = new Map, cores = navigator.hardwareConcurrency || 2
 // count: number of tracers; idle: tracers without a picture; spare: free buffers; lit: number of tracers with the hall's
-// light; solved: progress of the solver, 0 .. 1; unlit: why the hall has no light
-let count, w, h, tracers = [], solver, idle, spare = [], lit, solved, unlit
+// light; solved: progress of the solver, 0 .. 1; unlit: why the hall has no light; poster: shown before the click
+let count, w, h, tracers = [], solver, idle, spare = [], lit, solved, unlit, poster
 const kNow = 0, kLater = 1, kNever = 2 // when a picture can be traced: Traceable of page_player.h
 let turn = 0, shown = 0, skipped = 0, first = 0 // turn: number of seeks; first: when the first picture was shown
 const startWorker = (receive, ...first) => {
   const k = new Worker(url)
-  k.onerror = e => fail('The film has stopped: ' + e.message)
-  k.onmessage = ({ data }) => data.wrong ? (k == solver ? leaveOut : fail)(data.wrong) : receive(data, k)
+  const broken = why => k == solver ? leaveOut(why) : stop(why)
+  k.onerror = e => broken(e.message)
+  k.onmessage = own(({ data }) => data.wrong ? broken(data.wrong) : receive(data, k))
   k.postMessage(first)
   return k
 }
@@ -49,7 +50,7 @@ const leaveOut = why => {
 }
 const receiveFromTracer = (d, k) => {
   if (d.hall) return light(d.hall)
-  if (d.still) return playing || paint(d.rgba)
+  if (d.still) return poster = d.rgba, playing || paint(poster)
   if (d.turn == turn) {
     x.traced(d.time, d.trace / 1e3, d.samples, d.width)
     pictures.set(d.time, d.rgba)
@@ -88,5 +89,4 @@ const prepare = () => {
     if (d.progress) solved = d.progress
     if (d.hall) solver.terminate(), light(d.hall)
   }, 'solve', module, w, h)
-  solver.onerror = e => { leaveOut(e.message), e.preventDefault() } // or it would also be the page's error
 }

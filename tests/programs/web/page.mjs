@@ -20,7 +20,7 @@ const until = async (b, what) => {
 
 // --- A click while it is unpacked is remembered ---
 const early = await open(kind, 'file://' + page + '?full=0')
-const unpacks = await until(early, 'document.body && /unpacking/.test(document.body.innerText)')
+const unpacks = await until(early, 'document.body && /unpacking .* \\d+ %/.test(document.body.innerText)')
 await early.click()
 const before = await early.evaluate('!self.film')
 check('says that it is unpacked', unpacks && before, before)
@@ -29,8 +29,10 @@ await early.close()
 
 const b = await open(kind, 'file://' + page + '?from=17')
 try {
-  const opens = await until(b, 'self.film && document.querySelector("b").textContent')
+  const opens = await until(b, 'self.film && document.querySelector("button").textContent')
   check('opens', opens, await b.evaluate('document.title'))
+  const reached = await b.evaluate('document.documentElement.lang + document.querySelector("button").tabIndex')
+  check('has a language, and a button that Tab reaches', reached == 'en0', reached)
 
   const zero = [253, 12, ...Array(16).fill(0)], madd = [0, ...zero, ...zero, ...zero, 253, 133, 2, 26, 11]
   const type = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0]
@@ -142,10 +144,36 @@ try {
   check('... and goes on by space', await until(b, `film.state().film > ${paused}`), await at())
   await b.key('ArrowRight')
   check('seeks by an arrow, and plays on', await until(b, `film.state().film > ${paused + 5.2}`), await at())
+  const press = 'const press = (key, more) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, ' +
+    'bubbles: true, ...more }))\n'
+  const moved = await b.evaluate(`new Promise(done => {
+    ${press}
+    const before = film.state().film
+    for (const more of [{ ctrlKey: true }, { altKey: true }, { metaKey: true }, { repeat: true }])
+      for (const name of ['ArrowLeft', ' ', 'Escape']) press(name, more)
+    setTimeout(() => done(film.state().film - before), 500)
+  })`)
+  check('ignores keys with Ctrl, Alt and Meta, and repeats', moved > 0, moved)
+  const left = await b.evaluate(`new Promise(done => {
+    ${press}
+    film.kept = true, press('Escape')
+    done(!film.state().playing && !document.body.className)
+  })`)
+  check('shows the poster after ESC', left, left)
+  await b.click()
+  const again = await until(b, 'film.kept && film.state().shown > 0 && film.state().film > 16.5')
+  check('... and plays again without unpacking', again, await at())
   await b.resize(700, 600)
   check('is as large as its window', await until(b, 'document.querySelector("canvas").clientWidth == innerWidth'), 700)
   check('prints its statistics', /table +\d+/.test(await b.evaluate('film.statistics()')), 'table')
   check('has printed no error', !b.errors.length, b.errors)
+  const foreign = `Promise.reject(Error('of another script'))
+    document.body.dispatchEvent(new Event('keydown', { bubbles: true }))
+    throw Error('of another script')`
+  await b.evaluate(`document.body.append(Object.assign(document.createElement('script'),
+    { text: ${JSON.stringify(foreign)} }))`)
+  const went = await at()
+  check("goes on after another script's errors", await until(b, `film.state().film > ${went + 0.2}`), went)
 } catch (e) {
   check('the browser answers', false, String(e.stack))
 }
@@ -155,9 +183,10 @@ await b.close()
 const frame = '<iframe id=f src="/?full=0" style="display:none;position:fixed;left:0;top:0;width:1000px;height:500px">'
 const policies = { '/policy': "default-src 'self' 'unsafe-inline'", '/wasm': "default-src 'self' 'unsafe-inline' blob:",
   '/sandbox': 'sandbox allow-scripts' }
+const charset = kind == 'chromium' ? 'windows-1251' : 'utf-8'
 const server = createServer(({ url }, answer) => {
   const policy = policies[url.split('?')[0]]
-  answer.setHeader('Content-Type', 'text/html' + (policy ? '' : '; charset=utf-8'))
+  answer.setHeader('Content-Type', 'text/html' + (policy ? '' : '; charset=' + charset))
   if (policy) answer.setHeader('Content-Security-Policy', policy)
   answer.end(url == '/frame' ? frame : readFileSync(page))
 }).listen(0, '127.0.0.1')

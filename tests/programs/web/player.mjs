@@ -7,12 +7,14 @@ const kWorkers = 2, kSeconds = 8
 
 // `cost`: milliseconds that a worker takes for a picture of 1280x720 in `draft`. Returns the milliseconds from the
 // click to the first picture; the number of pictures left out after 1.5 s; the fewest that were shown in a second; how
-// far the sound was off, in seconds; whether keys mute it; and the number of workers. `pauses`: the system stops the
-// sound from 3 to 7 s after the click. `silent`: the browser has no sound. `dark`: the hall's worker fails. `stops`:
-// the viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, and seeks 5 s back. `late`: the
-// sound starts 3 s after the click. `stands`: the sound's clock stands for 1.5 s, soon after the start. `lags`: it runs
-// at half the speed for 2 s. `reported`, `processors`: the number that the browser reports, and that there are.
-const play = async (cost, from, { pauses, silent, dark, stops, seeks, late, stands, lags,
+// far the sound was off, in seconds; whether keys mute it; the number of workers; the most locks of the screen at once;
+// the error of the place sought, with the locks meanwhile; and how often the poster was shown. `pauses`: the system
+// stops the sound from 3 to 7 s after the click. `silent`: the browser has no sound. `dark`: the hall's worker fails.
+// `stops`: the viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, seeks 5 s back, and
+// continues. `loops`: the viewer presses L. `late`: the sound starts 3 s after the click. `stands`: the sound's clock
+// stands for 1.5 s, soon after the start. `lags`: it runs at half the speed for 2 s. `reported`, `processors`: the
+// number that the browser reports, and that there are.
+const play = async (cost, from, { pauses, silent, dark, stops, seeks, loops, late, stands, lags,
   reported = kWorkers, processors = reported, query = from } = {}) => {
   let clock = 0, skippedAtStart = 0, off = 0, context, muted, tracers = 0, spinning = 0, spun
   const events = [], shown = [], elements = {}
@@ -29,11 +31,7 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, late, stan
         at(t += all[0], () => this.onmessage({ data: [1e6 * Math.min(1, processors / spinning)] }))
       }
       if (what == 'trace') send(300, { idle: 1 }), ++tracers
-      if (what == 'solve' && dark) at(t += 800, () => {
-        const error = { message: 'memory', preventDefault() { this.handled = 1 } }
-        this.onerror(error)
-        if (!error.handled) self.onerror(error)
-      })
+      if (what == 'solve' && dark) at(t += 800, () => this.onerror({ message: 'memory' }))
       else if (what == 'solve') send(8000, { hall: { pages: [] } })
       if (what == 'light') send(20, { hall: all[0] })
       if (what == 'compose' || what == 'seek') this.turn = all.at(-1)
@@ -65,13 +63,19 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, late, stan
     createBuffer() { return { copyToChannel() {} } }
     createBufferSource() { return { connect() {}, start() {} } }
   }
+  let locks = 0, mostLocks = 0
+  const wakeLock = { async request() {
+    mostLocks = Math.max(mostLocks, ++locks)
+    return { release() { --locks } }
+  } }
   const self = {
     WebAssembly, Worker, AudioContext: silent ? undefined : AudioContext, Uint8ClampedArray: Picture,
     ImageData: Picture, Blob: class {}, URL: { createObjectURL() {} }, performance: { now: () => clock },
-    location: { search: `?full=0&from=${query}`, reload() {} },
-    document: { querySelector: s => elements[s] ??= element(), body: {} }, navigator: { hardwareConcurrency: reported },
+    location: { search: `?full=0&from=${query}` },
+    document: { querySelector: s => elements[s] ??= element(), body: {} },
+    navigator: { hardwareConcurrency: reported, wakeLock },
     innerWidth: 1280, innerHeight: 720, devicePixelRatio: 1,
-    requestAnimationFrame: f => at(Math.floor(clock * 0.06 + 1.001) / 0.06, () => f(clock)),
+    cancelAnimationFrame() {}, requestAnimationFrame: f => at(Math.floor(clock * 0.06 + 1.001) / 0.06, () => f(clock)),
   }
   const text = scripts.map(s => readFileSync(s, 'utf8')).join('')
   let ready
@@ -87,12 +91,20 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, late, stan
   let moved = 0
   const film = () => self.film.state().film
   if (stops || seeks) at(14000, () => { self.onclick(), moved -= film() }), at(16000, () => moved += film())
-  if (stops) at(16010, () => self.onkeydown({ key: ' ', code: 'Space' }))
-  if (seeks) at(16010, () => self.onkeydown({ key: 'ArrowLeft', code: 'ArrowLeft' }))
+  if (stops) at(16010, () => press(' '))
+  const press = (key, code = key, more) => self.onkeydown({ key, code, ...more })
+  let sought
+  if (stops || seeks) at(15000, () => sought = locks)
+  if (seeks) {
+    at(16010, () => { sought += film() - 5, press('ArrowLeft'), press('ArrowLeft', 'ArrowLeft', { repeat: true }) })
+    at(18000, () => { sought -= (film() + shown.at(-1)) / 2, press(' ') })
+  }
+  if (loops) at(12600, () => press('l', 'KeyL'))
   const keys = [['m', 'KeyM'], ['M', 'KeyM'], ['\u044c', 'KeyM'], ['M', 'Semicolon']]
-  at(12600, () => muted = keys.map(([key, code]) => { self.onkeydown({ key, code }); return context?.gain.value }) + '')
+  at(12600, () => muted = keys.map(([key, code]) => { press(key, code); return context?.gain.value }) + '')
   const each = Array(kSeconds).fill(0)
-  for (let film = -1; film < from + kSeconds; ) {
+  let last, sounds
+  for (let film = -1, played; film < from + kSeconds; ) {
     const { when, what } = events.shift()
     clock = when
     what()
@@ -101,13 +113,15 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, late, stan
     film = s.film
     if (film < from + (late || stands || lags ? 5 : 1.5)) skippedAtStart = s.skipped
     else if (s.heard != null) off = Math.max(off, Math.abs(s.heard - film))
-    if (s.over) break
+    if (s.over || played && !s.playing || loops && film > 0.5 && film < 1) break
+    played = s.playing
+    if (played) last = shown.at(-1), sounds = s.heard != null
   }
   for (const t of shown) if (t >= from && t < from + kSeconds) ++each[Math.floor(t - from)]
-  const { first, skipped, duration, heard, unlit, over } = self.film.state(), sounds = heard != null
-  const last = shown.at(-1), least = Math.min(...each.slice(0, Math.ceil(last - from)))
+  const { first, skipped, duration, unlit, over } = self.film.state()
+  const least = Math.min(...each.slice(0, Math.ceil(last - from)))
   return { first, skipped: skipped - skippedAtStart, least, off, last, muted, duration, moved, sounds, unlit, over,
-    tracers }
+    tracers, locks: mostLocks, sought, posters: shown.filter(t => t == 35).length }
 }
 
 let wrong = false
@@ -115,6 +129,7 @@ const check = async (cost, from, how = {}) => {
   const r = await play(cost, from, how), last = Math.min(from + kSeconds, r.duration) - 0.1
   const right = r.first <= (how.silent || how.late ? 2600 : 500) && !r.skipped && r.least >= 24 &&
     r.off < (how.lags ? 0.25 : 0.02) && !r.moved && r.last >= last && r.sounds == !how.silent &&
+    r.locks == 1 && Math.abs(r.sought ?? 0) < 0.02 && r.posters == (r.last > r.duration - 0.1 ? 2 : 1) &&
     r.muted == (how.silent ? ',,,' : '0,1,0,1')
   const what = `${cost} ms a picture, from ${from} s ${Object.keys(how)}`
   console.log(`${right ? 'ok' : 'FAILED'}: ${what}: ${JSON.stringify(r)}`)
@@ -141,4 +156,7 @@ for (const [reported, processors, workers] of kMachines) {
 const dark = await play(60, 63.5, { dark: 1 }), leftOut = /memory/.test(dark.unlit) && dark.last < 64 && !dark.over
 console.log(`${leftOut ? 'ok' : 'FAILED'}: a hall that cannot be solved: ${JSON.stringify(dark)}`)
 wrong ||= !leftOut
+const again = await play(120, 163, { loops: 1 }), looped = again.last < 1 && !again.over
+console.log(`${looped ? 'ok' : 'FAILED'}: begins anew: ${JSON.stringify(again)}`)
+wrong ||= !looped
 process.exit(wrong ? 1 : 0)

@@ -32,7 +32,7 @@ const memory = child => {
 const opened = async (query, use) => {
   const began = performance.now(), b = await open(kind, `file://${page}?full=0&stats${query}`)
   try {
-    await until(b, 'self.film && document.querySelector("b").textContent')
+    await until(b, 'self.film && document.querySelector("button").textContent')
     await use(b, (performance.now() - began) / 1e3)
   } finally {
     await b.close()
@@ -73,7 +73,7 @@ else
       await until(b, 'film.state().shown')
       const { first } = await b.evaluate('film.state()'), end = +from + +words[0]
       let most = before
-      for (let s; !(s = await b.evaluate('film.state()')).over && s.film < end; await later(500))
+      for (let s; (s = await b.evaluate('film.state()')).playing && s.film < end; await later(500))
         most = Math.max(most, memory(b.child))
       console.log(await b.evaluate('film.statistics()'))
       console.log(['page', opens.toFixed(2), (first / 1000).toFixed(2), before, most].join())
