@@ -1,7 +1,5 @@
 #include "tests/support/pe_rules.h"
 
-#include <cstring>
-
 namespace {
 
 // Reads fields by their offsets from the specification's tables; it shares no code with the writer.

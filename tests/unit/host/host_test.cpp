@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cpuid.h>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <elf.h>
 #include <gtest/gtest.h>
-#include <random>
 
 using namespace pack;
 

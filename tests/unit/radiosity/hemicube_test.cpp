@@ -3,7 +3,6 @@
 #include "tests/support/room.h"
 #include "tests/support/rounded_vertices.h"
 
-#include <cstring>
 #include <dlfcn.h>
 #include <optional>
 
