@@ -38,15 +38,6 @@ Float8 nearestOf(const Scene &scene, const Ray8 &r) {
 
 } // namespace
 
-TEST(Sphere, IsHitFromOutsideAndInside) {
-    Shape s = sphere({0, 0, 0}, 2, 0);
-    EXPECT_FLOAT_EQ(hit(s, {0, 0, 5}, {0, 0, -1}), 3);
-    EXPECT_FLOAT_EQ(hit(s, {0, 0, 1}, {0, 0, -1}), 3);
-    EXPECT_FLOAT_EQ(hit(s, {0, 0, 0}, {0, 1, 0}), 2); // from the very middle
-    EXPECT_EQ(hit(s, {0, 0, -5}, {0, 0, -1}), kInfinity);
-    EXPECT_EQ(hit(s, {2.1f, 0, 5}, {0, 0, -1}), kInfinity);
-}
-
 TEST(Plane, IsHitFromBothSidesAndNotAlong) {
     Shape s = plane({0, 1, 0}, 0);
     EXPECT_FLOAT_EQ(hit(s, {3, 5, 2}, {0, -1, 0}), 4);
