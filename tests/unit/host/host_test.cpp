@@ -16,7 +16,6 @@
 #include <sched.h>
 #include <sstream>
 #include <string>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -180,17 +179,4 @@ TEST_F(Files, FillPipesThatDoNotBlock) {
     reader.join();
     close(ends[0]);
     EXPECT_EQ(got, much.size());
-}
-
-TEST_F(Files, BeyondTheLimitAreNotLeft) {
-    prepareDescriptors();
-    rlimit before, small = {4096, RLIM_INFINITY};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-    small.rlim_max = before.rlim_max;
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-    std::vector<char> much(10000, 'x');
-    const char *wrong = writeFile(path.c_str(), much.data(), much.size());
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
-    EXPECT_STREQ(wrong, "the limit on a file's size is reached (ulimit -f)");
-    EXPECT_EQ(count(), 0);
 }

@@ -162,18 +162,6 @@ TEST_F(Fixture, HasKeysSetByHand) {
     EXPECT_EQ(kPath.poses[0].eye.y, 2);
 }
 
-TEST_F(Fixture, AnEditorsKeysAreSaved) {
-    tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}, {8, {3, kSmooth}}});
-    tracks.show();
-    EXPECT_EQ(tracks.unsaved(), 1);
-    EXPECT_EQ(tracks.unsavedByHand(), 0);
-    EXPECT_EQ(tracks.save(message), "");
-    EXPECT_EQ(tracks.unsaved(), 0);
-    tracks.takeFromEditor(kTheLamp, {});
-    tracks.show();
-    EXPECT_EQ(tracks.unsaved(), 0);
-}
-
 TEST_F(Fixture, ARowNextToACutIsInTheVisibleShot) {
     theCut = 24 / kRowsPerSecond;
     find();
@@ -192,6 +180,9 @@ TEST_F(Fixture, EditsAreWrittenToTheFiles) {
     EXPECT_EQ(message, "nothing to save");
     tracks.setView(4, &kView);
     tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}, {8, {3, kSmooth}}});
+    tracks.show();
+    EXPECT_EQ(tracks.unsaved(), 2);
+    EXPECT_EQ(tracks.unsavedByHand(), 1);
     EXPECT_EQ(tracks.save(message), "");
     EXPECT_EQ(message, "saved film.keys, scenes/start.keys");
     EXPECT_TRUE(has("film.keys", "{4, {8, 7, 6}, {5, 4, 3}, 7.5, 45},\n")) << read("film.keys");
@@ -211,12 +202,6 @@ TEST_F(Fixture, StepsAreNotSaved) {
     std::string wrong = tracks.save(message);
     EXPECT_NE(wrong.find("start:lamp: the film has no steps and ramps"), std::string::npos) << wrong;
     EXPECT_EQ(read("scenes/start.keys"), kStartKeys);
-    // A file that was changed meanwhile is not overwritten, and the edit stays visible
-    write("film.keys", std::string(kFilmKeys) + "// mine\n");
-    tracks.setView(4, &kView);
-    EXPECT_NE(tracks.save(message).find("film.keys was changed by another program"), std::string::npos);
-    find();
-    EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
 }
 
 TEST_F(Fixture, ATableThatNoFileHasIsNotEdited) {
@@ -228,19 +213,4 @@ TEST_F(Fixture, ATableThatNoFileHasIsNotEdited) {
     write("film.keys", "int i;\n");
     fresh.readFilm(live);
     EXPECT_NE(fresh.setView(4, &kView).find("film.keys:1: expected TRACK"), std::string::npos);
-}
-
-TEST_F(Fixture, AnEditorsCopyChangesNothing) {
-    for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, tracks.track(i));
-    tracks.show();
-    EXPECT_EQ(keysOf(kLamp), (Keys{{0, 1, 0}, {2.5f, 2, 1}, {8, 3, 0}}));
-    EXPECT_EQ(keysOf(kPath), (Keys{{-8, 1, 2, 3, 4, 5, 6, 7, 40}, {16, 2, 3, 4, 5, 6, 7, 8, 50}}));
-}
-
-TEST_F(Fixture, WritesADocument) {
-    EXPECT_EQ(rocket::document({"a:b"}, {{{3, {0.1f, Ramp}}, {4, {-2, Step}}}}, 17),
-              "<sync rows=\"17\">\n\t<tracks startRow=\"0\" endRow=\"16\">\n\t\t<track name=\"a:b\">\n"
-              "\t\t\t<key row=\"3\" value=\"0.100000001\" interpolation=\"3\"/>\n"
-              "\t\t\t<key row=\"4\" value=\"-2\" interpolation=\"0\"/>\n"
-              "\t\t</track>\n\t</tracks>\n\t<bookmarks/>\n</sync>\n");
 }

@@ -59,11 +59,6 @@ float largest(std::span<const float> samples) {
 
 } // namespace
 
-TEST(Mixer, IsSilentWithoutVoices) {
-    auto m = mixer(nothing);
-    EXPECT_EQ(largest(rendered(*m, 400)), 0);
-}
-
 TEST(Mixer, RefusesInvalidNotes) {
     float nan = std::nanf("");
     auto m = mixer(nothing);
