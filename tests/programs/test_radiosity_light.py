@@ -32,7 +32,7 @@ def form_factor(elements, half, height):
 
 @pytest.mark.parametrize('model, material, least, most, options', [
     ('furnace', 'furnace', 1.999, 2.001, ''), ('furnace', 'furnace', 1.110, 1.112, '--reflectance furnace=0.2'),
-    ('squares', 'receives', 0.198, 0.2015, ''), ('squares', 'receives', 0.198, 0.2015, '--hemicube 100'),
+    *(('squares', 'receives', 0.198, 0.2015, options) for options in ('', '--hemicube 100', '--hemicube 25')),
 ])
 def test_solve_prints_the_mean_light_of_a_material(model, material, least, most, options):
     printed = solve(generate(model, 'known.obj'), *options.split(), '--element 0.004').output

@@ -153,21 +153,6 @@ TEST(Reader, TakesAProgramForWindows) {
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
 }
 
-// Cuts the file at every size and damages every byte. The reader must refuse the file or return a program,
-// and must never crash (run this under ASan).
-TEST(Reader, SurvivesDamage) {
-    Bytes whole = Example().file();
-    for (size_t size = 0; size < whole.size(); ++size)
-        complaint(Bytes(whole.begin(), whole.begin() + (long)size));
-    for (size_t i = 0; i < whole.size(); ++i)
-        for (uint8_t flip : {0x01, 0x80, 0xff}) {
-            if (i >= sizeof(Example::Image) && i < 4096) continue;
-            Bytes broken = whole;
-            broken[i] ^= flip;
-            complaint(broken);
-        }
-}
-
 // --- Sections ---
 
 namespace {

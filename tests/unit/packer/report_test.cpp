@@ -26,12 +26,6 @@ Report example(std::vector<float> bits, const Rooms *rooms = nullptr) {
     return makeReport(stretches, bits, 100 + (size_t)(all / 8) + 2, 100, rooms);
 }
 
-double sum(const Costs &costs) {
-    double all = 0;
-    for (auto &[name, cost] : costs) all += cost.bits;
-    return all;
-}
-
 // Whether the text is read as a report and not refused.
 bool reads(const std::string &text) {
     return thrown<common::Refused>([&] { readJson(text); }).empty();
@@ -64,23 +58,7 @@ TEST(Attribution, FindsObjectAndArchiveInPaths) {
     EXPECT_EQ(both("odd(name"), "odd(name in .");
 }
 
-// --- Costs ---
-
-TEST(Report, AddsUpToTheFile) {
-    std::mt19937 random(2);
-    std::uniform_real_distribution<float> bits(0, 20);
-    for (int round = 0; round < 50; ++round) {
-        Report r = example({bits(random), bits(random), bits(random), bits(random)});
-        for (const Costs &costs : {r.sections, r.objects, r.symbols, r.rooms})
-            EXPECT_EQ(sum(costs) + r.rest + 8.0 * (double)r.overhead, 8.0 * (double)r.fileSize);
-        // In whole bits, too
-        std::string json = printJson(r);
-        Report read = readJson(json);
-        for (const Costs &costs : {read.sections, read.objects, read.symbols})
-            EXPECT_EQ(sum(costs) + read.rest + 8.0 * (double)read.overhead, 8.0 * (double)read.fileSize);
-        EXPECT_EQ(printJson(read), json);
-    }
-}
+// --- Costs (test_report.py adds them up) ---
 
 TEST(Report, KeepsRangesOfCheapBytesExact) {
     std::vector<float> bits(16000, 0.01f); // each rounds to nothing, all together to 160 bits

@@ -1,7 +1,6 @@
 // Compares form factors from hemicubes with closed forms.
 #include "tests/support/hemicube_bench.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,22 @@
 using namespace odraz;
 
 namespace {
+
+// Two unit squares, at distance 1 or with a common edge. Howell, "A Catalog of Radiation Heat Transfer
+// Configuration Factors", C-11 and C-14.
+struct Squares {
+    const char *name;
+    Vec3 corner, u, v; // the second square
+    double exact;
+
+    // Adds both squares, each divided into 16 x 16 patches. The first one faces up.
+    void addTo(Model &m) const {
+        m.addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1 / 16.f);
+        m.addRect(corner, u, v, 0, 1 / 16.f);
+    }
+};
+constexpr Squares kSquares[] = {{"parallel", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0.19982490},
+                                {"perpendicular", {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.20004378}};
 
 // Returns the form factor from chart 0 to chart 1, by hemicubes with a given rotation.
 double between(HemicubeBench &b, int turn) {

@@ -1,9 +1,7 @@
 // Tests that the spark detector finds the sparks planted into clean pictures, and no others.
-#include "tests/support/sanitized.h"
 #include "tools/measure/detect/spark.h"
 
 #include "tests/support/random.h"
-#include "tools/measure/detect/screening.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -34,19 +32,6 @@ ThreePictures drawn(uint32_t seed) {
         return g;
     };
     return {at(0), at(1), at(2)};
-}
-
-// The film's table at a time, averaged over the samples of four pictures, so that nothing in it flickers.
-ThreePictures filmed(double seconds) {
-    static Workers workers(allProcessors());
-    static MeasuredFilm film({320, 180}, workers, false);
-    static Quality q = kQualities[(int)QualityName::Reference];
-    q.grid = 4;
-    auto at = [&](double s) {
-        Picture p = picture(*film.intro, 0, s, q);
-        return greyOf(p.width, p.height, p.rgba);
-    };
-    return {at(seconds - 0.005), at(seconds), at(seconds + 0.005)};
 }
 
 struct Tally {
@@ -91,17 +76,6 @@ TEST(Sparks, PlantedInDrawingsAreFoundAndNothingElse) {
     ASSERT_GT(tally.planted, 500);
     EXPECT_GE(tally.found, tally.planted * 0.95);
     EXPECT_EQ(tally.others, 0);
-}
-
-TEST(Sparks, PlantedInTheFilmAreFoundAndHardlyAnythingElse) {
-    Random random = {8};
-    Tally tally;
-    std::vector<double> moments = {22, 27.5, 33.3, 38};
-    if (kSanitized) moments.resize(1);
-    for (double seconds : moments) plant(filmed(seconds), random, tally);
-    ASSERT_GT(tally.planted, 50 * (int)moments.size());
-    EXPECT_GE(tally.found, tally.planted * 0.95);
-    EXPECT_LE(tally.others, 1);
 }
 
 TEST(Sparks, AreNotPointsThatStayOrMove) {

@@ -1,18 +1,16 @@
-// Compares shooting with gathering, Gauss-Seidel and a direct solution in double precision, and odd hemicubes
-// with closed forms. (The tests radiosity and radiosity_study compare shots by hemicubes, from patches and
-// from blocks, with rows.)
+// Compares shooting with gathering, Gauss-Seidel and a direct solution in double precision, and odd
+// hemicubes' pixels with their sum. (The tests radiosity and radiosity_study compare shots by hemicubes, from
+// patches and from blocks, with rows; radiosity_light compares the form factors of odd hemicubes with closed
+// forms.)
 #include "tests/support/dice.h"
-#include "tests/support/headless_gl.h"
-#include "tests/support/model_bench.h"
-#include "tests/support/squares.h"
 #include "tools/engine/heap_arena.h"
+#include "tools/radiosity/patches/odd_hemicube.h"
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/patches/shooting.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
-#include <numeric>
 
 using namespace odraz;
 using namespace odraz::radiosity;
@@ -175,29 +173,4 @@ TEST(OddHemicube, PixelsSumToOne) {
                exact = 4 * (2 * a / std::sqrt(1 + a * a) * std::atan(a / std::sqrt(1 + a * a))) / (2 * M_PI);
         EXPECT_NEAR(top, exact, 1e-6) << px;
     }
-}
-
-TEST(OddHemicube, FormFactorsOfUnitSquares) {
-    for (int px : {25, 63})
-        for (const Squares &squares : kSquares) {
-            ModelBench b;
-            squares.addTo(*b.model);
-            b.pose();
-            b.divide(1);
-            AnyHemicubes hemicubes(headlessGl(), px);
-            std::vector<float> sums = formFactorSums(px);
-            double sum = 0;
-            for (int i = 0; i < 256; ++i) {
-                Eye eye = hemicubeEye(b.model->patches[i].p, b.model->patches[i].n, (uint32_t)i);
-                drawHemicubes(hemicubes.h, *b.model, &eye, 1);
-                std::vector<float> row((size_t)b.model->patchCount);
-                float dark = sumHemicube(hemicubes.h, 0, sums.data(), row.data());
-                EXPECT_NEAR(std::accumulate(row.begin(), row.end(), (double)dark), 1, 2e-6);
-                sum = std::accumulate(row.begin() + 256, row.end(), sum);
-            }
-            double found = sum / 256;
-            std::printf("%s squares, %d px: %.3f %% off\n", squares.name, px,
-                        100 * (found / squares.exact - 1));
-            EXPECT_NEAR(found, squares.exact, squares.exact * 0.01) << px;
-        }
 }

@@ -1,4 +1,4 @@
-// Tests room files: a round trip, and damaged files.
+// Tests damaged room files. (test_radiosity_transfer.py uses whole ones.)
 #include "tests/support/open_room.h"
 #include "tests/support/thrown.h"
 #include "tools/common/folders.h"
@@ -34,22 +34,6 @@ bool accepted(const std::string &file) {
 }
 
 } // namespace
-
-TEST(File, KeepsTheRoom) {
-    TransferSettings settings = settingsOf(2, 16, 0.5);
-    settings.glossy = "grey", settings.glossRays = 64, settings.upIsZ = true;
-    TransferRoom room = transferOf(openRoom(), settings);
-    std::string file = fileOf(room);
-    common::TemporaryFolder folder;
-    common::writeWhole(folder / "room.prt", file);
-    EXPECT_TRUE(TransferRoom::is(folder / "room.prt"));
-    EXPECT_FALSE(TransferRoom::is(folder / "none.prt"));
-    TransferRoom again = TransferRoom::read(folder / "room.prt");
-    EXPECT_EQ(fileOf(again), file);
-    EXPECT_EQ(again.lamps, std::vector<std::string>{"lamp"});
-    EXPECT_EQ(again.bands, 2);
-    EXPECT_TRUE(again.upIsZ);
-}
 
 // The checksum detects damage. A file with a forged checksum is refused or safe to use. (The fuzzer tries
 // many more files.)
