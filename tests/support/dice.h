@@ -1,4 +1,4 @@
-// Random numbers, points and directions for tests of the tracer, the same in every run.
+// Random numbers, points and directions, the same in every run.
 #pragma once
 
 #include "base/vec3.h"

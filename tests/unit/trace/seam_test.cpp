@@ -1,6 +1,6 @@
 // Tests that no light passes between rectangles that join, directly or by a mirror, and that none is lost
 // there.
-#include "tests/support/random.h"
+#include "tests/support/dice.h"
 #include "tests/support/traced_ray.h"
 
 #include <cmath>
@@ -21,22 +21,22 @@ constexpr Pose kPoses[] = {
 
 // Returns offsets of any size to both sides, from 1e-7 to 1e-2.
 struct Near {
-    Random random;
+    Dice dice{5};
     float operator()() {
-        float step = std::pow(10.f, -2 - 5 * random.next());
-        return random.next() < 0.5f ? step : -step;
+        float step = std::pow(10.f, -2 - 5 * dice(0, 1));
+        return dice(0, 1) < 0.5f ? step : -step;
     }
 };
 
 // Traces rays from above and from the right to points around the joint of two rectangles at x. Returns the
 // number of samples for which `which` is true.
 template <class Which> int count(RayTracer &g, const Pose &p, Which &&which) {
-    Near near = {{5}};
+    Near near;
     int count = 0;
     float x = -4.5f * p.away / p.size;
     for (int i = 0; i < 3000; ++i) {
-        Vec3 at = {(x + near()) * p.size, near() * p.size, (near.random.next() - 0.5f) * p.size};
-        Vec3 eye = {(x + 3) * p.size, 2 * p.size, (near.random.next() - 0.5f) * p.size};
+        Vec3 at = {(x + near()) * p.size, near() * p.size, (near.dice(0, 1) - 0.5f) * p.size};
+        Vec3 eye = {(x + 3) * p.size, 2 * p.size, (near.dice(0, 1) - 0.5f) * p.size};
         count += which(g.trace(eye, at));
     }
     return count;

@@ -2,7 +2,7 @@
 // projected skies with the originals.
 #include "transfer/spherical_harmonics.h"
 
-#include "tests/support/random.h"
+#include "tests/support/dice.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@ namespace {
 // Returns directions all over the sphere, including poles and axes.
 std::vector<Vec3> directions() {
     std::vector<Vec3> all = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    Random random = {7};
+    Dice dice(7);
     for (int i = 0; i < 1000; ++i) {
-        float y = 2 * random.next() - 1, a = 6.2831853f * random.next(), r = std::sqrt(1 - y * y);
+        float y = dice(-1, 1), a = dice(0, 6.2831853f), r = std::sqrt(1 - y * y);
         all.push_back({r * std::sin(a), y, r * std::cos(a)});
     }
     return all;

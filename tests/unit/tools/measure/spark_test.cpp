@@ -1,7 +1,7 @@
 // Tests that the spark detector finds the sparks planted into clean pictures, and no others.
 #include "tools/measure/detect/spark.h"
 
-#include "tests/support/random.h"
+#include "tests/support/dice.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,14 +20,14 @@ struct ThreePictures {
 ThreePictures drawn(uint32_t seed) {
     auto at = [&](int shift) {
         Grey g = {200, 120, std::vector<uint8_t>(200 * 120)};
-        Random random = {seed + (uint32_t)shift * 100003u};
+        Dice dice(seed + (uint32_t)shift * 100003u);
         for (int y = 0; y < g.height; ++y)
             for (int x = 0; x < g.width; ++x) {
                 int i = x + shift, level = 20 + i / 3;
                 if (i % 50 < 4) level += 60;
                 if ((i - 100) * (i - 100) + (y - 60) * (y - 60) < 900) level += 70;
                 if (y > 90 && ((i / 6 + y / 6) & 1)) level += 30;
-                g.level[(size_t)(y * g.width + x)] = (uint8_t)(level + (int)(random.next() * 3));
+                g.level[(size_t)(y * g.width + x)] = (uint8_t)(level + (int)(dice(0, 1) * 3));
             }
         return g;
     };
@@ -40,19 +40,19 @@ struct Tally {
 
 // Plants sparks of one to three adjacent pixels, 40 to 200 levels above their surroundings, one in every
 // field of 20 x 20 pixels.
-void plant(const ThreePictures &clean, Random &random, Tally &tally) {
+void plant(const ThreePictures &clean, Dice &dice, Tally &tally) {
     Grey now = clean.now;
     std::vector<Spark> planted;
     for (int top = 0; top + 20 <= now.height; top += 20)
         for (int left = 0; left + 20 <= now.width; left += 20) {
-            int x = left + 4 + (int)(random.next() * 12), y = top + 4 + (int)(random.next() * 12), around = 0;
+            int x = left + 4 + (int)(dice(0, 1) * 12), y = top + 4 + (int)(dice(0, 1) * 12), around = 0;
             for (int j = -4; j <= 4; ++j)
                 for (int i = -4; i <= 4; ++i) around = std::max(around, now.at(x + i, y + j));
-            int level = std::min(around + 40 + (int)(random.next() * 160), 255);
+            int level = std::min(around + 40 + (int)(dice(0, 1) * 160), 255);
             if (level < around + 40) continue; // too bright here for a spark
-            for (int i = 0, size = 1 + (int)(random.next() * 3), px = x, py = y; i < size; ++i) {
+            for (int i = 0, size = 1 + (int)(dice(0, 1) * 3), px = x, py = y; i < size; ++i) {
                 now.level[(size_t)(py * now.width + px)] = (uint8_t)level;
-                (random.next() < 0.5f ? px : py) += 1;
+                (dice(0, 1) < 0.5f ? px : py) += 1;
             }
             planted.push_back({x, y, 0, 0});
         }
@@ -70,9 +70,9 @@ void plant(const ThreePictures &clean, Random &random, Tally &tally) {
 } // namespace
 
 TEST(Sparks, PlantedInDrawingsAreFoundAndNothingElse) {
-    Random random = {7};
+    Dice dice(7);
     Tally tally;
-    for (uint32_t i = 0; i < 20; ++i) plant(drawn(i), random, tally);
+    for (uint32_t i = 0; i < 20; ++i) plant(drawn(i), dice, tally);
     ASSERT_GT(tally.planted, 500);
     EXPECT_GE(tally.found, tally.planted * 0.95);
     EXPECT_EQ(tally.others, 0);

@@ -1,7 +1,7 @@
 // Tests clustered PCA on data with known singular values or structure, and on extreme data.
 #include "tools/radiosity/transfer/clustered_pca.h"
 
-#include "tests/support/random.h"
+#include "tests/support/dice.h"
 #include "tools/engine/heap_arena.h"
 
 #include <gtest/gtest.h>
@@ -86,16 +86,15 @@ double bestLeft(const Data &d, double half, int dimensions) {
 // them.
 Data flats(int count, int rows, int columns) {
     Data d(rows, columns);
-    Random random = {9};
+    Dice dice(9);
     std::vector<std::vector<float>> basis;
     for (int f = 0; f < count * 5; ++f) {
         basis.emplace_back();
-        for (int c = 0; c < columns; ++c)
-            basis.back().push_back((random.next() - 0.5f) * (f % 5 ? 1.f : 4.f));
+        for (int c = 0; c < columns; ++c) basis.back().push_back((dice(-0.5f, 0.5f)) * (f % 5 ? 1.f : 4.f));
     }
     for (int r = 0; r < rows; ++r)
         for (int k = 0; k < 5; ++k) {
-            float weight = k ? random.next() - 0.5f : 1;
+            float weight = k ? dice(-0.5f, 0.5f) : 1;
             for (int c = 0; c < columns; ++c)
                 d.at(r, c) += weight * basis[(size_t)(r % count * 5 + k)][(size_t)c];
         }
