@@ -84,9 +84,7 @@ static double rmsError(const Squares &squares, int px, int turns) {
     EXPECT_EQ(b.model->patchCount, 512);
     double sum = 0;
     for (int turn = 0; turn < turns; ++turn) sum += std::pow(between(b, turn) / squares.exact - 1, 2);
-    double rms = std::sqrt(sum / turns);
-    std::printf("%s squares, %3d px: rms over %d rotations %.4f %%\n", squares.name, px, turns, rms * 100);
-    return rms;
+    return std::sqrt(sum / turns);
 }
 
 // Coaxial discs, as regular polygons of many sides. Howell, C-41.
@@ -134,8 +132,6 @@ TEST(FormFactor, CoaxialDiscs) {
         area += (double)p.share;
     }
     double exact = (3 - std::sqrt(5.)) / 2; // radii and distance 1: X = 3
-    std::printf("coaxial discs: %.5f, exactly %.5f: %.3f %%\n", sum / area, exact,
-                100 * (sum / area / exact - 1));
     EXPECT_NEAR(sum / area, exact, 0.003 * exact);
 }
 
@@ -158,10 +154,7 @@ TEST(FormFactor, FromAPointToARectangle) {
                 float got = b.row(hemicubeEye({(float)x, 0, 0.25f}, {0, 1, 0}, turn))[0];
                 sum += std::pow((double)got / exact - 1, 2);
             }
-            double rms = std::sqrt(sum / 32);
-            std::printf("point to rectangle, %d px, x %.2f: rms over 32 rotations %.3f %%\n", px, x,
-                        rms * 100);
-            EXPECT_LT(rms, px == 64 ? 0.005 : 0.002);
+            EXPECT_LT(std::sqrt(sum / 32), px == 64 ? 0.005 : 0.002);
         }
     }
 }

@@ -96,7 +96,6 @@ TEST(Direct, ARectangularLampIsItsFormFactor) {
                              4;
             worst = std::fmax(worst, std::fabs((double)room.r->direct[0][texel] - exact));
         });
-        std::printf("lamp at %.1f: largest error %.5f\n", (double)height, worst);
         EXPECT_LT(worst, 0.008) << height;
     }
 }
@@ -205,7 +204,6 @@ TEST(Solve, EnergyIsConserved) {
             arrived += area * (double)s.direct[i * s.columns];
             absorbed += area * (1 / (double)rho - 1) * (double)s.radiosity[i * s.columns];
         }
-        std::printf("rho %.2f: absorbed %.4f of the arriving light\n", (double)rho, absorbed / arrived);
         EXPECT_NEAR(absorbed / arrived, 1, 0.02) << rho;
         // A ball emits its radiance times pi times its surface 4 pi r^2, here in units of irradiance / pi
         EXPECT_NEAR(arrived, 4 * M_PI * 0.01, 0.02 * 4 * M_PI * 0.01) << rho;
@@ -285,8 +283,6 @@ TEST(Extremes, SizeDoesNotMatter) {
                     sum += b * b, difference += (a - b) * (a - b);
                 }
             }
-            std::printf("scale %g: rms difference %.4f %%\n", (double)scale,
-                        100 * std::sqrt(difference / sum));
             EXPECT_LT(std::sqrt(difference / sum), 0.002) << scale << " basis " << basis;
         }
     }

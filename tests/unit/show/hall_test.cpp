@@ -30,7 +30,6 @@ std::unique_ptr<Scene> posed(const HallLight &light) {
 TEST(Hall, FitsAndWastesNothing) {
     SolvedHall &s = solved();
     double used = (double)s.memory.arena.used / (double)s.memory.arena.size;
-    std::printf("%.3f of the arena is used\n", used);
     EXPECT_LT(used, 0.8);
     EXPECT_GT(used, 0.6);
     auto scene = posed({kNight, {1, 0.7f, 0.3f}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
@@ -44,7 +43,6 @@ TEST(Hall, IsClosed) {
     SolvedHall &s = solved();
     const Model &m = s.hall->model;
     SingleHemicube hemicube(kHallSettings.px);
-    double worst = 0;
     for (int i = 0; i < m.patchCount; i += kSanitized ? 7 : 1) {
         const Patch &p = m.patches[i];
         if (p.share == 0 || m.charts[p.chart].open) continue;
@@ -56,9 +54,7 @@ TEST(Hall, IsClosed) {
         EXPECT_NEAR(sum + dark, 1, 1e-6);
         EXPECT_LT(dark, 1e-6) << "patch " << i << " of chart " << p.chart << " at " << p.p.x << ' ' << p.p.y
                               << ' ' << p.p.z;
-        worst = std::fmax(worst, dark);
     }
-    std::printf("empty pixels: at most %.6f of a hemicube\n", worst);
 }
 
 // Bounds the variance of the form factors of charts in a hemicube. A straight border along the pixels is at a
@@ -111,7 +107,6 @@ TEST(Hall, HemicubesAgreeWithRays) {
     double row =
         (double)hemicube.sums[(size_t)(kHallSettings.px / 2 * (kHallSettings.px + 1) + kHallSettings.px)];
     double square = 0, noise = 0, raster = 0;
-    int compared = 0;
     for (int i = 7; i < m.patchCount; i += m.patchCount / (kSanitized ? 12 : 120)) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
@@ -133,11 +128,8 @@ TEST(Hall, HemicubesAgreeWithRays) {
             // A strip narrower than a pixel is missed, or has whole pixels, along one row at most
             EXPECT_LT(std::fabs(d), 5 * std::sqrt(binomial) + row) << "patch " << i << " chart " << k;
             square += d * d, noise += binomial, raster += variance[k];
-            ++compared;
         }
     }
-    std::printf("hemicubes against rays: rms %.5f; at most %.5f by the raster and %.5f by the rays\n",
-                std::sqrt(square / compared), std::sqrt(raster / compared), std::sqrt(noise / compared));
     EXPECT_LT(square, raster + noise);
 }
 
@@ -209,7 +201,6 @@ TEST(Hall, BouncesConvergeToTheSolution) {
             solution += (double)(system.radiosity[i * system.columns + 3 * k + 1] * noon.bounced[k].y);
     }
     for (int b = 1; b <= kBounces; ++b) {
-        std::printf("after %d bounces: %.3f of the light\n", b, mean[b] / solution);
         EXPECT_GT(mean[b], mean[b - 1]);
         EXPECT_LT(mean[b], solution * 1.001);
         if (b > 1) {

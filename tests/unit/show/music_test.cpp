@@ -87,14 +87,8 @@ TEST(Music, FollowsItsCurveOfLoudness) {
 
 TEST(Music, HitsAreOnTime) {
     std::vector<int> rows = hitRows();
-    int late = 0;
-    for (int row : rows) {
-        double rise = riseTime(music(), sampleOf(row));
-        std::printf("row %d: %.1f ms\n", row, rise);
-        late += rise > 10;
-    }
+    for (int row : rows) EXPECT_LE(riseTime(music(), sampleOf(row)), 10) << row;
     EXPECT_GE(rows.size(), 10u);
-    EXPECT_EQ(late, 0);
 }
 
 // The rows before the big hits are silent, after 30 ms in which the sound fades.
@@ -113,12 +107,9 @@ TEST(Music, IsSilentBeforeTheBigHits) {
 }
 
 TEST(Music, HasNoiseInEveryScene) {
-    for (const SceneSpan &span : sceneSpans()) {
-        const char *name = kScenes[span.scene].name;
-        double flat = flatness(music(), sampleOf(span.from), sampleOf(span.to));
-        std::printf("%s: %.3f\n", name, flat);
-        EXPECT_GT(flat, 0.05) << name;
-    }
+    for (const SceneSpan &span : sceneSpans())
+        EXPECT_GT(flatness(music(), sampleOf(span.from), sampleOf(span.to)), 0.05)
+            << kScenes[span.scene].name;
 }
 
 TEST(Music, NeitherClipsNorStops) {

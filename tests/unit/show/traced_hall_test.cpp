@@ -87,7 +87,6 @@ TEST(TracedHall, EveryPixelShowsWhatARayInDoublePrecisionHits) {
                 ASSERT_TRUE(shown >= -1 && shown < m.patchCount);
             }
     }
-    std::printf("%d of %d pixels show another patch\n", others, pixels);
     EXPECT_LT(others, pixels / 20000); // at edges, where the last bits decide
 }
 
@@ -132,9 +131,6 @@ TEST(TracedHall, IndirectLightAgreesWithPathTracing) {
         ++compared;
     }
     double mean = byPaths / compared, rms = std::sqrt(std::max(square - noise, 0.) / compared) / mean;
-    std::printf(
-        "noon, %d patches: %.4f of the light of paths, rms %.2f %% of their mean, net of %.2f %% noise\n",
-        compared, solved / byPaths, rms * 100, std::sqrt(noise / compared) / mean * 100);
     // Three standard errors of the mean, by the differences of the patches
     EXPECT_NEAR(solved / byPaths, 1, 3 * std::sqrt(square) / compared / mean);
     EXPECT_LT(rms, 0.08); // a patch gathers at one point, paths go on from anywhere on it

@@ -34,7 +34,6 @@ TEST(AdaptiveFaults, DoesNotFlicker) {
             ++count;
         }
     double rms = std::sqrt(squares / count);
-    std::printf("flicker: %.2f levels rms, %d values change by more than 48\n", rms, jumps);
     EXPECT_LT(rms, 1);
     EXPECT_LT(jumps, 3 * (kPictures - 1));
 }
@@ -64,7 +63,6 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
     for (int phase = 2; phase < 7; ++phase)
         inside += bends(p, phase) / 5, insideTruth += bends(truth, phase) / 5;
     double excess = bends(p, 0) / inside, usual = bends(truth, 0) / insideTruth;
-    std::printf("bends at the squares' edges: %.3f of those inside; traced in full %.3f\n", excess, usual);
     EXPECT_LT(excess, usual * 1.25);
 }
 
@@ -160,7 +158,7 @@ TEST(AdaptiveFaults, StripsOfShadowAreNotDashed) {
     for (float pixels = 2.3f; pixels < 8; pixels *= 1.3f)
         for (float roll : {2.f, 7.f, 19.f, 31.f}) {
             EXPECT_EQ(rows(pixels, roll, QualityName::Play), 180) << pixels << ' ' << roll;
-            if (roll > 5) EXPECT_GE(rows(pixels, roll, QualityName::Draft), 175) << pixels << ' ' << roll;
+            EXPECT_GE(rows(pixels, roll, QualityName::Draft), roll > 5 ? 175 : 0) << pixels << ' ' << roll;
         }
 }
 
@@ -181,9 +179,7 @@ static int blinks(QualityName quality, const std::function<void(Scene &)> &pose)
     }
     int most = *std::max_element(bright.begin(), bright.end());
     EXPECT_GT(most, 60);
-    int dark = (int)std::count_if(bright.begin(), bright.end(), [&](int b) { return 2 * b < most; });
-    std::printf("%s: %d of 64\n", named(quality).name, dark);
-    return dark;
+    return (int)std::count_if(bright.begin(), bright.end(), [&](int b) { return 2 * b < most; });
 }
 
 // The dim highlight of a ball of six pixels is found wherever it lies between the corners of squares. (In
@@ -273,8 +269,6 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
             for (int y = 0; y < 180; ++y) sum += std::pow(p.at(x, y, 1) / 255., 2.2);
             least = std::min(least, sum), most = std::max(most, sum);
         }
-        std::printf("%s: columns across the line are between %.3f and %.3f bright\n", named(quality).name,
-                    least, most);
         EXPECT_LT(most, 2 * least) << named(quality).name;
     }
 }
@@ -302,7 +296,6 @@ TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
             for (int y = 0; y < 180; ++y) off += p.at(x, y, 1) - truth.at(x, y, 1);
             worst = std::max(worst, std::abs(off));
         }
-        std::printf("%s: columns across the seam are off by up to %d levels\n", named(quality).name, worst);
         EXPECT_LT(worst, 64) << named(quality).name;
     }
 }
@@ -313,7 +306,7 @@ TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
 static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName name, double off,
                             double mostOff = 0.2) {
     constexpr int kCameras = 15;
-    double mean = 0, least = 9, most = 0;
+    double mean = 0;
     for (int i = 0; i < kCameras; ++i) {
         auto light = [&](QualityName n) {
             CameraKey turned = camera;
@@ -326,9 +319,8 @@ static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName n
         };
         double share = light(name) / light(QualityName::Reference);
         EXPECT_NEAR(share, 1, mostOff) << (int)name << ' ' << i;
-        mean += share / kCameras, least = std::min(least, share), most = std::max(most, share);
+        mean += share / kCameras;
     }
-    std::printf("%s keeps %.3f of the light, %.3f to %.3f\n", named(name).name, mean, least, most);
     EXPECT_NEAR(mean, 1, off) << (int)name;
 }
 

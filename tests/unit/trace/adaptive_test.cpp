@@ -20,7 +20,6 @@ TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
         return decibels(reference, p);
     };
     double draft = of(QualityName::Draft), play = of(QualityName::Play), film = of(QualityName::Film);
-    std::printf("draft %.2f, play %.2f, film %.2f dB\n", draft, play, film);
     EXPECT_GT(draft, 30);
     EXPECT_GT(play, draft + 1);
     EXPECT_GT(film, play + 1);
@@ -123,7 +122,6 @@ TEST(Adaptive, EachPixelShowsTheShapeInItsMiddle) {
             off += differs(0) || differs(1) || differs(2);
         }
         double share = 100. * off / (kWidth * kHeight);
-        std::printf("%s: %d of %d pixels wrong, %.4f %% off by more than 16\n", name, wrong, compared, share);
         EXPECT_LE(share, mostOff) << name;
     }
 }

@@ -101,13 +101,11 @@ static double withinByRays(double z, double within, double n) {
 }
 
 TEST(SoftShadow, OfGlassGathersTheLightThatItTakes) {
-    std::printf("share within .1, .2, .4, .8 radii: shaded / by rays\n");
     for (float behind : {1.05f, 1.25f, 1.5f, 2.f, 3.f}) {
         constexpr float kRadius = 0.5f;
         Eclipse e(kRadius, 1.f, 1.5f, {0.6f, 1, 1}, behind * kRadius);
         e.light.position.y = 1000; // far away
         findBlockers(*e.scene, e.light, {{-1, 0, -1}, {1, 0, 1}}, e.blockers);
-        std::printf("%4.2f ", behind);
         for (float within : {0.1f, 0.2f, 0.4f, 0.8f}) {
             double sum = 0, red = 0;
             constexpr int kRings = 4000;
@@ -119,12 +117,10 @@ TEST(SoftShadow, OfGlassGathersTheLightThatItTakes) {
                 red += (double)share.x[0] * 2 * y * within / kRings;
             }
             double truth = withinByRays(behind, within, 1.5);
-            std::printf("  %.2f / %.2f", sum, truth);
             EXPECT_NEAR(sum, truth, 0.11) << behind << ' ' << within;
             EXPECT_LT(sum, 0.85); // no more than the ball receives
             EXPECT_NEAR(red, 0.6 * sum, 0.01);
         }
-        std::printf("\n");
     }
 }
 

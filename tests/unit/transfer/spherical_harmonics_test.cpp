@@ -69,7 +69,6 @@ TEST(SphericalHarmonics, AgreeWithTheRecurrence) {
                 worst =
                     std::fmax(worst, std::fabs((double)y[(size_t)(l * (l + 1) + m)] - byRecurrence(l, m, d)));
     }
-    std::printf("largest difference %.1e\n", worst);
     EXPECT_LT(worst, 2e-6);
 }
 

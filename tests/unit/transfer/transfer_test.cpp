@@ -45,8 +45,6 @@ struct Floor {
 TEST(Day, IsWithinAFewPerCentOfExactSolutions) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (const DayError &e : dayErrors({0, 0.625f, 1, 2, 3, 4, 4.625f, 5, 6}, headlessGl(), serial)) {
-        std::printf("hour %g: %.2f %% of the lightmap, %.2f %% of all light\n", (double)e.hour, e.lightmap,
-                    e.whole);
         EXPECT_LT(e.whole, e.hour == 0 ? 3.5 : e.hour == 0.625f ? 2.2 : e.hour > 4.5f ? 1.2 : 1) << e.hour;
     }
 }
@@ -102,7 +100,6 @@ TEST(Gloss, AgreesWithRays) {
             double seen = (double)got[(size_t)(g.across * g.down + square)];
             error += (seen - exact) * (seen - exact), all += exact * exact;
         }
-        std::printf("gloss against rays: %.1f %% rms\n", 100 * std::sqrt(error / all));
         // The lobe covers a tenth of a hemicube: some 80 pixels, whose borders leave several per cent
         EXPECT_LT(std::sqrt(error / all), 0.1);
     }

@@ -109,8 +109,6 @@ TEST(Pca, LeavesNoMoreThanTheBestSubspace) {
             Data d = falling(300, 64, half);
             Result r(d, {.clusters = 1, .dimensions = dimensions, .rounds = 0, .iterations = 12});
             double best = bestLeft(d, half, dimensions), noise = r.size * 1e-13; // rounding
-            std::printf("%d axes of values that halve every %g: %.4f %% left, the best %.4f %%\n", dimensions,
-                        half, r.percent(), 100 * std::sqrt(best / r.size));
             EXPECT_LT(r.error, best * 1.05 + noise); // so the rms error is at most 2.5 % more
             EXPECT_GT(r.error, best * 0.999 - noise);
         }
@@ -144,8 +142,6 @@ TEST(Clustering, FindsTheFlats) {
     Result found(d, settings, seed);
     settings.rounds = 0;
     Result blocks(d, settings, seed), one(d, {.clusters = 1, .dimensions = 8, .rounds = 0, .iterations = 12});
-    std::printf("one subspace %.2f %%, as seeded %.2f %%, clustered %.4f %%\n", one.percent(),
-                blocks.percent(), found.percent());
     EXPECT_LT(found.percent(), 0.01);
     EXPECT_GT(one.percent(), 5);
     EXPECT_GT(blocks.percent(), 1);

@@ -7,8 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 using namespace odraz;
 using namespace odraz::radiosity;
 
@@ -29,7 +27,6 @@ TEST(Transfer, OfAnOpenPlaneIsTheCosineLobe) {
             for (size_t t = 0; t < room.texels(); ++t)
                 worst = std::max(
                     worst, std::fabs((double)room.plane(k, 1)[t] - lobe[bandOf(k)] / M_PI * (double)y[k][0]));
-        std::printf("open plane, largest difference %.1e\n", worst);
         EXPECT_LT(worst, 1.5e-3);
     }
 }
@@ -155,8 +152,7 @@ TEST(Gloss, IsTheLobeOfWhatArrives) {
                        got = (double)lit.gloss[(size_t)floor.texel(i, j)].y;
                 error += (got - exact) * (got - exact), all += exact * exact;
             }
-        std::printf("gloss against dense rays, %s: %.2f %% rms\n", what, 100 * std::sqrt(error / all));
-        EXPECT_LT(std::sqrt(error / all), limit);
+        EXPECT_LT(std::sqrt(error / all), limit) << what;
     };
     Mesh plate = meshOf({{{-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0}}, {{"grey", {0.5f, 0.5f, 0.5f}, {}}});
     shown(plate, {1, 1.5f, 3}, false, "an open floor", 0.02);

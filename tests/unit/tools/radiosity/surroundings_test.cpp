@@ -144,7 +144,6 @@ TEST(Sky, CutsWideLightIntoSuns) {
     for (const Sun &s : suns)
         most = std::max(most, (double)s.light.x), least = std::min(least, (double)s.light.x);
     EXPECT_LT(most, 2.5 * least);
-    std::printf("24 suns of %.2f to %.2f\n", least, most);
 }
 
 TEST(Sky, PutsSunsWhereAsked) {
