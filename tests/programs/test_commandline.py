@@ -81,7 +81,3 @@ def test_dumps_with_closed_descriptors(film, tmp_path, closed):
     run(*redirected(closed, film, '--dump', tmp_path / 'frames', *SMALL))
     sizes = {file.name: file.stat().st_size for file in (tmp_path / 'frames').iterdir()}
     assert sizes == {f'frame-{n:06}.ppm': 64 * 36 * 3 + 13 for n in range(50, 55)}
-
-
-def test_an_empty_interval_makes_no_frames(film):
-    assert run(film, '--dump', '-', '--from', 3, '--to', 3).stdout == ''

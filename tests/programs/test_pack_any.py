@@ -128,10 +128,6 @@ def test_reports_that_written_memory_may_not_be_executed(mdwe):
     refuses(1, './c.packed: may not run packed', './c.packed', preexec_fn=mdwe)
 
 
-def test_is_whole_if_it_names_a_program_to_use_instead():
-    pack('--test named')
-
-
 def test_reports_which_program_to_use_instead(mdwe):
     refuses(1, './named: use hello-safe', './named', preexec_fn=mdwe)
 

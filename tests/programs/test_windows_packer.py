@@ -32,10 +32,6 @@ def test_runs_by_any_path(wine, example):
     greets(wine, './hello.exe', cwd=example.parent)
 
 
-def test_is_whole(example):
-    assert ': whole; ' in run(PACK, '--test', example).stdout
-
-
 def test_is_unpacked_into_what_plain_makes(wine, example, tmp_path):
     plain, again = tmp_path / 'plain.exe', tmp_path / 'again.exe'
     run(PACK, '-d', example, '-o', plain)
