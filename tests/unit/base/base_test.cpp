@@ -1,5 +1,4 @@
 #include "base/arena.h"
-#include "base/parallel.h"
 #include "base/random.h"
 #include "base/text.h"
 #include "base/vec3.h"
@@ -7,7 +6,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <vector>
 
 using namespace odraz;
 
@@ -86,15 +84,4 @@ TEST(Text, FormatsAndCutsOff) {
     EXPECT_STREQ(small.data, "abc");
     Text<16> carry;
     EXPECT_STREQ(carry.decimal(1.996, 2).data, "2.00");
-}
-
-TEST(Parallel, SerialWorkersRunEveryPieceOnceAndStopOnAbort) {
-    Workers workers = serialWorkers();
-    std::vector<int> seen(100);
-    parallelFor(workers, 100, [&](int i, int) { ++seen[(size_t)i]; });
-    for (int n : seen) EXPECT_EQ(n, 1);
-    int abort = 1, ran = 0;
-    workers.abort = &abort;
-    parallelFor(workers, 100, [&](int, int) { ++ran; });
-    EXPECT_EQ(ran, 0);
 }

@@ -13,7 +13,6 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
-#include <sched.h>
 #include <sstream>
 #include <string>
 #include <sys/stat.h>
@@ -48,20 +47,6 @@ TEST(Threads, RunEveryPieceOnceRoundAfterRound) {
 // features. test_machine.py tests processors that lack a feature.
 TEST(Machine, DetectsTheProcessorsFeatures) {
     EXPECT_EQ(cpuSuffices(), __builtin_cpu_supports("x86-64-v3") != 0);
-}
-
-TEST(Machine, CountsTheProcessorsThatItMayUse) {
-    cpu_set_t before, one;
-    ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
-    EXPECT_EQ(cpuCount(), CPU_COUNT(&before));
-    int last = 0;
-    for (int i = 0; i < CPU_SETSIZE; ++i)
-        if (CPU_ISSET(i, &before)) last = i;
-    CPU_ZERO(&one);
-    CPU_SET(last, &one);
-    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
-    EXPECT_EQ(cpuCount(), 1);
-    ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 
 // The time is between two readings of the same clock through libc.

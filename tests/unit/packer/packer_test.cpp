@@ -225,18 +225,6 @@ TEST(Coder, SurvivesSurprises) {
             }
 }
 
-TEST(Coder, SurvivesDamage) {
-    Bytes b = structured(9, 1000);
-    Encoded e = encode(b, allCode(b), smallParameters(), workspace);
-    for (size_t i = 0; i < e.payload.size(); i += 97) {
-        Bytes broken = e.payload;
-        broken[i] ^= 0x10;
-        EXPECT_EQ(decode(broken.data(), broken.size(), allCode(b), smallParameters(), workspace).size(),
-                  b.size());
-        EXPECT_EQ(decode(broken.data(), i, allCode(b), smallParameters(), workspace).size(), b.size());
-    }
-}
-
 // A packed file has no bits for fields that contexts may not use.
 TEST(Coder, RefusesMasksOfFieldsThatCannotBeUsed) {
     for (int type = 0; type < 2; ++type)

@@ -110,11 +110,3 @@ TEST(Rules, APictureDependsOnlyOnItsTime) {
     bytes(0);
     EXPECT_EQ(bytes(0.19 * end), first);
 }
-
-TEST(Rules, LoadingFailsWhenTheArenaIsTooSmall) {
-    Workers workers = serialWorkers();
-    Intro *intro = nullptr;
-    alignas(64) static unsigned char block[4096];
-    Arena arena = {block, sizeof block, 0};
-    EXPECT_NE(load(intro, {1280, 720}, arena, workers, kDrawnHemicubes, nullptr), nullptr);
-}

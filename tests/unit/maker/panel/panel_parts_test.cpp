@@ -63,15 +63,6 @@ TEST(Loops, ReachOverWholeBeatsAndAreLongEnoughForTheMusic) {
     EXPECT_FALSE(loopBetween(0, 1, 1).on());
 }
 
-TEST(Loops, LeadBackToTheirStart) {
-    Loop l = {4, 8};
-    EXPECT_EQ(looped(l, 5), 5);
-    EXPECT_EQ(looped(l, 8), 4);
-    EXPECT_EQ(looped(l, 20), 4);
-    EXPECT_EQ(looped(l, 1), 4);
-    EXPECT_EQ(looped({}, 20), 20);
-}
-
 // --- The strip ---
 
 TEST(Strip, LiesAlongTheLowerEdge) {
