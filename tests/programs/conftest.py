@@ -65,6 +65,14 @@ def display():
 
 
 @pytest.fixture(scope='module')
+def screen(request):
+    """A display of the size SCREEN that the tests of a file share. (On a new one Wine would start its desktop again)"""
+    from displays import Display
+    with Display(request.module.SCREEN) as display:
+        yield display
+
+
+@pytest.fixture(scope='module')
 def wine(work):
     """The program that runs programs for Windows: run(wine, PROGRAM, OPTION...) (wine.started_wine)."""
     from wine import started_wine

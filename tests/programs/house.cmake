@@ -85,7 +85,6 @@ foreach(reader gltf hdr obj pack picture prt rad)
 endforeach()
 odraz_pytests(windows # They use Wine, and run one at a time
     windows_packer 30
-    windows_film 130
+    windows_film 190
     windows_sound 40
-    windows_libraries 60
     windows_window 150)

@@ -7,21 +7,15 @@ import pytest
 
 from running import BUILD, SOURCE, flip, redirected, refuses, run
 
+pytestmark = pytest.mark.usefixtures('made')
 PACK = BUILD / 'pack'
 
 
 @pytest.fixture(scope='module')
-def made(work):
-    """A folder with the example, packed, also as `named`, with the name of a program to use instead."""
-    printed = run('bash', SOURCE / 'packer/example/build.sh', PACK, work).stdout
-    (work / 'printed').write_text(printed)
-    run(PACK, *'hello.elf -o named --safe-name hello-safe --fast'.split(), cwd=work)
-    return work
-
-
-@pytest.fixture(autouse=True)
-def in_this_folder(made, monkeypatch):
-    monkeypatch.chdir(made)
+def made(in_work):
+    """The example, packed, also as `named`, with the name of a program to use instead."""
+    Path('printed').write_text(run('bash', SOURCE / 'packer/example/build.sh', PACK, '.').stdout)
+    run(PACK, *'hello.elf -o named --safe-name hello-safe --fast'.split())
 
 
 def says_hello(command, words=1):

@@ -12,6 +12,7 @@ from report_pages import adds_up, part_of
 from running import BUILD, SOURCE, needs, refuses, run
 
 needs('objdump', 'gcc', 'ar', 'perl')
+pytestmark = pytest.mark.usefixtures('made')
 PROGRAMS, EXAMPLE = SOURCE / 'tests/support/programs', SOURCE / 'packer/example/build.sh'
 PACK = (BUILD / 'pack', '--model', SOURCE / 'tests/support/small.model')
 FIRST = 'program -o packed --map program.map'
@@ -32,17 +33,11 @@ def build(folder, more):
 
 
 @pytest.fixture(scope='module')
-def made(work):
-    """A folder with a program; its page, report and text; and a second program, in which one function is longer."""
-    build(work, '')
-    build(work / 'second', '+ (i > 5 ? i / 7 : i << 20 ^ 0x12345678)')
-    pack(f'{FIRST} --html a.html --report a.json --text a.md --budget 5000', cwd=work)
-    return work
-
-
-@pytest.fixture(autouse=True)
-def in_this_folder(made, monkeypatch):
-    monkeypatch.chdir(made)
+def made(in_work):
+    """A program; its page, report and text; and a second program, in which one function is longer."""
+    build(in_work, '')
+    build(in_work / 'second', '+ (i > 5 ? i / 7 : i << 20 ^ 0x12345678)')
+    pack(f'{FIRST} --html a.html --report a.json --text a.md --budget 5000')
 
 
 def report_adds_up(path):

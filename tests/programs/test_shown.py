@@ -3,29 +3,21 @@ import re
 
 import pytest
 
-from displays import Display
 from pictures import read_picture
 from running import BUILD, needs_built, refuses, rows_of, run
 
 needs_built('odraz-debug', 'seen', 'probe')
 
 DEBUG, SEEN, PROBE = BUILD / 'odraz-debug', BUILD / 'seen', BUILD / 'probe'
-PLAYERS = '--machine 8 --machine 64 --screen 640x360 --screen 1280x720'.split()
+SCREEN, PLAYERS = '320x200', '--machine 8 --machine 64 --screen 640x360 --screen 1280x720'.split()
 
 
 @pytest.fixture(scope='module')
-def env():
-    """The environment of a display."""
-    with Display('320x200') as display:
-        yield display.env
-
-
-@pytest.fixture(scope='module')
-def shown(env, work):
+def shown(screen, work):
     """A list of what was shown in three seconds."""
     path = work / 'shown/list.csv'
     path.parent.mkdir()
-    played = run(DEBUG, '--shown', path, '--from', 50.5, '--to', 53.5, '--size', '160x90', '--mute', env=env)
+    played = run(DEBUG, '--shown', path, '--from', 50.5, '--to', 53.5, '--size', '160x90', '--mute', env=screen.env)
     assert played.stdout == played.stderr == ''
     assert [*path.parent.iterdir()] == [path]
     return path
@@ -101,9 +93,9 @@ def test_probe_prints_errors_and_keeps_the_films_picture_by_its_size(tmp_path):
     refuses(2, '--gap needs --setting', *probe)
 
 
-def test_a_list_goes_to_standard_output_too_and_what_prevents_it_is_reported(env, tmp_path):
+def test_a_list_goes_to_standard_output_too_and_what_prevents_it_is_reported(screen, tmp_path):
     command = DEBUG, '--size', '64x36', '--mute', '--from', 50, '--to', 50.5, '--shown'
-    assert run(*command, '-', env=env).stdout.startswith('at,time,kind')
-    refuses(1, f'cannot write {tmp_path}', *command, tmp_path, env=env)
-    refuses(1, 'no space left', *command, '/dev/full', env=env)
-    refuses(2, 'leave out --dump', DEBUG, '--shown', tmp_path / 'list', '--dump', tmp_path / 'frames', env=env)
+    assert run(*command, '-', env=screen.env).stdout.startswith('at,time,kind')
+    refuses(1, f'cannot write {tmp_path}', *command, tmp_path, env=screen.env)
+    refuses(1, 'no space left', *command, '/dev/full', env=screen.env)
+    refuses(2, 'leave out --dump', DEBUG, '--shown', tmp_path / 'list', '--dump', tmp_path / 'frames', env=screen.env)

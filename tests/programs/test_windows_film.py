@@ -1,24 +1,19 @@
 """The film for Windows, run by Wine, against the film for Linux. Frames of every scene, the hall, in-betweens and sound
-are equal to the byte; refused options and failed outputs give the same line. Most runs use the film that is not
-packed, which starts sooner."""
+are equal to the byte; refused options and failed outputs give the same line. It asks for five of the system's libraries
+and no others. Most runs use the film that is not packed, which starts sooner."""
 import os
+import re
 
 import pytest
 
-from displays import Display
 from running import BUILD, FILM, Program, redirected, refuses, run
 from wine import without
 
 pytestmark = pytest.mark.windows
-SAFE = f'{FILM}-safe'
+SAFE, SCREEN = f'{FILM}-safe', '640x480'  # OpenGL needs a display under Wine
 LINUX, WINDOWS = BUILD / SAFE, BUILD / f'{SAFE}.exe'
-
-
-@pytest.fixture(scope='module')
-def screen():
-    """The environment with the display that OpenGL needs under Wine."""
-    with Display('640x480') as display:
-        yield display.env
+# The program's own calls return to its addresses, below 16 MB
+CALL = rb'Call KERNEL32\.(?:LoadLibrary|LdrLoadDll)[A-Za-z]*\([0-9a-f]+ L?"([^"]*)".* ret=00[0-9a-f]{6}$'
 
 
 @pytest.mark.parametrize('film, options', [
@@ -37,7 +32,7 @@ def screen():
 ])
 def test_prints_what_the_film_for_linux_does(wine, screen, film, options, tmp_path):
     for name, command in ('wanted', [BUILD / film]), ('got', [wine, BUILD / f'{film}.exe']):
-        (tmp_path / name).write_bytes(run(*command, *options.split(), env=screen, text=False).stdout)
+        (tmp_path / name).write_bytes(run(*command, *options.split(), env=screen.env, text=False).stdout)
     assert (tmp_path / 'wanted').stat().st_size > 0
     run('cmp', tmp_path / 'wanted', tmp_path / 'got')
 
@@ -103,4 +98,18 @@ def test_refuses_a_closed_pipe(wine, tmp_path):
 @pytest.mark.parametrize('changes', [{'DISPLAY': None}, without('opengl32'), {'MESA_GL_VERSION_OVERRIDE': 2.1}])
 def test_refuses_to_draw_the_hall_without_opengl(wine, screen, changes):
     frame = ('--dump', '-', '--from', 100, '--to', 100.04, '--size', '64x36')
-    refuses(1, 'no OpenGL 3.3: install', wine, WINDOWS, *frame, env={**screen, **changes})
+    refuses(1, 'no OpenGL 3.3: install', wine, WINDOWS, *frame, env={**screen.env, **changes})
+
+
+@pytest.mark.parametrize('options, libraries', [
+    ('--dump - --from 20 --to 20.04 --size 64x36 --quality draft', 'kernel32'),
+    ('--wav - --to 0.1', 'kernel32'),
+    ('--help', 'kernel32'),
+    ('--dump - --from 100 --to 100.04 --size 64x36 --quality draft', 'gdi32 kernel32 opengl32 user32'),  # the hall
+    ('--window --size 64x36 --from 163.9', 'gdi32 kernel32 opengl32 user32 winmm'),
+])
+def test_asks_for_the_libraries_it_needs_alone(wine, screen, tmp_path, options, libraries):
+    with open(tmp_path / 'trace', 'wb') as trace:
+        screen.run(wine, WINDOWS, *options.split(), env={'WINEDEBUG': '-all,+relay'}, text=False, stderr=trace)
+    names = re.findall(CALL, (tmp_path / 'trace').read_bytes(), re.M)
+    assert {name.removesuffix(b'.dll').lower().decode() for name in names} == set(libraries.split())

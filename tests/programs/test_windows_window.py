@@ -4,20 +4,12 @@ import re
 
 import pytest
 
-from displays import Display
 from running import BUILD, FILM, refuses, wait_for
 from wine import answers_box, without
 
 pytestmark = pytest.mark.windows
 PACKED, SAFE = BUILD / f'{FILM}.exe', BUILD / f'{FILM}-safe.exe'
-SMALL = ('--window', '--size', '640x360')
-
-
-@pytest.fixture(scope='module')
-def screen():
-    """A display for all tests: on each new one Wine would start its desktop again."""
-    with Display('1000x700') as display:
-        yield display
+SCREEN, SMALL = '1000x700', ('--window', '--size', '640x360')
 
 
 def play(screen, *command):
