@@ -25,11 +25,8 @@ def refuses_to_make(text, to, name, folder):
     assert sorted(folder.glob('*')) == before
 
 
-def test_prints_its_usage():
+def test_prints_its_usage_and_needs_a_folder_and_a_name():
     assert run(NEW, '--help').stdout.startswith('usage: tools/new-film DIR NAME')
-
-
-def test_needs_a_folder_and_a_name():
     refuses(2, 'name a folder and the film', NEW)
 
 

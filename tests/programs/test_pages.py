@@ -10,12 +10,9 @@ def dead_links(pages):
     return [f'{page}: {link}' for page, link in links if not (page.parent / link).exists()]
 
 
-def test_no_link_is_dead():
+def test_no_link_is_dead(tmp_path):
     pages = run('git', 'ls-files', '*.md', ':!tools/film_template', cwd=SOURCE).stdout.splitlines()
     assert not dead_links(SOURCE / page for page in pages)
-
-
-def test_a_dead_link_would_be_found(tmp_path):
     page = tmp_path / 'wrong.md'
     page.write_text('[a](nothing.md)')
     assert dead_links([page]) == [f'{page}: nothing.md']
@@ -32,7 +29,4 @@ def unknown_keys(text):
 def test_every_key_that_a_page_names_is_one():
     pages = (SOURCE / folder / 'show/README.md' for folder in ('intro', 'tools/film_template'))
     assert not unknown_keys(''.join(page.read_text() for page in pages if page.exists()))
-
-
-def test_an_unknown_key_would_be_found():
     assert unknown_keys('`G` shows the path from outside, `K` sets a key') == {'G'}

@@ -83,14 +83,11 @@ def document(work):
     return work / 'film.rocket'
 
 
-def test_the_document_is_well_formed_and_has_each_track_once(document):
+def test_the_document_has_each_track_once_and_keys_on_the_films_rows(document):
     names = [name for name, _ in tracks_of(document)]
     camera = 'eye.x', 'eye.y', 'eye.z', 'target.x', 'target.y', 'target.z', 'roll', 'lens'
     assert {*(f'table.camera.tableWide:{number}' for number in camera), 'hall:exposure'} <= {*names}
     assert len(names) == len({*names})
-
-
-def test_keys_are_on_the_films_rows(document):
     assert (116, 1.59375, SMOOTH) in dict(tracks_of(document))[HEIGHT]
 
 

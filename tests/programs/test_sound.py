@@ -119,13 +119,9 @@ def is_smooth(heard):
     return float(step) < 12
 
 
-def test_has_no_dc_offset(heard):
+def test_has_no_dc_offset_and_no_click(heard):
     [(offset, *_)] = heard['all']
-    assert float(offset) < 3e-4
-
-
-def test_has_no_click(heard):
-    assert is_smooth(heard)
+    assert float(offset) < 3e-4 and is_smooth(heard)
 
 
 def test_left_and_right_are_alike_but_not_the_same_in_every_scene(heard):

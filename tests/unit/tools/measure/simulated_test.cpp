@@ -8,6 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <utility>
 
 using namespace odraz;
 using namespace odraz::measure;
@@ -53,10 +54,7 @@ TEST(Simulated, ThePageListsAreWellFormed) {
 
 // The number of in-betweens by gap (in sixtieths of a second), if all cadences but `cadence` have a high
 // penalty.
-struct Charged {
-    std::map<long, int> making, summed; // counted while they are made, and by the summary
-};
-Charged charged(Governor::Cadence cadence, double from, double to) {
+std::map<long, int> charged(Governor::Cadence cadence, double from, double to) {
     std::map<long, int> gaps;
     CostOf counting = [&](const PictureKind &p) {
         if (p.gap) ++gaps[std::lround(p.gap)];
@@ -70,32 +68,27 @@ Charged charged(Governor::Cadence cadence, double from, double to) {
         return pace;
     };
     std::vector<ShownPicture> list = simulate(counting, machine, from, to);
-    std::map<long, int> making = gaps;
-    gaps.clear();
+    std::map<long, int> made = std::exchange(gaps, {});
     summary(list, counting, machine);
-    return {making, gaps};
+    EXPECT_EQ(gaps, made) << "the summary charges the same";
+    return made;
 }
-constexpr Governor::Cadence kMaking[] = {Governor::kPairs, Governor::kFours, Governor::kSixes,
-                                         Governor::kThirty};
 
 // An in-between has the cost of the gap of its cadence.
 TEST(Simulated, InBetweensAreChargedAtTheirGap) {
-    for (Governor::Cadence cadence : kMaking) {
-        Charged c = charged(cadence, 150, 160); // without a cut
+    for (auto cadence : {Governor::kPairs, Governor::kFours, Governor::kSixes, Governor::kThirty}) {
+        std::map<long, int> made = charged(cadence, 150, 160); // without a cut
         int expected = 10 * 60 / Governor::kGap[cadence] * Governor::kInBetweens[cadence];
-        EXPECT_EQ(c.summed, c.making) << cadence;
         if (cadence != Governor::kPairs) {
-            EXPECT_LE(c.making[2], 1) << cadence << " (every film begins in pairs)";
+            EXPECT_LE(made[2], 1) << cadence << " (every film begins in pairs)";
         }
-        EXPECT_GT(c.making[Governor::kGap[cadence]], 0.85 * expected) << cadence;
+        EXPECT_GT(made[Governor::kGap[cadence]], 0.85 * expected) << cadence;
     }
 }
 
 // An in-between next to a cut, which is made from only one picture, has the cost of its cadence's gap too.
 // There is a cut at 40 s.
-TEST(Simulated, InBetweensNextToACutAreNotTraced) {
-    EXPECT_GT(charged(Governor::kSixes, 39, 41).making[6], 80);
-}
+TEST(Simulated, InBetweensNextToACutAreNotTraced) { EXPECT_GT(charged(Governor::kSixes, 39, 41)[6], 80); }
 
 // A faster machine shows as many pictures, or better ones.
 TEST(Simulated, FasterMachinesAreNoWorse) {
