@@ -1,4 +1,3 @@
-#include "host/clock.h"
 #include "host/cpu.h"
 #include "host/files.h"
 #include "host/process.h"
@@ -9,7 +8,6 @@
 #include <algorithm>
 #include <cpuid.h>
 #include <cstring>
-#include <ctime>
 #include <fcntl.h>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -47,18 +45,6 @@ TEST(Threads, RunEveryPieceOnceRoundAfterRound) {
 // features. test_machine.py tests processors that lack a feature.
 TEST(Machine, DetectsTheProcessorsFeatures) {
     EXPECT_EQ(cpuSuffices(), __builtin_cpu_supports("x86-64-v3") != 0);
-}
-
-// The time is between two readings of the same clock through libc.
-TEST(Machine, ReadsTheMonotonicClock) {
-    auto clock = [] {
-        timespec t;
-        clock_gettime(CLOCK_MONOTONIC, &t);
-        return t.tv_sec * (int64_t)1000000000 + t.tv_nsec;
-    };
-    int64_t before = clock(), now = nanoseconds(), after = clock();
-    EXPECT_LE(before, now);
-    EXPECT_LE(now, after);
 }
 
 // Compares with the processor's brand string, without trademarks and clock rate.
