@@ -41,9 +41,6 @@ public:
     // Traces a picture with 256 samples in every pixel, box-filtered, in the same format.
     std::vector<uint8_t> reference();
 
-    int width() const { return settings.width; }
-    int height() const { return settings.height; }
-
 private:
     IntroSettings settings;
     Workers workers;

@@ -2,7 +2,6 @@
 // pixel.
 #include "tools/common/statistics.h"
 #include "tools/common/text.h"
-#include "tools/common/whole_file.h"
 #include "tools/measure/bench/setting.h"
 #include "tools/measure/bench/subject.h"
 #include "tools/picture/flip.h"
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <unistd.h>
 
 namespace odraz::measure {
 
@@ -22,25 +20,14 @@ struct TradeoffOptions {
     std::string references;
 };
 
-// Reads the reference from the folder. If it is not there yet, traces and keeps it
-std::vector<uint8_t> referenceOf(Subject &subject, const std::string &folder, const std::string &name) {
-    if (folder.empty()) return subject.reference();
-    std::string file = folder + "/" + name + "-" + std::to_string(subject.width());
-    if (access(file.c_str(), R_OK) == 0) {
-        std::string bytes = common::readWhole(file);
-        return {bytes.begin(), bytes.end()};
-    }
-    std::vector<uint8_t> traced = subject.reference();
-    common::writeWhole(file, {(const char *)traced.data(), traced.size()});
-    return traced;
-}
-
 // Traces a scene and prints a row for each setting. Each round tries all settings, so that a disturbance of
 // the machine affects all of them.
 void measure(const std::string &scene, const TradeoffOptions &o) {
     int height = o.width * 9 / 16;
     Subject subject(findSubject(scene), o.width, height);
-    std::vector<uint8_t> reference = referenceOf(subject, o.references, scene);
+    std::string file = o.references + "/" + scene + "-" + std::to_string(o.width);
+    std::vector<uint8_t> reference =
+        kept(o.references.empty() ? "" : file, [&] { return subject.reference(); });
     pictures::SeenPicture seenReference = pictures::see(reference, o.width, height);
     std::vector<std::vector<double>> times(o.settings.size());
     for (int round = 1; round <= o.rounds; ++round)

@@ -6,6 +6,7 @@
 #include "tools/engine/heap_arena.h"
 #include "tools/engine/machine.h"
 
+#include <functional>
 #include <vector>
 
 namespace odraz::measure {
@@ -20,6 +21,10 @@ struct MeasuredFilm {
 
 // The red, green and blue bytes of a picture, 3 a pixel.
 std::vector<uint8_t> rgbOf(const Picture &picture);
+
+// Reads the bytes of a picture that is traced from a file, which keeps them. If there is no such file, or
+// `file` is empty, makes the picture.
+std::vector<uint8_t> kept(const std::string &file, const std::function<std::vector<uint8_t>()> &make);
 
 // The quality of a level, as the governor blends it: 0 film, 1 play, 2 draft.
 Quality qualityOf(float level);

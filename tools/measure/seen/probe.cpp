@@ -1,7 +1,6 @@
 // probe: prints what pictures of the film cost, in instructions, and how far they are from `film`. It counts
 // only if tools/measure/seen/costs has built it.
 #include "tools/common/text.h"
-#include "tools/common/whole_file.h"
 #include "tools/measure/bench/setting.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/picture/psnr.h"
@@ -10,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 // Instructions so far. The code of tools/measure/seen/counting/as uses the first 16 counters in turn: each
 // addition to a single counter would have to wait for the one before
@@ -72,20 +70,12 @@ struct ProbeOptions {
     bool list = false;
 };
 
-// The film's picture, in sRGB. The folder keeps it.
-std::vector<uint8_t> truthOf(Intro &intro, double seconds, const std::string &folder) {
-    auto path = common::format("%s/%.4f-%dx%d.rgb", folder.c_str(), seconds, intro.width, intro.height);
-    std::vector<uint8_t> rgb((size_t)intro.width * (size_t)intro.height * 3);
-    auto bytes = [&] { return reinterpret_cast<char *>(rgb.data()); };
-    if (std::ifstream(path, std::ios::binary).read(bytes(), (std::streamsize)rgb.size())) return rgb;
-    rgb = rgbOf(picture(intro, 0, seconds, kQualities[(int)QualityName::Film]));
-    common::writeWhole(path, {bytes(), rgb.size()});
-    return rgb;
-}
-
 // Makes pictures of a moment and prints their rows.
 void probe(Intro &intro, double seconds, const std::vector<Kind> &kinds, const std::string &folder) {
-    auto truth = folder.empty() ? std::vector<uint8_t>() : truthOf(intro, seconds, folder);
+    std::vector<uint8_t> truth; // the film's picture, in sRGB
+    if (!folder.empty())
+        truth = kept(common::format("%s/%.4f-%dx%d.rgb", folder.c_str(), seconds, intro.width, intro.height),
+                     [&] { return rgbOf(picture(intro, 0, seconds, kQualities[(int)QualityName::Film])); });
     for (const auto &[gap, name, quality] : kinds) {
         for (int i = 0; gap && i < 2; ++i) picture(intro, i, seconds + kSixtieth * gap * (i - 0.5), quality);
         parallel = 0;
