@@ -82,7 +82,7 @@ public:
         task.solution.cells = grid.cells, task.solution.texels = grid.texels;
         RaySystem rays(task.regions, grid, tree, dark);
         findRows(rays, grid);
-        ColumnSystem columns(rays, rays.reflectance(task.solution), lights(), s.solve.memory);
+        ColumnSystem columns(rays, rays.reflectance(task.solution), lights());
         solve(columns, rays, grid, tree);
         spread(columns, rays, grid);
         report.seconds[1] = lap();

@@ -5,7 +5,6 @@
 #include "radiosity/solve.h"
 #include "tools/engine/heap_arena.h"
 #include "tools/radiosity/rays/ray_system.h"
-#include "tools/radiosity/solution/solve_task.h"
 
 #include <algorithm>
 #include <vector>
@@ -15,11 +14,10 @@ namespace odraz::radiosity {
 // The columns are red, green and blue of each light: column 3 * light + channel.
 class ColumnSystem {
 public:
-    // `reflects`: the sites' reflectance. Throws std::runtime_error if more than `most` bytes are needed.
-    ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflects, int lights, size_t most)
+    // `reflects`: the sites' reflectance.
+    ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflects, int lights)
         : memory(4 * reflects.size() * paddedColumns(lights) * sizeof(float) + 4096) {
-        size_t sites = reflects.size(), bytes = bytesFor(sites, rays.rows.size(), lights);
-        if (bytes > most) refuseMemory(bytes, most, "larger elements, fewer rays or fewer bands need less");
+        size_t sites = reflects.size();
         // Add the shares of rays that hit the same site
         std::vector<size_t> firsts;
         std::vector<uint32_t> row;
