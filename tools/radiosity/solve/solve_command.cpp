@@ -14,8 +14,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-int stop = 0; // Ctrl-C sets it to 1
-
 // The parsed command line.
 struct SolveJob {
     // Reads the words after `solve`. Throws Refused.
@@ -168,6 +166,7 @@ private:
     Mesh mesh;
     Workers workers = allProcessors();
     Gl gl = {};
+    const int *stop = nullptr;
     std::unique_ptr<ProgressBar> bar;
 
     void read(std::vector<std::string> &notes) {
@@ -189,7 +188,7 @@ private:
             std::printf("needs about %zu MB of memory\n", bytes >> 20);
             std::fflush(stdout);
         };
-        stopAt(stop, {SIGINT});
+        stop = stopAt({SIGINT});
         bar = std::make_unique<ProgressBar>(job.options.progress);
     }
 
@@ -200,7 +199,7 @@ private:
         SolveSettings &settings = job.options.settings;
         Solved solved = solveNamed(job.model, [&] {
             if (settings.method == SolveMethod::kPatches) gl = openGl();
-            return solveModel(mesh, settings, gl, workers, &stop, progress);
+            return solveModel(mesh, settings, gl, workers, stop, progress);
         });
         bar->clear();
         return solved;

@@ -9,14 +9,13 @@
 
 namespace odraz::radiosity {
 
-static int *theStop; // global, because a signal handler has no parameter for it
-
-void stopAt(int &stop, const std::vector<int> &signals) {
-    theStop = &stop;
+const int *stopAt(const std::vector<int> &signals) {
+    static int stop; // a signal handler has no parameter for it
     struct sigaction action = {};
-    action.sa_handler = [](int) { __atomic_store_n(theStop, 1, __ATOMIC_RELAXED); };
+    action.sa_handler = [](int) { __atomic_store_n(&stop, 1, __ATOMIC_RELAXED); };
     action.sa_flags = (int)SA_RESETHAND;
     for (int signal : signals) sigaction(signal, &action, nullptr);
+    return &stop;
 }
 
 void printNotes(const std::vector<std::string> &notes) {

@@ -7,8 +7,8 @@
 
 namespace odraz::radiosity {
 
-// Makes the first of these signals set `stop` to 1. A second one ends the program.
-void stopAt(int &stop, const std::vector<int> &signals);
+// Returns a flag that the first of these signals sets to 1. A second one ends the program.
+const int *stopAt(const std::vector<int> &signals);
 
 // Prints notes on stderr, one line each.
 void printNotes(const std::vector<std::string> &notes);

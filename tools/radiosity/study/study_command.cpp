@@ -13,8 +13,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-int stopStudy = 0; // Ctrl-C sets it to 1
-
 struct StudyJob {
     StudySettings settings;
     std::string out;
@@ -101,7 +99,7 @@ int runStudy(common::CommandLine &line) {
         mesh = readModel(job.settings.model, job.options.read, notes);
         job.options.addLights(mesh, job.settings.solve.surroundings, notes);
     }
-    stopAt(stopStudy, {SIGINT, SIGTERM});
+    const int *stop = stopAt({SIGINT, SIGTERM});
     Gl gl = openGl();
     Workers workers = allProcessors();
     ProgressBar bar(job.options.progress);
@@ -110,7 +108,7 @@ int runStudy(common::CommandLine &line) {
     std::span<const Chapter> chapters = kChapters;
     if (job.table41) chapters = kTable41;
     for (const Chapter &c : chapters) job.settings.tasks += job.settings.quick ? c.quickTasks : c.tasks;
-    Study study(job.settings, mesh, gl, workers, &stopStudy, page, bar);
+    Study study(job.settings, mesh, gl, workers, stop, page, bar);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
     bool complete = writeChapters(study, chapters);
     writeSummary(study);

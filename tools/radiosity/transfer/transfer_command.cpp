@@ -13,8 +13,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-int stopChecking = 0; // Ctrl-C sets it to 1
-
 struct TransferJob {
     std::string model, out;
     bool check = false;
@@ -103,8 +101,8 @@ int runTransfer(common::CommandLine &line) {
     printTransferReport(mesh, room, report);
     std::fflush(stdout);
     if (!job.check) return 0;
-    stopAt(stopChecking, {SIGINT, SIGTERM});
-    if (!printCheck(mesh, job.settings, room, (int)report.raysFromSite, job.skies, workers, &stopChecking)) {
+    const int *stop = stopAt({SIGINT, SIGTERM});
+    if (!printCheck(mesh, job.settings, room, (int)report.raysFromSite, job.skies, workers, stop)) {
         std::fflush(stdout);
         throw std::runtime_error("interrupted: the check is incomplete; " + job.out + " is saved");
     }
