@@ -123,6 +123,18 @@ private:
     std::unique_ptr<Parser> parser;
 };
 
+// Returns the item of a list with this name. Throws Refused, with all names, if there is none. `what`: what
+// the list has; nameOf(item): an item's name.
+template <class List, class NameOf>
+const auto &named(const List &list, const std::string &name, const std::string &what, NameOf nameOf) {
+    std::string known;
+    for (const auto &item : list) {
+        if (nameOf(item) == name) return item;
+        known += std::string(" ") + nameOf(item);
+    }
+    throw Refused("unknown " + what + " '" + name + "': use one of" + known);
+}
+
 // Parses `count` finite numbers separated by commas, such as "1,2.5,3". Throws Refused for any other text.
 std::vector<double> numbersOf(const std::string &option, const std::string &text, size_t count);
 

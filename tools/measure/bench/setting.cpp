@@ -53,21 +53,15 @@ std::vector<Knob> knobsOf(Quality &q) {
 }
 
 void turn(Quality &q, const std::string &knob, float value) {
-    std::string known;
-    for (const Knob &k : knobsOf(q)) {
-        if (knob == k.name) {
-            if (k.whole ? std::find(k.values.begin(), k.values.end(), value) == k.values.end()
-                        : !(value >= 0 && std::isfinite(value)))
-                throw common::Refused(knob + " cannot have this value: see intro/trace/quality.h");
-            if (k.whole)
-                *k.whole = (int)value;
-            else
-                *k.real = value;
-            return;
-        }
-        known += std::string(" ") + k.name;
-    }
-    throw common::Refused("unknown knob '" + knob + "': use one of" + known);
+    const std::vector<Knob> knobs = knobsOf(q);
+    const Knob &k = common::named(knobs, knob, "knob", [](const Knob &k) { return k.name; });
+    if (k.whole ? std::find(k.values.begin(), k.values.end(), value) == k.values.end()
+                : !(value >= 0 && std::isfinite(value)))
+        throw common::Refused(knob + " cannot have this value: see intro/trace/quality.h");
+    if (k.whole)
+        *k.whole = (int)value;
+    else
+        *k.real = value;
 }
 
 // A quality by its name, or the governor's quality at a level
@@ -76,12 +70,7 @@ Quality named(const std::string &name) {
         double level = common::numberOf("level", name.substr(6), {0, Governor::kSteps});
         return qualityOf((float)level);
     }
-    std::string known;
-    for (const Quality &q : kQualities) {
-        if (name == q.name) return q;
-        known += std::string(" ") + q.name;
-    }
-    throw common::Refused("unknown quality '" + name + "': use one of" + known);
+    return common::named(kQualities, name, "quality", [](const Quality &q) { return q.name; });
 }
 
 } // namespace

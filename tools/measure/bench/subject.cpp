@@ -23,12 +23,7 @@ const std::vector<SubjectName> &subjectNames() {
 }
 
 SubjectName findSubject(const std::string &name) {
-    std::string known;
-    for (const SubjectName &n : subjectNames()) {
-        if (n.name == name) return n;
-        known += " " + n.name;
-    }
-    throw common::Refused("unknown scene '" + name + "': use one of" + known);
+    return common::named(subjectNames(), name, "scene", [](const SubjectName &n) { return n.name; });
 }
 
 View poseSubject(const SubjectName &subject, const IntroSettings &settings, const Film &film) {
