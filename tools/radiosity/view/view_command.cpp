@@ -23,13 +23,7 @@ struct ViewJob {
 };
 
 void addLayer(ViewLayers &to, const std::string &name) {
-    for (const ViewLayer &layer : kViewLayers)
-        if (name == layer.name) {
-            to.*layer.shown = true;
-            return;
-        }
-    throw common::Refused("unknown layer '" + name +
-                          "': use patches, elements, wireframe, hemicube or backs");
+    to.*common::named(kViewLayers, name, "layer", [](const ViewLayer &l) { return l.name; }).shown = true;
 }
 
 void readViewJob(common::CommandLine &line, ViewJob &job) {
@@ -79,49 +73,45 @@ void readViewJob(common::CommandLine &line, ViewJob &job) {
 int runView(common::CommandLine &line) {
     ViewJob job;
     readViewJob(line, job);
-    auto keys = [&] {
+    auto open = [&](const Vec3 &origin) {
+        job.camera.moveTo(origin);
+        job.view.camera = job.camera.settings;
+        auto window = std::make_unique<ViewWindow>(job.view);
         if (job.view.screenshot.empty())
             std::fputs(viewKeysText(viewKeys(job.room)).c_str(), stdout), std::fflush(stdout);
+        return window;
+    };
+    auto cameraFor = [&](const Solution &solution) {
+        RenderSettings camera = job.view.camera;
+        placeCamera(solution, camera);
+        return camera;
     };
     if (job.room) {
         TransferRoom given = TransferRoom::read(job.in);
         Workers workers = allProcessors();
         job.relight.changeClusters(given, workers);
         job.camera.useUpOf(given.upIsZ);
-        job.camera.moveTo(given.model.origin);
-        job.view.camera = job.camera.settings;
         RelitRoom room(std::move(given), job.relight, ViewWindow::wake);
-        ViewWindow window(job.view);
-        keys();
-        RenderSettings camera = job.view.camera;
-        placeCamera(room.model(), camera);
-        window.show(room, camera);
-        window.run(nullptr);
+        auto window = open(room.model().origin);
+        window->show(room, cameraFor(room.model()));
+        window->run(nullptr);
         return 0;
     }
     if (!isModel(job.in)) {
         Solution solution(job.in);
-        job.camera.moveTo(solution.origin);
-        job.view.camera = job.camera.settings;
         auto mesh = std::make_shared<const ViewMesh>(solution);
-        ViewWindow window(job.view);
-        keys();
-        RenderSettings camera = job.view.camera;
-        placeCamera(solution, camera);
-        window.show(mesh, mesh->light(solution), camera);
-        window.run(nullptr);
+        auto window = open(solution.origin);
+        window->show(mesh, mesh->light(solution), cameraFor(solution));
+        window->run(nullptr);
         return 0;
     }
     std::vector<std::string> notes;
     Mesh mesh = readModel(job.in, job.solve.read, notes);
     job.solve.addLights(mesh, job.solve.settings.surroundings, notes);
-    job.camera.moveTo(mesh.origin);
-    job.view.camera = job.camera.settings;
-    ViewWindow window(job.view);
-    keys();
+    auto window = open(mesh.origin);
     printNotes(notes);
     BackgroundSolve solver(std::move(mesh), job.solve.settings, job.view.camera, ViewWindow::wake);
-    solveNamed(job.in, [&] { window.run(&solver); });
+    solveNamed(job.in, [&] { window->run(&solver); });
     // End the program without waiting for the solver
     if (std::fflush(stdout)) return 1;
     if (!solver.takeNews().done) endProcess(0);
