@@ -52,9 +52,9 @@ void RelightOptions::addTo(common::CommandLine &line, bool withSky) {
     if (withSky)
         line.option("--sky", "R,G,B|FILE", sky,
                     "the light from outside; the share of a picture's energy that the bands lose is printed");
-    line.option("--turn", "DEGREES", around, {-36000, 36000},
+    line.option("--turn", "DEGREES", turn, {-36000, 36000},
                 "rotate the sky about the axis that points up, from -z (+y if z is up) towards +x");
-    line.option("--tilt", "DEGREES", up, {-90, 90},
+    line.option("--tilt", "DEGREES", tilt, {-90, 90},
                 "then rotate it about x, which moves the middle of the picture upwards");
     line.option("--lamps", "LIST", lamps,
                 "all, none, or a list of lamps by number or name, such as 1,3=0.5; by default all");
@@ -90,7 +90,7 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
         std::printf("%s\n",
                     bandLossText(sky.substr(sky.rfind('/') + 1), light.sky, light.lighting.bands).c_str());
     printNotes(notes);
-    light.lighting.sky = turnedSky(light.sky.light, room, around, up);
+    light.lighting.sky = turnedSky(light.sky.light, room, turn, tilt);
     return light;
 }
 

@@ -15,8 +15,6 @@ public:
     static void refuseFor(const std::string &path, const common::CommandLine &line);
     // Finds new clusters for the room if the options ask for another number of clusters.
     void changeClusters(TransferRoom &room, Workers &workers) const;
-    double turn() const { return around; } // degrees
-    double tilt() const { return up; }
 
     struct Light {
         Lighting lighting;
@@ -27,11 +25,11 @@ public:
     // Refused.
     Light of(const TransferRoom &room) const;
 
-    std::string sky; // the value of --sky
+    std::string sky;           // the value of --sky
+    double turn = 0, tilt = 0; // degrees
 
 private:
     std::string lamps;
-    double around = 0, up = 0;
     int bands = 0, clusters = 0, rank = -1;
 };
 
