@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace odraz::radiosity {
@@ -41,23 +42,18 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
                                " elements: elements there are longer than --element asks");
     solution.origin = mesh.origin;
     this->settings.surroundings.moveTo(mesh.origin);
-    // Adds a name, and returns its offset.
-    auto added = [&](const std::string &name) {
-        solution.names.insert(solution.names.end(), name.c_str(), name.c_str() + name.size() + 1);
-        return (int)(solution.names.size() - name.size() - 1);
+    std::map<std::string, int> offsets; // of names
+    auto offsetOf = [&](const std::string &name) {
+        auto [entry, isNew] = offsets.try_emplace(name, (int)solution.names.size());
+        if (isNew) solution.names.insert(solution.names.end(), name.c_str(), name.c_str() + name.size() + 1);
+        return entry->second;
     };
-    std::vector<int> begin; // offset of each material's name
-    for (const MeshMaterial &m : mesh.materials) begin.push_back(added(m.name));
-    std::vector<std::array<int, 2>> objects; // offsets of each object's name and group, then of an empty name
-    for (const MeshObject &o : mesh.objects) objects.push_back({added(o.name), added(o.group)});
-    objects.push_back({added(""), (int)solution.names.size() - 1});
-    for (int object : regions.object) {
-        const auto &[name, group] = object < 0 ? objects.back() : objects[(size_t)object];
-        solution.object.push_back(name), solution.group.push_back(group);
-    }
-    for (int material : regions.material) {
-        solution.material.push_back(begin[(size_t)material]);
-        const MeshMaterial &m = mesh.materials[(size_t)material];
+    const MeshObject none;
+    for (size_t i = 0; i < regions.charts.size(); ++i) {
+        const MeshMaterial &m = mesh.materials[(size_t)regions.material[i]];
+        const MeshObject &o = regions.object[i] < 0 ? none : mesh.objects[(size_t)regions.object[i]];
+        solution.material.push_back(offsetOf(m.name));
+        solution.object.push_back(offsetOf(o.name)), solution.group.push_back(offsetOf(o.group));
         solution.reflects.push_back({m.reflects[0], m.reflects[1], m.reflects[2]});
         solution.emits.push_back({m.emits[0], m.emits[1], m.emits[2]});
     }
