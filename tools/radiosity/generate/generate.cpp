@@ -191,19 +191,16 @@ int runGenerate(common::CommandLine &line) {
                 "divide polygons into triangles of at most this area; by default they stay whole");
     addMaterialChanges(line, changes);
     line.parse();
-    static const char *const kinds[] = {"cube",  "columns", "corner",  "cave",
-                                        "vault", "terrain", "furnace", "squares"};
-    if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds))
+    size_t triangles = 0;
+    std::string model = generateObj(kind, area, &triangles);
+    if (model.empty())
         throw common::Refused(
             "name a model: cube, columns, corner, cave, vault, terrain, furnace or squares");
     if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
         throw common::Refused("name a file with -o MODEL.obj");
     std::string mtl = out.substr(0, out.size() - 4) + ".mtl", name = mtl.substr(mtl.rfind('/') + 1);
     for (const std::string &path : {out, mtl}) common::claimOutput(path);
-    std::string materials = generateMtl(changes);
-    size_t triangles = 0;
-    std::string model = generateObj(kind, area, &triangles);
-    common::writeWhole(mtl, materials);
+    common::writeWhole(mtl, generateMtl(changes));
     common::writeWhole(out, kGeneratedObj + ("\nmtllib " + name + "\n") + model);
     bool fine = area > 0 || kind == "vault" || kind == "terrain";
     std::printf(
