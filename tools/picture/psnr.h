@@ -34,21 +34,28 @@ inline float srgbOfLinear(float x) {
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
 
-// PSNR in linear light of eight-bit sRGB values, which weighs bright pixels more. Both have the same size.
-inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
-    double squares = 0;
+// The sum of the squared differences of eight-bit sRGB values, and the same in linear light, which weighs
+// bright pixels more. Both vectors have the same size.
+inline double squares(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sum;
+}
+inline double linearSquares(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    double sum = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         double d = (linearOfSrgb(a[i]) - linearOfSrgb(b[i])) * 255;
-        squares += d * d;
+        sum += d * d;
     }
-    return psnr(squares, a.size());
+    return sum;
 }
 
-// PSNR of two vectors of the same size.
+// PSNR of two vectors of the same size, as they are and in linear light.
 inline double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
-    double squares = 0;
-    for (size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
-    return psnr(squares, a.size());
+    return psnr(squares(a, b), a.size());
+}
+inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    return psnr(linearSquares(a, b), a.size());
 }
 
 } // namespace pictures

@@ -94,15 +94,8 @@ void Viewer::compare(const std::vector<ShownPicture> &list, double begin, double
         }
         Truth &kept = truths.at(n);
         const std::vector<uint8_t> &truth = kept.rgb;
-        double linear = 0, srgb = 0;
-        for (size_t k = 0; k < truth.size(); ++k) {
-            double a = (pictures::linearOfSrgb(truth[k]) - pictures::linearOfSrgb(shown[k])) * 255,
-                   b = truth[k] - shown[k];
-            linear += a * a;
-            srgb += b * b;
-        }
-        errors.linear += linear / (double)truth.size();
-        errors.srgb += srgb / (double)truth.size();
+        errors.linear += pictures::linearSquares(truth, shown) / (double)truth.size();
+        errors.srgb += pictures::squares(truth, shown) / (double)truth.size();
         if ((n - first) % kFlipStep == std::min(kFlipFirst, last - first - 1)) {
             if (kept.perceived.lightness.empty()) kept.perceived = pictures::see(truth, width, height);
             errors.flip += pictures::meanFlip(kept.perceived, pictures::see(shown, width, height));
