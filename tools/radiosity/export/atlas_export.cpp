@@ -6,11 +6,8 @@
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture.h"
-#include "tools/picture/psnr.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
 #include <stb/stb_image_write.h>
 
@@ -32,11 +29,9 @@ float lightOfOne(const Solution &b, bool radiosity) {
 
 void writePng(const common::NewFolder &folder, const std::string &name, const AtlasPage &size,
               const std::vector<float> &texels, float one) {
-    pictures::Image picture = {size.width, size.height, {}};
-    picture.rgb.resize(texels.size());
-    for (size_t i = 0; i < texels.size(); ++i)
-        picture.rgb[i] = (uint8_t)(pictures::srgbOfLinear(texels[i] / one) * 255 + 0.5f);
-    pictures::writePng(folder / name, picture);
+    pictures::Picture picture = {.width = size.width, .height = size.height, .light = texels};
+    for (float &x : picture.light) x /= one;
+    pictures::writePng(folder / name, pictures::toImage(picture));
 }
 
 void writeHdr(const common::NewFolder &folder, const std::string &name, const AtlasPage &size,
