@@ -4,21 +4,18 @@
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 
 namespace common {
 
 static void append(std::string &to, const char *format, va_list arguments) {
-    va_list again;
-    va_copy(again, arguments);
-    int size = std::vsnprintf(nullptr, 0, format, again);
-    va_end(again);
+    char *text;
+    int size = vasprintf(&text, format, arguments);
     if (size < 0) return;
-    size_t before = to.size();
-    to.resize(before + (size_t)size + 1); // with the final zero
-    std::vsnprintf(&to[before], (size_t)size + 1, format, arguments);
-    to.pop_back();
+    to.append(text, (size_t)size);
+    std::free(text);
 }
 
 std::string format(const char *format, ...) {
@@ -94,11 +91,6 @@ static std::map<std::string, std::string> dividedLetters() {
              all[takeCharacter(rest)] = letter + mark)
             letter = takeCharacter(rest);
     }
-    for (auto &[whole, parts] : all) { // the letter may have another mark
-        std::string_view mark = parts;
-        if (auto letter = all.find(takeCharacter(mark)); letter != all.end())
-            parts = letter->second + std::string(mark);
-    }
     // Korean syllables
     auto utf8 = [](int c) {
         return std::string{(char)(0xe0 | c >> 12), (char)(0x80 | (c >> 6 & 63)), (char)(0x80 | (c & 63))};
@@ -115,29 +107,19 @@ std::string decomposed(std::string_view text) {
     while (!text.empty()) {
         const std::string c = takeCharacter(text);
         auto found = all.find(c);
-        to += found == all.end() ? c : found->second;
+        to += found == all.end() ? c : decomposed(found->second); // the letter may have another mark
     }
     return to;
 }
 
 std::string htmlText(const std::string &text) {
+    static const std::map<char, std::string> kEscapes = {
+        {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
     std::string escaped;
-    for (char c : text) switch (c) {
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += c;
-        }
+    for (char c : text) {
+        auto found = kEscapes.find(c);
+        escaped += found == kEscapes.end() ? std::string(1, c) : found->second;
+    }
     return escaped;
 }
 
