@@ -1,6 +1,5 @@
 #include "packer/model/estimate.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>

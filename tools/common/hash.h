@@ -1,7 +1,6 @@
 // FNV-1a, the 64-bit hash of Fowler, Noll and Vo. It compares contents; it is not secure.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string_view>
 

@@ -7,7 +7,6 @@
 #include "tools/picture/psnr.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <strings.h>
 

@@ -12,7 +12,6 @@
 #include "trace/picture/development.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>

@@ -5,7 +5,6 @@
 #include "tools/common/command_line.h"
 #include "tools/measure/seen/shown.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

@@ -8,7 +8,6 @@
 #include "tools/radiosity/read/surroundings.h"
 
 #include <array>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
