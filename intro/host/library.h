@@ -8,8 +8,9 @@
 
 namespace odraz {
 
-// Fills table[] with functions of the library `soname`, or with those of libc if it is null. `names` is the list of their names: each name ends
-// with a zero, and the list ends with an empty name. Returns null, or the missing library or function.
+// Fills table[] with functions of the library `soname`, or with those of libc if it is null. `names` is the
+// list of their names: each name ends with a zero, and the list ends with an empty name. Returns null, or the
+// missing library or function.
 const char *loadFunctions(const char *soname, const char *names, void **table);
 
 // Returns the name that follows `name` in such a list.

@@ -12,7 +12,8 @@ struct SunAndSky {
     Rgb sunlight;
     Rgb low, high, glow; // the sky at the horizon, above, and around the sun
 };
-constexpr SunAndSky kDay[] = { // rows in the enum's order
+// Rows in the enum's order
+constexpr SunAndSky kDay[] = {
     [kSunrise] =
         {62, 9, {0.24f, 0.2f, 0.2f}, {0.04f, 0.13f, 0.34f}, {0.02f, 0.12f, 0.48f}, {0.7f, 0.15f, 0.06f}},
     [kMorning] =

@@ -286,7 +286,8 @@ static int semitonesUpAt(int scene, int bar) {
 
 // Returns the crossfeed in per cent (mixer.h). The sound is narrow before direct light, widest in the finale.
 static int crossfeedAt(int scene, int bar) {
-    static constexpr int8_t kCrossfeed[kSceneCount] = { // rows in the enum's order
+    // Rows in the enum's order
+    static constexpr int8_t kCrossfeed[kSceneCount] = {
         [kPoint] = 15, [kTable] = 25, [kFlake] = 12,  [kPatches] = 16,
         [kHall] = 13,  [kOdraz] = 6,  [kCredits] = 10};
     return scene == kPatches && bar < kEvents[kDirectLight].row / 16 ? 35 : kCrossfeed[scene];
