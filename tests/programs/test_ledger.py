@@ -96,6 +96,7 @@ def test_lines_are_listed_with_their_changes_and_the_budget(house):
 def test_pictures_models_data_texts_and_untracked_files_do_not_count(house):
     for ending in 'svg jpg exr gltf glb obj mtl csv bin keys md nfo diz'.split():
         house.write(f'intro/trace/file.{ending}', 20)
+    house.write('LICENSE', 20)
     house.git('add', '-A')
     house.write('intro/trace/run', 9)
     assert has_row(r'intro/trace 10 0 0 60 10 \+0$', house.lines()[0])

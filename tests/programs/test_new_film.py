@@ -156,6 +156,7 @@ def test_its_archives_have_its_own_texts(made, tmp_path):
     assert not [text for text in (f'{NAME}.nfo', 'README.txt', 'file_id.diz') if names_odraz(texts / text)]
     licensed = f'Copyright (c) {datetime.date.today().year} the {NAME} team'
     assert licensed in (texts / 'LICENSE.txt').read_text().splitlines()
+    assert (texts / 'LICENSE.txt').read_bytes() == (made / 'LICENSE').read_bytes()
 
 
 @long

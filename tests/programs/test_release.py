@@ -101,6 +101,7 @@ def test_its_texts_are_filled_in(inside):  # tools/release itself counts their c
     for text in texts.values():
         # Every character is ASCII, and so has the same code in CP437
         assert not re.search(rb'@[A-Z][A-Z_]*@|[^\x20-\x7e\r\n]', text)
+    assert texts['LICENSE.txt'] == (SOURCE / 'LICENSE').read_bytes()
     nfo = texts['odraz.nfo']
     assert nfo.count(b'\r\n') == nfo.count(b'\n')
     for program in 'odraz', 'odraz.exe':
@@ -210,10 +211,11 @@ def tree_of(tree, **fields):
         conf = re.sub(f'^{name}=.*', f'{name}={value}', conf, flags=re.M)
     (tree / 'intro/film.conf').write_text(conf)
     shutil.copy(RELEASE, tree / 'tools')
+    shutil.copy(SOURCE / 'LICENSE', tree)
     write_script(tree / 'tools/measure/all', 'echo "stale: size: since 0123456789ab intro"', 'exit 1')
     git = ('git', '-C', tree, '-c', 'user.name=test', '-c', 'user.email=test')
     run('git', 'init', '-q', tree)
-    run(*git, 'add', 'tools', 'intro')
+    run(*git, 'add', 'LICENSE', 'tools', 'intro')
     run(*git, 'commit', '-qm', 'one')
     return git
 

@@ -7,7 +7,8 @@ for program in "${programs[@]}"; do
     cp "$BUILD/portable/$program" "$linux"
 done
 TEXTS=$TEXTS/tools text README.txt
-cp "$TEXTS/LICENSE.txt" "$TEXTS/tools/NOTICES.txt" "$linux"
+cp "$ODRAZ/LICENSE" "$linux/LICENSE.txt"
+cp "$TEXTS/tools/NOTICES.txt" "$linux"
 cp "$ODRAZ/packer/README.md" "$ODRAZ/packer/report.png" "$linux/doc/pack"
 cp "$ODRAZ"/tools/radiosity/{README.md,METHOD.md,vault.png} "$linux/doc/radiosity"
 cp "$ODRAZ/tools/CI.md" "$linux/doc"
