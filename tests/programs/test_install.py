@@ -1,4 +1,6 @@
-"""cmake --install puts the film, the tools and their READMEs under a prefix, and each program runs there."""
+"""cmake --install puts the film, the tools and their READMEs under a prefix, and each program runs there. cmake takes
+another compiler, and makes tools for a debugger."""
+import json
 import re
 
 import pytest
@@ -37,3 +39,34 @@ def test_texts_are_there_and_nothing_else(prefix):
     for text in 'pack/README.md', 'radiosity/README.md', 'radiosity/METHOD.md', 'CI.md', 'LICENSE':
         assert (prefix / 'share/doc' / FILM / text).stat().st_size
     assert {path.name for path in prefix.iterdir()} == {'bin', 'share'}
+
+
+def configured(folder, *options):
+    """Configures a build. Returns what cmake prints on stderr, and the compiler's command for each object."""
+    warnings = run('cmake', '-S', SOURCE, '-B', folder, '-G', 'Ninja', *options).stderr
+    commands = [entry['command'].replace(str(folder), 'BUILD')
+                for entry in json.loads((folder / 'compile_commands.json').read_text())]
+    return warnings, {re.search(' -o ([^ ]+)', command)[1]: command for command in commands}
+
+
+TOOL = 'tools/common/CMakeFiles/common.dir/text.cpp.o'
+UNIT = 'tests/unit/CMakeFiles/base_tests.dir/Unity/unity_0_cxx.cxx.o'
+ENGINE = 'intro/CMakeFiles/engine.dir/base/text.cpp.o'
+
+
+def test_clang_compiles_engine_and_tools_and_one_line_says_that_it_cannot_compile_the_film(tmp_path):
+    needs('ninja', 'clang++-19')
+    warnings, commands = configured(tmp_path, '-DCMAKE_CXX_COMPILER=clang++-19')
+    assert re.fullmatch(r'warning: Clang 19\S* builds only tools and unit tests, .*=g\+\+-12\n', warnings)
+    run('ninja', '-C', tmp_path, TOOL, ENGINE)
+    assert not [name for name in commands if f'{FILM}.elf' in name]
+
+
+def test_a_debugger_gets_tools_and_unit_tests_as_they_are_written_and_the_same_film(tmp_path):
+    needs('ninja')
+    (_, usual), (warnings, debug) = configured(tmp_path / 'a'), configured(tmp_path / 'b', '-DCMAKE_BUILD_TYPE=Debug')
+    assert warnings == ''
+    for name in TOOL, UNIT:
+        assert [re.findall(rf' (-{letter}\S*)', debug[name])[-1] for letter in 'Og'] == ['-O0', '-g']
+    film = [name for name in usual if '/engine.dir/' in name or f'/{FILM}.elf.dir/' in name]
+    assert len(film) > 60 and not [name for name in film if debug[name] != usual[name]]

@@ -11,6 +11,9 @@ function(headers name processors more)
     file(CONFIGURE OUTPUT ${header} CONTENT "${lines}")
     get_directory_property(options COMPILE_OPTIONS)
     separate_arguments(given UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
+    if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+        set(processors) # it uses none whose options differ at all
+    endif()
     foreach(processor ${processors})
         set(compiled ${header}.gch/${processor})
         add_custom_command(OUTPUT ${compiled}

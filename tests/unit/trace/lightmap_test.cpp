@@ -38,7 +38,7 @@ struct Sheet {
         Float8 clear;
         Int8 patch = patchAt(chart, broadcast(chart.at(s, t)), broadcast(d), broadcast(cosine),
                              broadcast(width), clear);
-        return {patch[0], clear[0]};
+        return {(int)patch[0], (float)clear[0]};
     }
 };
 
