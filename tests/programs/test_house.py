@@ -185,6 +185,33 @@ def test_a_tool_does_not_depend_on_the_environment_of_its_caller(script, tmp_pat
 def test_line_ends_do_not_depend_on_settings_of_git():
     names = run('git', 'ls-files', '--eol', cwd=SOURCE).stdout
     assert not re.findall(r'^(?!i/(?:lf|none) .*attr/text=auto eol=lf|i/-text .*attr/-text).+', names, re.M)
+    run('git', 'grep', '-IP', '\t| $', status=1, cwd=SOURCE)  # finds none: .editorconfig
+
+
+def test_the_top_level_has_only_what_readers_look_for():
+    names = run('git', 'ls-files', cwd=SOURCE).stdout.splitlines()
+    assert {name.split('/')[0] for name in names} == set(
+        'CMakeLists.txt LICENSE README.md intro packer tests tools .ci .clang-format .devcontainer .editorconfig '
+        '.gitattributes .github .gitignore'.split())
+    assert [name for name in names if 'LICENSE' in name] == ['LICENSE']
+
+
+def unlike_layout(*names, folder=SOURCE):
+    printed = run('clang-format-14', '--dry-run', *names, cwd=folder).stderr
+    return set(re.findall('^(.*?):.*code should be clang-formatted', printed, re.M))
+
+
+def test_code_has_the_layout_of_clang_format(tmp_path):
+    needs('clang-format-14')
+    assert not unlike_layout(*run('git', 'ls-files', '*.c', '*.cpp', '*.h', cwd=SOURCE).stdout.splitlines())
+    (tmp_path / 'x.cpp').write_text('int  x;\n')
+    assert unlike_layout('x.cpp', folder=tmp_path) == {'x.cpp'}
+
+
+def test_workflows_use_only_the_services_own_actions_by_version():
+    pages = [*SOURCE.glob('.github/workflows/*.yml'), SOURCE / 'tools/CI.md']
+    used = re.findall(r'\buses: *(.*)', ''.join(page.read_text() for page in pages))
+    assert len(used) > 8 and not [name for name in used if not re.fullmatch(r'actions/[a-z-]+@v\d+', name)]
 
 
 @pytest.mark.parametrize('program, prints, text, options', [

@@ -138,6 +138,7 @@ def test_neither_the_packed_files_nor_the_programs_in_them_name_odraz(made, tmp_
     for name in NAME, f'{NAME}.exe':
         run(build / 'pack', '-d', build / name, '-o', tmp_path / name)
     files = [build / f'{NAME}{end}' for end in ('', '.exe', '-safe', '-safe.exe')]
+    files.append(made / '.github/workflows/test.yml')
     # The page, whose markup is packed, is built where its compiler is installed
     files += [*build.glob(f'{NAME}.html'), *build.glob('intro/host/web/page.html')]
     assert not [file for file in (*files, *tmp_path.iterdir()) if names_odraz(file)]
