@@ -88,7 +88,7 @@ def test_the_document_has_each_track_once_and_keys_on_the_films_rows(document):
     camera = 'eye.x', 'eye.y', 'eye.z', 'target.x', 'target.y', 'target.z', 'roll', 'lens'
     assert {*(f'table.camera.tableWide:{number}' for number in camera), 'hall:exposure'} <= {*names}
     assert len(names) == len({*names})
-    assert (116, 1.59375, SMOOTH) in dict(tracks_of(document))[HEIGHT]
+    assert (116, 1.40625, SMOOTH) in dict(tracks_of(document))[HEIGHT]
 
 
 def test_refuses_a_document_in_a_missing_folder(tmp_path):
@@ -140,7 +140,7 @@ def test_shows_the_editors_keys(window, editor, document, paused):
     editor.open(document)
     editor.set_key(HEIGHT, 116, 2.3, SMOOTH)
     window.comes(lambda: window.differs(before))
-    editor.set_key(HEIGHT, 116, 1.59375, SMOOTH)
+    editor.set_key(HEIGHT, 116, 1.40625, SMOOTH)
     window.comes(lambda: window.shows(before))  # to the bit, since all keys are the film's
 
 
