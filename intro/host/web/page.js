@@ -133,7 +133,7 @@ const pause = () => {
   else if (!holds.size) audio?.resume() // the system has stopped the sound
 }
 const go = to => {
-  from = stopped = Math.max(0, Math.min(to, duration - 1))
+  from = stopped = Math.max(begins, Math.min(to, duration - 1))
   going = begun = 0, since = now()
   holds.delete('hall'), holds.add('start')
   ++turn, beginPictures(), seekMusic()

@@ -1,7 +1,8 @@
 // The program plans pictures, and workers trace them. `pictures` holds them by time until they are shown.
 const pictures = new Map, cores = navigator.hardwareConcurrency || 2
 // count: number of tracers; idle: tracers without a picture; spare: free buffers; lit: number of tracers with the hall's
-// light; solved: progress of the solver, 0 .. 1; unlit: why the hall has no light; poster: shown before the click
+// light; solved: progress of the solver, 0 .. 1; unlit: why the hall has no light; poster: shown while the film does not
+// play
 let count, w, h, tracers = [], solver, idle, spare = [], lit, solved, unlit, poster
 const kNow = 0, kLater = 1, kNever = 2 // when a picture can be traced: Traceable of page_player.h
 let turn = 0, shown = 0, skipped = 0, first = 0 // turn: number of seeks; first: when the first picture was shown
@@ -17,7 +18,9 @@ const startWorker = (receive, ...first) => {
 // there are two, and pictures of waiting workers come late. Alone a worker may be 15 % faster than with others. Other
 // programs only ever make it less, so the best of three counts
 const measureWorkers = async n => {
-  const spin = k => new Promise(done => { k.onmessage = e => done(e.data[0]), k.postMessage(['spin', 50]) })
+  const spin = k => new Promise((done, fail) => {
+    k.onmessage = e => done(e.data[0]), k.onerror = fail, k.postMessage(['spin', 50])
+  })
   const all = Array.from({ length: n }, () => new Worker(url)), together = async () =>
     (await Promise.all(all.map(spin))).reduce((a, b) => a + b)
   await together() // compiles the loop
@@ -80,7 +83,7 @@ const prepare = () => {
   for (const k of tracers) k.terminate()
   solver?.terminate()
   canvas.width = w = wide, canvas.height = h = high
-  idle = [], unlit = null, lit = solved = 0
+  idle = [], unlit = poster = null, lit = solved = 0
   x.hall(kLater), beginPictures()
   spare = []
   tracers = Array.from({ length: count }, () => startWorker(receiveFromTracer, 'trace', module, w, h))

@@ -10,12 +10,13 @@ const kWorkers = 2, kSeconds = 8
 // far the sound was off, in seconds; whether keys mute it; the number of workers; the most locks of the screen at once;
 // the error of the place sought, with the locks meanwhile; and how often the poster was shown. `pauses`: the system
 // stops the sound from 3 to 7 s after the click. `silent`: the browser has no sound. `dark`: the hall's worker fails.
-// `stops`: the viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, seeks 5 s back, and
+// `broken`: those that measure fail. `resized`: the page has another size at the click, and ESC follows.
+// `stops`: the viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, seeks by these seconds, and
 // continues. `loops`: the viewer presses L. `late`: the sound starts 3 s after the click. `stands`: the sound's clock
 // stands for 1.5 s, soon after the start. `lags`: it runs at half the speed for 2 s. `reported`, `processors`: the
 // number that the browser reports, and that there are.
-const play = async (cost, from, { pauses, silent, dark, stops, seeks, loops, late, stands, lags,
-  reported = kWorkers, processors = reported, query = from } = {}) => {
+const play = async (cost, from, { pauses, silent, dark, broken, resized, stops, seeks, loops, late, stands,
+  lags, reported = kWorkers, processors = reported, query = from } = {}) => {
   let clock = 0, skippedAtStart = 0, off = 0, context, muted, tracers = 0, spinning = 0, spun
   const events = [], shown = [], elements = {}
   const at = (when, what) => { events.push({ when, what }), events.sort((a, b) => a.when - b.when) }
@@ -26,6 +27,7 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, loops, lat
     postMessage([what, ...all]) {
       let t = Math.max(clock, this.free)
       const send = (ms, data) => at(t += ms, () => this.onmessage?.({ data }))
+      if (what == 'spin' && broken) return at(t, () => this.onerror({ message: 'memory' }))
       if (what == 'spin') { // workers that spin at the same time share the processors
         spinning = clock == spun ? spinning + 1 : 1, spun = clock
         at(t += all[0], () => this.onmessage({ data: [1e6 * Math.min(1, processors / spinning)] }))
@@ -86,7 +88,9 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, loops, lat
     const { when, what } = events.shift()
     clock = when, what()
   }
+  if (!self.film) return { word: elements.p.textContent }
   at(12000, () => self.onclick())
+  if (resized) at(11999, () => self.innerWidth = 1000), at(12010, () => press('Escape'))
   if (pauses) at(15000, () => context.suspend()), at(19000, () => context.resume())
   let moved = 0
   const film = () => self.film.state().film
@@ -96,24 +100,29 @@ const play = async (cost, from, { pauses, silent, dark, stops, seeks, loops, lat
   let sought
   if (stops || seeks) at(15000, () => sought = locks)
   if (seeks) {
-    at(16010, () => { sought += film() - 5, press('ArrowLeft'), press('ArrowLeft', 'ArrowLeft', { repeat: true }) })
+    at(16010, () => {
+      sought += seeks.reduce((t, by) => Math.max(from, t + by), film())
+      const keys = seeks.map(by => by < 0 ? 'ArrowLeft' : 'ArrowRight')
+      for (const key of keys) press(key), press(key, key, { repeat: true })
+    })
     at(18000, () => { sought -= (film() + shown.at(-1)) / 2, press(' ') })
   }
   if (loops) at(12600, () => press('l', 'KeyL'))
   const keys = [['m', 'KeyM'], ['M', 'KeyM'], ['\u044c', 'KeyM'], ['M', 'Semicolon']]
   at(12600, () => muted = keys.map(([key, code]) => { press(key, code); return context?.gain.value }) + '')
   const each = Array(kSeconds).fill(0)
-  let last, sounds
+  let last, sounds, begun
   for (let film = -1, played; film < from + kSeconds; ) {
     const { when, what } = events.shift()
     clock = when
     what()
     await null
     const s = self.film.state()
+    begun ||= film > s.film && film > 0
     film = s.film
     if (film < from + (late || stands || lags ? 5 : 1.5)) skippedAtStart = s.skipped
     else if (s.heard != null) off = Math.max(off, Math.abs(s.heard - film))
-    if (s.over || played && !s.playing || loops && film > 0.5 && film < 1) break
+    if (s.over || played && !s.playing || begun && loops && film % 1 > 0.5 && film % 1 < 0.8) break
     played = s.playing
     if (played) last = shown.at(-1), sounds = s.heard != null
   }
@@ -140,7 +149,7 @@ await check(120, 46, { pauses: 1 })
 await check(120, 46, { silent: 1 })
 await check(120, 46, { stops: 1 })
 await check(120, 46, { stops: 1, silent: 1 })
-await check(120, 66, { seeks: 1 })
+for (const seeks of [[-5], [5, -5]]) await check(120, 66, { seeks })
 await check(120, 46, { late: 1 })
 await check(120, 46, { stands: 1 })
 await check(120, 46, { lags: 1 })
@@ -156,7 +165,11 @@ for (const [reported, processors, workers] of kMachines) {
 const dark = await play(60, 63.5, { dark: 1 }), leftOut = /memory/.test(dark.unlit) && dark.last < 64 && !dark.over
 console.log(`${leftOut ? 'ok' : 'FAILED'}: a hall that cannot be solved: ${JSON.stringify(dark)}`)
 wrong ||= !leftOut
-const again = await play(120, 163, { loops: 1 }), looped = again.last < 1 && !again.over
+const again = await play(120, 162, { loops: 1 }), looped = Math.floor(again.last) == 162 && !again.over
 console.log(`${looped ? 'ok' : 'FAILED'}: begins anew: ${JSON.stringify(again)}`)
 wrong ||= !looped
+const { word } = await play(120, 0, { broken: 1 }), { posters } = await play(120, 0, { resized: 1 })
+const told = /memory/.test(word) && posters == 1
+console.log(`${told ? 'ok' : 'FAILED'}: workers that cannot measure: ${word}; after another size ${posters} posters`)
+wrong ||= !told
 process.exit(wrong ? 1 : 0)
