@@ -32,6 +32,7 @@ struct Prepared {
 int openScreen(Options &o) {
     FilmWindow &window = theEarly.window;
     if (!theEarly.opened) {
+        window.stats = o.stats;
         Quiet libraries;
         if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
             return showError(wrong);

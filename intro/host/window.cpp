@@ -2,6 +2,7 @@
 #include "host/window.h"
 
 #include "host/clock.h"
+#include "host/process.h"
 
 namespace odraz {
 
@@ -19,6 +20,14 @@ int press(FilmWindow &window, const uint16_t keys[kActions], uint64_t key) {
     while (action < kActions && keys[action] != key) ++action;
     if (action <= kAhead) __atomic_add_fetch(&window.presses[action], 1, __ATOMIC_RELAXED);
     return action;
+}
+
+void leave(const FilmWindow &window, int *left) {
+    if (window.stats && !window.picture) printError("no picture was shown: left while loading");
+    __atomic_store_n(left, 1, __ATOMIC_RELAXED);
+    // Let the film end by itself if it can, but do not wait long for a slow driver
+    sleepFor(80000000);
+    endProcess(0);
 }
 
 // Draws a bar in the film's orange, at a brightness from 0 (black) over 1 to 4 (white). (x, y) is its lower

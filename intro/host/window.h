@@ -14,12 +14,13 @@ struct WindowState; // the system's own
 
 struct FilmWindow {
     WindowState *state;
-    Gl gl;                   // current on the thread that opened the window
-    int width, height;       // the last size that the system reported; another thread sets it
-    int presses[kAhead + 1]; // how often these keys were pressed; another thread counts
-    unsigned events;         // number of the window's events: after one it may have to be drawn again
-    GLuint picture, framebuffer;
-    int64_t loadingShown; // when loading was last shown, in nanoseconds()
+    Gl gl;                       // current on the thread that opened the window
+    int width, height;           // the last size that the system reported; another thread sets it
+    int presses[kAhead + 1];     // how often these keys were pressed; another thread counts
+    unsigned events;             // number of the window's events: after one it may have to be drawn again
+    GLuint picture, framebuffer; // 0 until the first picture
+    bool stats;                  // --stats: leaving before the first picture prints a line
+    int64_t loadingShown;        // when loading was last shown, in nanoseconds()
 };
 
 // Whether this key is switched on: kPause, kMute or kLoop.
@@ -30,6 +31,9 @@ inline bool isOn(const FilmWindow &window, Action key) {
 // Does what a key does that went down, without Ctrl, Alt or Meta, and returns it; kFullScreen and kEnd are
 // left to the system's window. `keys`: the system's number of each key.
 int press(FilmWindow &window, const uint16_t keys[kActions], uint64_t key);
+
+// The viewer leaves: sets *left, and ends the process a little later if the film has not ended by itself.
+[[noreturn]] void leave(const FilmWindow &window, int *left);
 
 // Opens a window, full screen or of width x height pixels, and makes its context current. ESC, Alt-F4 and the
 // close button set *leave, on another thread, even while this one is busy. The process ends with status 0 at

@@ -19,6 +19,7 @@ void open(int argc, char **argv) {
     if (answered(argc, argv, theEarly.closedDescriptors & 2, o, status)) endProcess(status);
     if (o.doctor || o.dump || o.wav) return;
     Quiet libraries;
+    theEarly.window.stats = o.stats;
     if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
         endProcess(showError(line));
     theEarly.opened = true;

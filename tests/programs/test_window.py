@@ -18,14 +18,20 @@ def screen(display):
 
 def test_fills_the_screen_without_a_window_manager(screen):
     window = screen.play(PACKED, '--from', 100)
+    screen.do('key', 'f')
+    screen.do('key', 'space')
+    window.comes(window.has_sign)  # F came before
+    screen.do('key', 'space')
     window.check_full_screen()
     window.escape()
 
 
-def test_a_bar_grows_while_it_loads_and_escape_ends_it(screen):
-    window = screen.load(PACKED)
+def test_a_bar_grows_while_it_loads_and_escape_ends_it_with_a_line_for_stats(screen):
+    window = screen.load(PACKED, '--stats')
     assert window.bar_grows()
-    window.escape()
+    screen.do('key', 'Escape')
+    assert window.ended() == 0
+    assert window.errors() == f'{FILM}: no picture was shown: left while loading\n'
 
 
 def test_pauses_and_draws_at_other_sizes(screen):

@@ -2,7 +2,6 @@
 #include "host/window.h"
 
 #include "film.h"
-#include "host/clock.h"
 #include "host/environment.h"
 #include "host/linux/sys.h"
 #include "host/linux/xlib.h"
@@ -36,6 +35,7 @@ struct WindowState {
     int *leave;
     unsigned held; // the code of the key that went down last, until it goes up
     bool opened;   // whether the window was opened on the full screen and has not left it yet
+    bool asked;    // whether the window manager was asked to switch
     void (*suspend)(Display *, Bool); // suspends screen savers that support the MIT extension; may be null
 };
 
@@ -60,15 +60,18 @@ void switchScreen(WindowState &w, XEvent &event) {
     event.xclient.data.l[2] = 0;
     w.x.XSendEvent(w.events, DefaultRootWindow(w.events), False,
                    SubstructureRedirectMask | SubstructureNotifyMask, &event);
-    // The window would stay as large as the screen
-    if (w.opened)
-        w.x.XResizeWindow(w.events, w.window, (unsigned)w.film->width / 2, (unsigned)w.film->height / 2);
-    w.opened = false;
+    w.asked = true;
 }
 
-bool isLeaving(WindowState &w, XEvent &event) {
+// Does what an event does. Returns whether the viewer leaves.
+bool handle(WindowState &w, XEvent &event) {
     static const uint16_t kKeys[kActions] = {XK_space, XK_m, XK_l, XK_Left, XK_Right, XK_f, XK_Escape};
     if (event.type == ClientMessage) return (Atom)event.xclient.data.l[0] == w.closeRequest;
+    // The window manager has taken the window from the full screen, but it would stay as large
+    if (event.type == PropertyNotify && event.xproperty.atom == w.state && w.asked && w.opened) {
+        w.x.XResizeWindow(w.events, w.window, (unsigned)w.film->width / 2, (unsigned)w.film->height / 2);
+        w.opened = false;
+    }
     unsigned code = event.xkey.keycode;
     // If another window has the focus, no event says that the key goes up
     if (event.type == FocusOut || (event.type == KeyRelease && code == w.held)) w.held = 0;
@@ -95,12 +98,7 @@ bool isLeaving(WindowState &w, XEvent &event) {
             }
             // Without a window manager the program must take the keyboard focus itself
             if (event.type == MapNotify) w.x.XSetInputFocus(w.events, w.window, RevertToParent, CurrentTime);
-            if (isLeaving(w, event)) {
-                __atomic_store_n(w.leave, 1, __ATOMIC_RELAXED);
-                // Let the film end by itself if it can, but do not wait long for a slow driver
-                sleepFor(80000000);
-                sys::exit(0);
-            }
+            if (handle(w, event)) leave(*w.film, w.leave);
             __atomic_add_fetch(&w.film->events, 1, __ATOMIC_RELAXED);
         }
         bool moves = !isOn(*w.film, kPause);
@@ -158,8 +156,8 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
     w.film->height = at.height;
     XSetWindowAttributes attributes = {};
     attributes.colormap = x.XCreateColormap(w.events, root, visual->visual, AllocNone);
-    attributes.event_mask =
-        KeyPressMask | KeyReleaseMask | FocusChangeMask | ExposureMask | StructureNotifyMask;
+    attributes.event_mask = KeyPressMask | KeyReleaseMask | FocusChangeMask | ExposureMask |
+                            StructureNotifyMask | PropertyChangeMask;
     w.window = x.XCreateWindow(w.events, root, at.x, at.y, (unsigned)at.width, (unsigned)at.height, 0,
                                visual->depth, InputOutput, visual->visual,
                                CWColormap | CWBorderPixel | CWBackPixel | CWEventMask, &attributes);

@@ -2,7 +2,6 @@
 #include "host/window.h"
 
 #include "film.h"
-#include "host/clock.h"
 #include "host/library.h"
 #include "host/process.h"
 #include "host/windows/calls.h"
@@ -29,13 +28,6 @@ constexpr uint32_t kSize = 5, kClose = 16, kSetCursor = 32, kKeyDown = 256, kCom
 constexpr uint16_t kKeys[kActions] = {32, 'M', 'L', 37, 39, 'F', 27};
 constexpr int kControl = 17, kLeftMeta = 91, kRightMeta = 92;
 
-void leave() {
-    __atomic_store_n(theWindow.leave, 1, __ATOMIC_RELAXED);
-    // Let the film end by itself if it can, but do not wait long for a slow driver
-    sleepFor(80000000);
-    endProcess(0);
-}
-
 // Switches between full screen and a window of half its size.
 void switchScreen(HANDLE window) {
     bool full = theWindow.surface.style == (kPopUp | kVisible);
@@ -60,7 +52,7 @@ void switchScreen(HANDLE window) {
         action = press(film, kKeys, a);
     if (action == kFullScreen) switchScreen(window);
     // The system turns Alt-F4 and the close button into the same message
-    if (message == kClose || action == kEnd) leave();
+    if (message == kClose || action == kEnd) leave(film, theWindow.leave);
     // Keep display and machine awake while the film moves, and this thread lives
     bool moves = !isOn(film, kPause);
     SetThreadExecutionState(moves ? 0x80000003 : 0x80000000);
