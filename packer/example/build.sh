@@ -1,8 +1,8 @@
 #!/usr/bin/env -S bash -p
 # build.sh PACK FOLDER [--pe]: builds FOLDER/hello.elf and packs it to FOLDER/hello. With --pe, for Windows:
 # FOLDER/hello_windows.elf and hello.exe.
-set -euo pipefail; unset CDPATH
-here=$(cd "$(dirname "$0")" && pwd)
+set -euo pipefail
+here=$(dirname "$0")
 name=hello out=hello library=libdl.so.2 functions=(dlopen dlsym) packing=()
 [ "${3-}" != --pe ] || name=hello_windows out=hello.exe library=kernel32.dll functions=(LoadLibraryA GetProcAddress) packing=(--pe)
 # A library with only the imported functions, for the linker

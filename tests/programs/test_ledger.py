@@ -90,6 +90,7 @@ def test_lines_are_listed_with_their_changes_and_the_budget(house):
     assert has_row(r'intro 4 0 1 0 5 \+0$', table)
     assert has_row(f'budget {house.budget}, left 9$', table)
     assert errors == ''
+    assert run('tools/ledger', 'lines', cwd=house.folder, env={'GIT_TRACE': '1'}).stdout == table
     refuses(1, "there is no commit 'colour'", 'tools/ledger', 'lines', 'colour', cwd=house.folder)
 
 
