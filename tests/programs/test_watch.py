@@ -74,11 +74,13 @@ def test_a_build_that_fails_ends_it_with_the_reason_and_a_display_that_cannot_be
     ("cannot use '--nope'", ['--window', '--nope']),
     ('needs a value, S', ['--mute', '--from']),
     ("cannot use '--mute' with --web", ['--web', '--mute']),
+    ("cannot use '--mute=1'", ['--from=60', '--mute=1']),
     ("tools/render: cannot use '--nope'", ['--whole', '--nope'])])
 def test_answers_before_it_builds(clone, text, options):
     env = {**clone.env, 'BUILT': ''}
     refuses(2, text, clone.house / 'tools/watch', *options, env=env)
-    assert run(clone.house / 'tools/watch', '--from', 2, '--version', env=env).stdout.startswith(f'{FILM} ')
+    for known in ['--from', 2], ['--from=60', '--size=640x360'], ['--web']:
+        assert run(clone.house / 'tools/watch', *known, '--version', env=env).stdout.startswith(f'{FILM} ')
 
 
 def test_with_a_display_plays_the_film_as_large_as_the_screen(clone, display):
