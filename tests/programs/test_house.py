@@ -174,18 +174,21 @@ def test_a_long_or_foreign_file_would_be_found(name, width, lines):
     assert unlike_others({planted: lines * (width * 'x' + '\n')}) == [planted]
 
 
-@pytest.mark.parametrize('script', 'watch test golden ledger new-film release render'.split())
-def test_a_tool_does_not_depend_on_the_environment_of_its_caller(script, tmp_path):
+@pytest.mark.parametrize('tool', 'watch test golden ledger new-film release render'.split())
+def test_a_tool_does_not_depend_on_the_environment_of_its_caller(tool, tmp_path):
     (tmp_path / 'env').write_text('cd() { echo /none; }\nexport -f cd\n')
-    odd = {'CDPATH': '.:/tmp', 'SHELLOPTS': 'noclobber:noglob', 'BASHOPTS': 'failglob', 'GIT_DIR': '/none'}
-    help = run(f'tools/{script}', '-h', cwd=SOURCE, env={**odd, 'BASH_ENV': tmp_path / 'env'}).stdout
-    assert help == run(f'tools/{script}', '--help', cwd=SOURCE).stdout
+    (tmp_path / 'git').write_text('#!/bin/bash\ntype -t pwd >"$0.pwd"\n')  # stands for all child shells
+    (tmp_path / 'git').chmod(0o755)
+    odd = {'CDPATH': '.:/tmp', 'SHELLOPTS': 'noclobber:noglob', 'BASHOPTS': 'failglob', 'BASH_ENV': tmp_path / 'env',
+           'BASH_FUNC_pwd%%': '() { echo /none; }', 'GIT_DIR': '/none', 'PATH': f'{tmp_path}:{os.environ["PATH"]}'}
+    assert run(f'tools/{tool}', '-h', cwd=SOURCE, env=odd).stdout == run(f'tools/{tool}', '--help', cwd=SOURCE).stdout
+    assert (tmp_path / 'git.pwd').read_text() == 'builtin\n'
 
 
 def test_line_ends_do_not_depend_on_settings_of_git():
     names = run('git', 'ls-files', '--eol', cwd=SOURCE).stdout
     assert not re.findall(r'^(?!i/(?:lf|none) .*attr/text=auto eol=lf|i/-text .*attr/-text).+', names, re.M)
-    run('git', 'grep', '-IP', '\t| $', status=1, cwd=SOURCE)  # finds none: .editorconfig
+    run('git', 'grep', '-IP', '\t| $', status=1, cwd=SOURCE)  # no tab, and no space at the end of a line
 
 
 def test_the_top_level_has_only_what_readers_look_for():
@@ -214,15 +217,16 @@ def test_workflows_use_only_the_services_own_actions_by_version():
     assert len(used) > 8 and not [name for name in used if not re.fullmatch(r'actions/[a-z-]+@v\d+', name)]
 
 
-@pytest.mark.parametrize('program, prints, text, options', [
-    ('ffmpeg', ' V....D utvideo             Ut Video', 'lacks the encoder libx264: use', ['x.mp4']),
-    ('ffmpeg', ' V....D utvideo             Ut Video', 'lacks the encoder ffv1: use', ['x.mkv']),
-    ('parallel', 'parallel: invalid option', 'GNU parallel is needed', ['--hosts', '/dev/null', 'x'])])
-def test_a_video_is_refused_at_once_where_another_program_has_the_name(program, prints, text, options, tmp_path):
+@pytest.mark.parametrize('program, prints, text, script, words', [
+    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder libx264: use', 'render', '--film /none x.mp4'),
+    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder ffv1: use', 'render', '--film /none x.mkv'),
+    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder libx264: use', 'release', '--built --to .'),
+    ('parallel', 'parallel: invalid option', 'GNU parallel is needed', 'render', '--film /none --hosts /dev/null x')])
+def test_a_video_is_refused_at_once_where_another_program_has_the_name(program, prints, text, script, words, tmp_path):
     (tmp_path / program).write_text(f'#!/bin/sh\necho "{prints}"\n')
     (tmp_path / program).chmod(0o755)
     path = {'PATH': f'{tmp_path}:{os.environ["PATH"]}'}
-    refuses(2, text, SOURCE / 'tools/render', '--film', '/none', *options, cwd=tmp_path, env=path)
+    refuses(2, text, SOURCE / 'tools' / script, *words.split(), cwd=tmp_path, env=path)
 
 
 def test_the_film_is_made_of_intro_and_packer_and_what_the_packer_knows():

@@ -60,6 +60,16 @@ install() { # uses the variable root of need()
     "${by_apt[@]}" >/dev/null 2>&1 || { "${root[@]}" apt-get update -qq && "${by_apt[@]}" >/dev/null; }
 }
 
+# need_encoders KIND OTHERWISE: refuses a video, mkv or mp4, if ffmpeg lacks an encoder for it
+need_encoders() {
+    local have encoder
+    command -v ffmpeg >/dev/null || need "the video" ffmpeg
+    have=$(ffmpeg -loglevel error -encoders) || refuse "ffmpeg does not run here"
+    for encoder in utvideo $([ "$1" = mkv ] && echo ffv1 flac || echo libx264 aac); do
+        grep -q "^ [^ ]* $encoder " <<<"$have" || refuse "this ffmpeg lacks the encoder $encoder: use one that has it, or $2"
+    done
+}
+
 need_for_building() {
     need "building" g++ binutils cmake ninja-build git ca-certificates libx11-dev libgl-dev libegl-dev libgl1 libgl1-mesa-dri libegl1
 }
