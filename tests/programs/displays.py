@@ -4,6 +4,7 @@ import os
 import re
 import signal
 import tempfile
+from contextlib import contextmanager
 
 from pictures import numpy, read_ppm
 from running import FILM, Program, needs, run, wait_for
@@ -62,16 +63,22 @@ class Display:
         self.start('openbox')
         wait_for(lambda: 'window id' in self.run('xprop', '-root', '_NET_SUPPORTING_WM_CHECK', status=None).stdout)
 
+    @contextmanager
+    def opened(self):
+        """libX11, the display that it opened, and the root window, for what no program can do."""
+        x11 = ctypes.CDLL('libX11.so.6')
+        x11.XOpenDisplay.restype = x11.XDefaultRootWindow.restype = x11.XInternAtom.restype = ctypes.c_void_p
+        opened = ctypes.c_void_p(x11.XOpenDisplay(self.env['DISPLAY'].encode()))
+        yield x11, opened, ctypes.c_void_p(x11.XDefaultRootWindow(opened))
+        x11.XCloseDisplay(opened)
+
     def is_saved(self, after=None):
         """Whether the screen saver is on. after: first makes it start after so many seconds without input."""
-        x11, saver = ctypes.CDLL('libX11.so.6'), ctypes.CDLL('libXss.so.1')
-        x11.XOpenDisplay.restype = x11.XDefaultRootWindow.restype = ctypes.c_void_p
-        opened = ctypes.c_void_p(x11.XOpenDisplay(self.env['DISPLAY'].encode()))
-        if after:
-            x11.XSetScreenSaver(opened, after, 0, 1, 1)
         info = (ctypes.c_int * 12)()  # a window, 8 bytes; the state, 1 while it is on
-        saver.XScreenSaverQueryInfo(opened, ctypes.c_void_p(x11.XDefaultRootWindow(opened)), info)
-        x11.XCloseDisplay(opened)
+        with self.opened() as (x11, opened, root):
+            if after:
+                x11.XSetScreenSaver(opened, after, 0, 1, 1)
+            ctypes.CDLL('libXss.so.1').XScreenSaverQueryInfo(opened, root, info)
         return info[2] == 1
 
     def find(self, title):

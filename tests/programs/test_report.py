@@ -78,7 +78,7 @@ def test_the_page_has_the_programs_bytes():
 
 def test_the_page_needs_no_network():
     assert not re.search(r'https?://|src=|@import|url\(', page := Path('a.html').read_text())
-    assert '<noscript><p>This page needs JavaScript' in page  # seen by nobody who has it
+    assert '<noscript><p>This page needs JavaScript' in page  # a browser that runs scripts does not show it
 
 
 def test_without_objdump_the_page_has_no_instructions():

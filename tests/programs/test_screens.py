@@ -14,18 +14,14 @@ class Monitor(ctypes.Structure):
 
 def divide(screen, *places):
     """Divides a screen into monitors, x, y, width and height, of which the last one is the primary one."""
-    x11, randr = ctypes.CDLL('libX11.so.6'), ctypes.CDLL('libXrandr.so.2')
-    x11.XOpenDisplay.restype = ctypes.c_void_p
-    x11.XDefaultRootWindow.restype = x11.XInternAtom.restype = ctypes.c_ulong
+    randr = ctypes.CDLL('libXrandr.so.2')
     randr.XRRGetScreenResources.restype = ctypes.POINTER(ctypes.POINTER(ctypes.c_ulong))
-    display = ctypes.c_void_p(x11.XOpenDisplay(screen.env['DISPLAY'].encode()))
-    root = ctypes.c_ulong(x11.XDefaultRootWindow(display))
-    outputs = randr.XRRGetScreenResources(display, root)[5]
-    for i, place in enumerate(places):  # the first one takes the screen's only output
-        name = x11.XInternAtom(display, b'monitor%d' % i, 0)
-        monitor = Monitor(name, i == len(places) - 1, 0, i == 0, (ctypes.c_int * 6)(*place, 200, 150), outputs)
-        randr.XRRSetMonitor(display, root, ctypes.byref(monitor))
-    x11.XCloseDisplay(display)
+    with screen.opened() as (x11, display, root):
+        outputs = randr.XRRGetScreenResources(display, root)[5]
+        for i, place in enumerate(places):  # the first one takes the screen's only output
+            name = x11.XInternAtom(display, b'monitor%d' % i, 0)
+            monitor = Monitor(name, i == len(places) - 1, 0, i == 0, (ctypes.c_int * 6)(*place, 200, 150), outputs)
+            randr.XRRSetMonitor(display, root, ctypes.byref(monitor))
 
 
 def test_fills_the_primary_one_of_two_monitors(display):

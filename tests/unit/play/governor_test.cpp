@@ -389,7 +389,7 @@ TEST(Governor, TracesAtCuts) {
     }
 }
 
-// The first picture of a costly scene is in time if the scene says its cost. The first one of a cheap scene
+// The first picture of a costly scene is in time if the scene's cost is given. The first one of a cheap scene
 // is not finer than `play`, since the times of single pictures differ from their scene's.
 TEST(Governor, ForeseesTheCostOfAScene) {
     for (bool foresight : {false, true}) {

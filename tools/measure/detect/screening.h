@@ -22,8 +22,8 @@ struct MeasuredFilm {
 // The red, green and blue bytes of a picture, 3 a pixel.
 std::vector<uint8_t> rgbOf(const Picture &picture);
 
-// Reads the bytes of a picture that is traced from a file, which keeps them. If there is no such file, or
-// `file` is empty, makes the picture.
+// Returns the bytes of `file`. If there is no such file, or its name is empty, calls make() and writes them
+// to it.
 std::vector<uint8_t> kept(const std::string &file, const std::function<std::vector<uint8_t>()> &make);
 
 // The quality of a level, as the governor blends it: 0 film, 1 play, 2 draft.
