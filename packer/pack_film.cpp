@@ -45,7 +45,7 @@ void packFilm(char **words) {
 int main(int argc, char **argv) {
     try {
         std::string how = argc > 1 ? argv[1] : "";
-        if (how == "--help") {
+        if (how == "--help" || how == "-h") {
             std::fputs(pack::kUsage, stdout);
             return 0;
         }

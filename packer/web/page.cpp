@@ -279,7 +279,7 @@ void makePage(char **words, double seconds) {
 
 int main(int argc, char **argv) {
     try {
-        if (argc == 2 && argv[1] == std::string("--help")) {
+        if (argc == 2 && (argv[1] == std::string("--help") || argv[1] == std::string("-h"))) {
             std::fputs(pack::kUsage, stdout);
             return 0;
         }

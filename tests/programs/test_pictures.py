@@ -122,7 +122,7 @@ def pictures(work):
     (0, r'differ\n\Z', 'a.ppm b.ppm --psnr 29'),
     (0, r'largest difference 20,', 'a.ppm b.ppm --max 20'),
     # All channels, all bits and all pictures of a file count
-    (1, r'largest difference 255, 1 of 1 pixels differ, 1 in alpha$', 'opaque.tga clear.tga'),
+    (1, r'largest difference 255, 1 of 1 pixel differs, 1 in alpha$', 'opaque.tga clear.tga'),
     (0, r'^A has 8 bits and alpha, B has 8 bits$', 'opaque.tga solid.tga'),
     (1, r'largest difference 0\.003891, 1 of 1', 'deep.ppm deeper.ppm'),
     (1, r'A has 16 bits, B has 8 bits', 'deep.ppm shallow.ppm'),
@@ -144,13 +144,16 @@ def test_compare_finds(pictures, status, text, words):
     ('the numbers of pictures differ: 2 and 1', 'aa.ppm a.ppm'),
     ('one picture has floats', 'a.ppm zip_grey.exr'),
     ("unknown option '-dash.png'; if it is a file, write ./-dash.png", '-dash.png a.ppm'),
-    ('a.ppm would be overwritten', 'a.ppm b.ppm --diff ./a.ppm'),
-    ('a.ppm would be overwritten', 'b.ppm a.ppm --diff a.ppm'),
-    ('a.ppm would be overwritten', '--png a.ppm a.ppm'),
+    ('a.png would be overwritten', 'a.png b.ppm --diff ./a.png'),
+    ('a.png would be overwritten', 'b.ppm a.png --diff a.png'),
+    ('a.png would be overwritten', '--png a.png a.png'),
+    ('q.jpg: .jpg is not written: name a file .png', 'a.ppm b.ppm --diff q.jpg'),
+    ('q.EXR: .EXR is not written: name a file .png', '--png a.ppm q.EXR'),
 ])
 def test_compare_refuses(pictures, text, words):
+    (pictures / 'a.png').write_bytes(A)  # the format is known by the content
     refuses(2, text, BUILD / 'compare', *words.split(), cwd=pictures)
-    assert (pictures / 'a.ppm').read_bytes() == A
+    assert (pictures / 'a.png').read_bytes() == A
 
 
 def test_compare_refuses_a_picture_that_does_not_fit_into_memory(tmp_path):
@@ -187,7 +190,9 @@ width, height = map(int, sys.argv[-1].split('x'))
 sys.stdout.buffer.write(b'P6 %d %d 255 ' % (width, height) + bytes(3 * width * height))
 """)
     black.chmod(0o755)
-    poster, still = tmp_path / 'poster.png', tmp_path / 'still.jpg'
+    sheet = run(BUILD / 'contact_sheet', black, tmp_path / 'sheet.png', '--width', 16).stdout
+    assert 'sheet.png: 1 frame, one every 5 s' in sheet
+    poster, still = tmp_path / 'poster.png', tmp_path / 'still.JPG'
     printed = run(BUILD / 'contact_sheet', black, poster, '--poster', '--width', 320, '--still', still).stdout
     assert 'a poster of 326 x 334' in printed
     assert still.read_bytes().startswith(b'\xff\xd8\xff') and read_picture(still).shape == (180, 320, 3)
@@ -198,8 +203,9 @@ def test_contact_sheet_refuses_a_program_that_fails(tmp_path):
     assert not (tmp_path / 'sheet.png').exists()
 
 
-def test_contact_sheet_does_not_write_over_its_film(tmp_path):
+def test_contact_sheet_does_not_write_over_its_film_nor_in_other_formats(tmp_path):
     film = tmp_path / 'film'
     film.write_bytes(A)
     refuses(2, 'would be overwritten', BUILD / 'contact_sheet', film, film)
+    refuses(2, '.exr is not written: name a file .png or .jpg', BUILD / 'contact_sheet', film, tmp_path / 'x.exr')
     assert film.read_bytes() == A

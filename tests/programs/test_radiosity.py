@@ -8,7 +8,7 @@ import pytest
 
 from pictures import numpy, read_picture
 from radiosity_runs import OPEN_ROOM, RADIOSITY, elements_of, generate, radiosity, solve, square
-from running import Program, check_bytes, needs, number, run, wait_for
+from running import Program, check_bytes, needs, number, refuses, run, wait_for
 
 needs('script', 'convert')
 pytestmark = pytest.mark.usefixtures('in_work')
@@ -39,6 +39,7 @@ def test_one_is_singular(in_work):
     assert '1 polygon in one plane each; 1 patch, 1 element\n' in by_patches and ' (1 hemicube),' in by_patches
     assert re.search('1 band, 1 function\n1 cluster of ', radiosity(
         'transfer', 'one.obj', '-o', 'one.prt', '--element 9 --bands 1').stdout)
+    refuses(2, 'the room has 1 band\n', RADIOSITY, 'render', 'one.prt', '-o', 'one.png', '--bands', 2)
 
 
 def test_the_table_has_all_elements(cube):

@@ -24,6 +24,7 @@ def table(in_work):
     (1, 'damaged', 'export cut.rad --csv x.csv'),
     (2, 'cannot write /dev/fd/9: Bad file descriptor', 'export cube.rad --csv /dev/fd/9'),
     (2, 'q.jpg: .jpg is not written: name a file .png or .exr', 'render cube.rad -o q.jpg'),
+    (2, 'q.exr: .exr is not written: name a file .png', 'view cube.rad --screenshot q.exr'),
     (2, 'cube.rad: is a solution: give the model', 'solve cube.rad -o x.rad'),
     (2, 'cube.rad: is a solution: give the model', 'study cube.rad -o x'),
     (2, 'cube.rad: is a solution: give the model', 'transfer cube.rad -o x.prt'),

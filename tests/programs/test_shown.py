@@ -71,6 +71,7 @@ def test_squares_of_a_picture_are_written_side_by_side(tmp_path):
     run(SEEN, *options, tmp_path / 'crops.jpg', '--corner', '224x1', status=2)  # the square does not fit there
     run(SEEN, *options, tmp_path / 'crops.jpg')
     assert read_picture(tmp_path / 'crops.jpg').shape == (288, 3 * 288 + 2 * 6, 3)
+    refuses(2, '.exr is not written', SEEN, *options, tmp_path / 'crops.exr')
 
 
 def test_the_players_of_pages_make_no_in_betweens(tmp_path):

@@ -150,23 +150,23 @@ int run(common::CommandLine &line) {
     line.option("--still", "FILE", stillOut, "with --poster: also write its large frame, as .png or .jpg");
     line.parse();
     common::noteInput(program);
-    common::claimOutput(out);
-    if (!stillOut.empty()) common::claimOutput(stillOut);
+    for (const std::string &path : {out, stillOut}) {
+        if (!path.empty()) common::claimOutput(path);
+        formatNamed(path, Format::Jpeg); // refuses other formats
+    }
     if (!stillOut.empty() && !asPoster) line.refuse("--still needs --poster");
-    auto write = [](const std::string &path, const Image &image) {
-        (path.ends_with(".jpg") ? writeJpeg : writePng)(path, image);
-    };
     if (quality.empty()) quality = asPoster ? "film" : "play";
     if (asPoster) {
         Image still, page = poster(program, width.value_or(1600), quality, still);
-        write(out, page);
-        if (!stillOut.empty()) write(stillOut, still);
+        writeImage(out, page);
+        if (!stillOut.empty()) writeImage(stillOut, still);
         std::printf("%s: a poster of %d x %d\n", out.c_str(), page.width, page.height);
         return 0;
     }
     std::vector<Image> frames = framesOf(program, every, width.value_or(384), quality);
-    write(out, layOut(frames));
-    std::printf("%s: %zu frames, one every %d s\n", out.c_str(), frames.size(), every);
+    writeImage(out, layOut(frames));
+    std::printf("%s: %s, one every %d s\n", out.c_str(), common::counted(frames.size(), "frame").c_str(),
+                every);
     return 0;
 }
 

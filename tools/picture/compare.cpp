@@ -64,8 +64,8 @@ bool compare(const Picture &a, const Picture &b, const CompareSettings &s, std::
                  common::format("the sizes differ: %dx%d and %dx%d", a.width, a.height, b.width, b.height));
     Difference d = differenceOf(a, b);
     double db = psnr(d.squares, d.values);
-    common::append(text, "psnr %.2f dB, largest difference %.4g, %zu of %zu pixels differ", db, d.largest,
-                   d.pixels, a.pixels());
+    common::append(text, "psnr %.2f dB, largest difference %.4g, %zu of %zu %s", db, d.largest, d.pixels,
+                   a.pixels(), a.pixels() == 1 ? "pixel differs" : "pixels differ");
     if (d.values > 3 * a.pixels()) common::append(text, ", %zu in alpha", d.pixelsInAlpha);
     std::string formatA = formatOf(a), formatB = formatOf(b);
     text += formatA == formatB ? "\n" : "\nA has " + formatA + ", B has " + formatB + "\n";
@@ -147,8 +147,10 @@ int run(common::CommandLine &line) {
     line.parse();
 
     if (!s.diff.empty()) common::claimOutput(s.diff);
+    formatNamed(s.diff); // refuses other formats
     if (!toPng && !toLinear) return compareFiles(pathA, pathB, s);
     common::claimOutput(pathB);
+    formatNamed(pathB);
     Picture a = readPicture(pathA);
     for (const auto &[what, hash] : a.unused)
         std::fprintf(stderr, "compare: %s: %s is not used\n", pathA.c_str(), what.c_str());

@@ -112,12 +112,17 @@ void writeExr(const std::string &path, int width, int height, const std::vector<
     common::writeWhole(path, common::readWhole(part));
 }
 
-bool namesExr(const std::string &path) {
+Format formatNamed(const std::string &path, Format other) {
+    static constexpr const char *kEndings[] = {".png", ".jpg", ".exr"};
     const std::string ending = std::filesystem::path(path).extension();
-    const bool exr = !strcasecmp(ending.c_str(), ".exr");
-    common::need(exr || ending.empty() || !strcasecmp(ending.c_str(), ".png"),
-                 path + ": " + ending + " is not written: name a file .png or .exr");
-    return exr;
+    for (Format format : {Format::Png, other})
+        if (ending.empty() || !strcasecmp(ending.c_str(), kEndings[(int)format])) return format;
+    throw common::Refused(path + ": " + ending + " is not written: name a file .png" +
+                          (other == Format::Png ? "" : std::string(" or ") + kEndings[(int)other]));
+}
+
+void writeImage(const std::string &path, const Image &p) {
+    (formatNamed(path, Format::Jpeg) == Format::Jpeg ? writeJpeg : writePng)(path, p);
 }
 
 Image shrink(const Image &p, int width) {

@@ -57,9 +57,13 @@ void writeJpeg(const std::string &path, const Image &picture);
 // Writes linear red, green and blue, the top row first, as OpenEXR of 32-bit floats. Throws likewise.
 void writeExr(const std::string &path, int width, int height, const std::vector<float> &rgb);
 
-// Whether the name of an output asks for OpenEXR: it ends with .exr. Throws Refused if it has another ending
-// than .png, because a picture would have the wrong name.
-bool namesExr(const std::string &path);
+// The format that the name of an output asks for, in capitals or not: PNG, also without an ending, or
+// `other`. Throws Refused for another ending, because a picture would have the wrong name.
+enum class Format { Png, Jpeg, Exr };
+Format formatNamed(const std::string &path, Format other = Format::Png);
+
+// Writes PNG or JPEG, by the name.
+void writeImage(const std::string &path, const Image &picture);
 
 // Shrinks a picture to `width` by averaging areas. It is never enlarged.
 Image shrink(const Image &picture, int width);

@@ -49,6 +49,7 @@ void check(const common::CommandLine &line, SeenOptions &o) {
     needs("--list", machine, "--machine");
     needs("--crops", o.at.size() == 1, "a single --at");
     needs("--corner", line.has("--crops"), "--crops");
+    pictures::formatNamed(o.crops, pictures::Format::Jpeg); // refuses other formats
     if (o.screens.empty()) o.screens = {"1280x720"};
     bool several = o.screens.size() > 1;
     if (several && !machine) line.refuse("several screens need --machine");
@@ -234,7 +235,7 @@ int run(common::CommandLine &line) {
             p.scene = {};
         }
     }
-    if (!asked.crops.empty()) pictures::writeJpeg(asked.crops, cropped(screens, judged, asked.corner));
+    if (!asked.crops.empty()) pictures::writeImage(asked.crops, cropped(screens, judged, asked.corner));
     if (rows.size() > 1)
         for (const JudgedPlayer &p : players) printRow(p, "all", p.all);
     return 0;

@@ -87,7 +87,7 @@ int runRender(common::CommandLine &line) {
     if (in.empty() || out.empty()) throw common::Refused("render needs a solution and -o FILE.png");
     camera.finish(line);
     claimOutput(out);
-    pictures::namesExr(out); // refuses other formats
+    pictures::formatNamed(out, pictures::Format::Exr); // refuses other formats
     Workers workers = allProcessors();
     RenderSettings &s = camera.settings;
     auto eyeFor = [&](const Solution &solution, const TransferRoom *room) {

@@ -170,7 +170,7 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
     HeapFrame traced(s.width, s.height);
     traceFrame(RadiosityView(solution, s), workers, traced.frame);
     std::vector<Rgb> pixels = traced.pixels();
-    if (pictures::namesExr(path)) {
+    if (pictures::formatNamed(path, pictures::Format::Exr) == pictures::Format::Exr) {
         std::vector<float> light;
         for (const Rgb &c : pixels) light.insert(light.end(), {c.x, c.y, c.z});
         return pictures::writeExr(path, s.width, s.height, light);

@@ -1,5 +1,6 @@
 #include "tools/radiosity/transfer/relight_options.h"
 
+#include "tools/common/text.h"
 #include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/transfer/find_transfer.h"
 
@@ -74,10 +75,10 @@ void RelightOptions::refuseFor(const std::string &path, const common::CommandLin
 RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
     Light light;
     if (bands > room.bands)
-        throw common::Refused("--bands: the room has " + std::to_string(room.bands) + " bands");
+        throw common::Refused("--bands: the room has " + common::counted((size_t)room.bands, "band"));
     if (rank > room.clusters.rank)
-        throw common::Refused("--rank: the room's clusters have " + std::to_string(room.clusters.rank) +
-                              " axes");
+        throw common::Refused("--rank: the room's clusters have " +
+                              common::counted((size_t)room.clusters.rank, "axis", "axes"));
     light.lighting.bands = bands ? bands : room.bands, light.lighting.rank = rank;
     if (clusters && rank < 0) light.lighting.rank = room.clusters.rank;
     light.lighting.lamps = readLamps(lamps, room);

@@ -61,8 +61,7 @@ void readViewJob(common::CommandLine &line, ViewJob &job) {
     job.solve.finish(line);
     if (!job.view.screenshot.empty()) {
         claimOutput(job.view.screenshot);
-        common::need(!pictures::namesExr(job.view.screenshot),
-                     "--screenshot writes .png; render writes .exr");
+        pictures::formatNamed(job.view.screenshot); // refuses other formats
     }
     job.view.name = job.in.substr(job.in.rfind('/') + 1);
     job.view.placed = job.camera.placed;
