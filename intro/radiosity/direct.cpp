@@ -112,7 +112,7 @@ struct DirectSampler {
     template <class Take>
     void sampleChart(const Receivers &at, int chart, int most, PartSample *samples, Take &&take) {
         const Chart &c = model.charts[chart];
-        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
+        for (int f = c.firstFacet; f < c.firstFacet + c.facetCount; ++f)
             for (int i = sampleFacet(at, f, most, samples) - 1; i >= 0; --i) take(samples[i]);
     }
     void add(const Receivers &at, Float8 *sums);

@@ -27,7 +27,7 @@ void Model::addFacet(const float *u, const float *v) {
     Facet &f = facets[facetCount++];
     f.chart = chartCount - 1;
     for (int k = 0; k < 4; ++k) f.u[k] = u[k], f.v[k] = v[k];
-    ++charts[f.chart].facetsCount;
+    ++charts[f.chart].facetCount;
 }
 
 void Model::addBox(const Vec3 &lo, const Vec3 &hi, int material, float cell, unsigned sides) {

@@ -33,7 +33,7 @@ Int8 insideSolid(const Scene &scene, const Texels8 &t, const TexelPoints8 &point
 // Returns whether a point is on a facet of its chart.
 bool onFacet(const Model &model, const Chart &c, float u, float v) {
     float slack = (c.width + c.height) * 1e-6f;
-    for (int i = c.firstFacet; i < c.firstFacet + c.facetsCount; ++i) {
+    for (int i = c.firstFacet; i < c.firstFacet + c.facetCount; ++i) {
         const Facet &f = model.facets[i];
         if (u >= f.u[0] - slack && u <= f.u[2] + slack && v >= f.v[0] - slack && v <= f.v[2] + slack)
             return true;

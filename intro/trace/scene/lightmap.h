@@ -16,11 +16,11 @@ struct Chart {
     int16_t across, down;               // cells along u and v, at least 1
     int16_t patchesAcross, patchesDown; // patches along u and v, each of whole cells
     uint16_t material;
-    bool open;                   // a window: hemicubes see it, rays pass through it
-    int firstCell;               // index of its first cell; cells are in rows of `across`
-    int firstTexel;              // index of its first texel; texels are in rows of across + 1
-    int firstPatch;              // index of its first patch; patches are in rows of patchesAcross
-    int firstFacet, facetsCount; // facets: the parts of the rectangle that exist
+    bool open;                  // a window: hemicubes see it, rays pass through it
+    int firstCell;              // index of its first cell; cells are in rows of `across`
+    int firstTexel;             // index of its first texel; texels are in rows of across + 1
+    int firstPatch;             // index of its first patch; patches are in rows of patchesAcross
+    int firstFacet, facetCount; // facets: the parts of the rectangle that exist
 
     int texel(int i, int j) const { return firstTexel + j * (across + 1) + i; } // 0 .. across, 0 .. down
     int texels() const { return (across + 1) * (down + 1); }

@@ -144,7 +144,7 @@ struct ChartBuilder {
         int material = mesh.triangles[(size_t)triangles[0]].material;
         Chart chart = chartOf(frame, box, material);
         addFacets(triangles, rectangles, frame, box);
-        chart.facetsCount = (int)regions.facets.size() - chart.firstFacet;
+        chart.facetCount = (int)regions.facets.size() - chart.firstFacet;
         for (int t : triangles) regions.chartOf[(size_t)t] = (int)regions.charts.size();
         regions.charts.push_back(chart);
         regions.deviation.push_back((float)box.deviation);

@@ -165,7 +165,7 @@ void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drop
         };
         if (small) {
             double area = 0;
-            for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
+            for (int f = c.firstFacet; f < c.firstFacet + c.facetCount; ++f)
                 area += areaOf(outlineOf(regions.facets[(size_t)f]));
             begin((float)area);
         }

@@ -27,7 +27,7 @@ bool valid(const Chart &c, const Solution &b) {
     return moderate(c.corner) && moderate(c.u) && moderate(c.v) && moderate(c.n) && moderate(c.width) &&
            moderate(c.height) && c.width > 0 && c.height > 0 && open <= 1 && c.across > 0 && c.down > 0 &&
            within(c.firstCell, (int64_t)c.across * c.down, b.cells.size()) &&
-           within(c.firstFacet, c.facetsCount, b.facets.size());
+           within(c.firstFacet, c.facetCount, b.facets.size());
 }
 
 bool valid(const Facet &f, const Solution &b) {

@@ -33,12 +33,12 @@ class FacetsByCell {
 public:
     FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets) : charts(charts) {
         for (const Chart &c : charts) {
-            if (c.facetsCount <= kFewFacets) continue;
+            if (c.facetCount <= kFewFacets) continue;
             auto &lists = grids[&c];
             lists.resize((size_t)c.across * (size_t)c.down);
             // Limit the work: facets in one plane do not overlap, except in forged files
-            int64_t room = 64 * ((int64_t)lists.size() + c.facetsCount);
-            for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount && room >= 0; ++f)
+            int64_t room = 64 * ((int64_t)lists.size() + c.facetCount);
+            for (int f = c.firstFacet; f < c.firstFacet + c.facetCount && room >= 0; ++f)
                 room -= list(f, outlineOf(facets[(size_t)f]), c, lists);
             if (room < 0) grids.erase(&c);
         }
@@ -48,7 +48,7 @@ public:
         if (auto found = grids.find(&c); found != grids.end())
             return found->second[(size_t)(y * c.across + x)];
         allFacets.clear();
-        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) allFacets.push_back(f);
+        for (int f = c.firstFacet; f < c.firstFacet + c.facetCount; ++f) allFacets.push_back(f);
         return allFacets;
     }
 

@@ -177,7 +177,7 @@ TEST(Atlas, HoldsManySmallTriangles) {
         c.corner = {(float)(i % 1000), 0, (float)(i / 1000)}, c.u = {1, 0, 0}, c.v = {0, 0, -1},
         c.n = {0, 1, 0};
         c.width = c.height = 1, c.across = c.down = c.patchesAcross = c.patchesDown = 1;
-        c.firstCell = i, c.firstTexel = 4 * i, c.firstFacet = i, c.facetsCount = 1;
+        c.firstCell = i, c.firstTexel = 4 * i, c.firstFacet = i, c.facetCount = 1;
         b.charts.push_back(c);
         b.facets.push_back({i, {0, 1, 0, 0}, {0, 0, 1, 1}});
         b.cells.push_back({{4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3}, i, i, 1});

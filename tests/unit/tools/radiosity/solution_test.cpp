@@ -24,7 +24,7 @@ Solution small() {
         c.corner = {0, (float)k, 0};
         c.u = {1, 0, 0}, c.v = {0, 0, -1}, c.n = {0, 1, 0};
         c.width = 2, c.height = 1, c.across = 2, c.down = 1, c.patchesAcross = c.patchesDown = 1;
-        c.firstCell = 2 * k, c.firstTexel = 6 * k, c.firstFacet = k, c.facetsCount = 1;
+        c.firstCell = 2 * k, c.firstTexel = 6 * k, c.firstFacet = k, c.facetCount = 1;
         b.charts.push_back(c);
         b.facets.push_back({k, {0, 2, 2, 0}, {0, 0, 1, 1}});
         for (int y = 0; y < 2; ++y)
@@ -83,7 +83,7 @@ TEST_F(SolutionFile, IsRefusedIfItIsInconsistent) {
         [](Solution &b) { b.charts[0].across = 9; },
         [](Solution &b) { b.charts[1].firstCell = -1; },
         [](Solution &b) { b.charts[1].firstFacet = 1 << 30; },
-        [](Solution &b) { b.charts[1].facetsCount = 2; },
+        [](Solution &b) { b.charts[1].facetCount = 2; },
         [](Solution &b) { b.charts[0].width = 0; },
         [](Solution &b) { b.charts[0].corner.y = NAN; },
         [](Solution &b) { std::memset((void *)&b.charts[0].open, 7, 1); },
