@@ -18,7 +18,7 @@ struct BasisOrder {
     constexpr int firstSun() const { return skyCount; }
     constexpr int firstLamp() const { return skyCount + sunCount; }
     constexpr int count() const { return firstLamp() + lampCount; }
-    constexpr bool fit() const {
+    constexpr bool withinLimits() const {
         return skyCount <= kMaxSkies && sunCount <= kMaxSuns && lampCount <= kMaxLamps;
     }
 };
@@ -30,7 +30,7 @@ struct Lamp {
     int chart;
 };
 
-// Bases are white; pictures multiply them by their colours. Callers that set the counts must check fit().
+// Bases are white; pictures multiply them by their colours. Whoever sets the counts checks withinLimits().
 struct LightBases : BasisOrder {
     // Skies shine through all windows. They are functions of the unit direction and may be negative, except
     // the first, whose light limits the extrapolation of the others (spread.h)

@@ -13,7 +13,7 @@ inline constexpr int kHallMaterials = 9 + kLanterns + kStrips; // the number of 
 inline constexpr int kSuns = 28;                               // solved positions of the sun, four an hour
 // The skies are spherical harmonics; the lamps are the lanterns, then the strips
 inline constexpr BasisOrder kHallBases = {kSh, kSuns, kLanterns + kStrips};
-static_assert(kHallBases.fit());
+static_assert(kHallBases.withinLimits());
 inline constexpr int kFirstSun = kHallBases.firstSun(), kFirstLantern = kHallBases.firstLamp(),
                      kFirstStrip = kFirstLantern + kLanterns;
 

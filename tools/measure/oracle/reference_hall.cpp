@@ -11,7 +11,7 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const HemicubeMethod &
     double began = common::processorSeconds();
     prepareHall(*hall, *scene);
     if (change) change(*hall);
-    if (!hall->radiosity.bases.fit()) throw std::runtime_error("too many light bases for the hall");
+    if (!hall->radiosity.bases.withinLimits()) throw std::runtime_error("too many light bases for the hall");
     if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings,
                         {method, &gl, memory.arena, workers, progress}))
         throw std::runtime_error("cannot solve the hall with these settings");
