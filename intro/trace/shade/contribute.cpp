@@ -27,8 +27,8 @@ struct EightRows {
 
 } // namespace
 
-void addRest(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
-             Int8 marks) {
+void addLight(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
+              Int8 marks) {
     EightRows rows(light, marks);
     for (int k = 0; k < count; ++k) {
         float *rest = c.samples.restOf(in.sample[ray[k]]);
@@ -120,7 +120,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
         return;
     }
     if (!c.samples.whole) {
-        addRest(c, in, run.ray + i, count, rest + albedo * light, Int8{});
+        addLight(c, in, run.ray + i, count, rest + albedo * light, Int8{});
         return;
     }
     // Change the sample's mark if the hit has enough weight. The mark also depends on the ray's path
@@ -128,7 +128,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     if (m.onlyGlows()) weight += rest; // a lamp shows in weak mirrors, too
     Int8 marked = maxComponent(weight) * scene.exposure > c.quality.markWeight;
     Int8 mark = marked & hash(rays(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
-    addRest(c, in, run.ray + i, count, sent, mark);
+    addLight(c, in, run.ray + i, count, sent, mark);
     if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || maxComponent(m.emit) > 0 || contrast < 1)
         return;
     // Ignore dark textures, unless they mirror and so may show a light
@@ -155,8 +155,8 @@ void addSky(const Shading &c, const RayStream &in, const Run &run) {
             begin(c, in, run.ray + i, count,
                   {Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + sunshaftLight(c, in, rays, d)});
         else
-            addRest(c, in, run.ray + i, count, light,
-                    hash(rays(in.path)) & (weight.y > c.quality.markWeight));
+            addLight(c, in, run.ray + i, count, light,
+                     hash(rays(in.path)) & (weight.y > c.quality.markWeight));
     }
 }
 

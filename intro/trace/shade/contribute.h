@@ -9,8 +9,8 @@ namespace odraz {
 void addSurfaces(const Shading &c, const RayStream &in, const Run &run);
 
 // Adds light and marks to the samples of up to eight rays of a stream.
-void addRest(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
-             Int8 marks);
+void addLight(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
+              Int8 marks);
 
 // Adds the sky's light, for a run of rays that hit nothing.
 void addSky(const Shading &c, const RayStream &in, const Run &run);

@@ -40,7 +40,7 @@ void addGlowingBalls(const Shading &c, const RayStream &in) {
         int32_t rays[8];
         store(rays, kLanes + i);
         if (c.samples.whole) marks = marks * (kLamps + 1) | ((Uint8)(marks != 0u) & 1u);
-        if (any(found)) addRest(c, in, rays, min(in.count - i, 8), light, (Int8)marks);
+        if (any(found)) addLight(c, in, rays, min(in.count - i, 8), light, (Int8)marks);
     }
 }
 

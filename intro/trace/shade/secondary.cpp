@@ -84,7 +84,7 @@ void followEight(const Shading &c, const RayStream &in, const Run &run, RayStrea
         emit(outside, mirrored, weight * reflected * m.tint, width, mirrorSpread, 0);
     }
     if (any(maxComponent(emit.terminated) * c.scene.exposure > 1e-4f))
-        addRest(c, in, run.ray + i, min(run.count - i, 8), emit.terminated, Int8{});
+        addLight(c, in, run.ray + i, min(run.count - i, 8), emit.terminated, Int8{});
 }
 
 } // namespace
