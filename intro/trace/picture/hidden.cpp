@@ -2,33 +2,35 @@
 
 namespace odraz {
 
-// A ball projects to an ellipse. For a ball of radius r with centre (x, y, z) in the camera's frame, at
-// distance d, the ellipse's centre is z (x, y) / (z^2 - r^2). Its half axes are r sqrt(d^2 - r^2) / (z^2 -
-// r^2) and r / sqrt(z^2 - r^2). Balls that cross the plane of the eye have no such ellipse; corners hit them.
+// Adds the ellipse to which a ball projects (I. Quilez, "Sphere projection"). For a ball of radius r with
+// centre (x, y, z) in the camera's frame, at distance d, it has the centre z (x, y) / (z^2 - r^2), and the
+// half axes r sqrt(d^2 - r^2) / (z^2 - r^2), away from the middle of the picture, and r / sqrt(z^2 - r^2). A
+// ball that crosses the plane of the eye has no such ellipse; corners hit it.
 static void addDisc(Tile &t, int index) {
     const Shape &s = t.scene.shapes[index];
     const View &v = t.view;
     Discs &d = t.s.discs;
-    float r = s.half.x * 1.0001f, z = v.ahead(s.centre), below = z * z - r * r;
+    float r = s.half.x * 1.0001f, z = v.ahead(s.centre), denominator = z * z - r * r;
     Vec3 to = s.centre - v.eye;
-    float square = dot(to, to);
-    if (z <= 0 || !(below > r * r * 1e-3f) || d.count == kDiscs) return;
+    float distance2 = dot(to, to);
+    if (z <= 0 || !(denominator > r * r * 1e-3f) || d.count == kDiscs) return;
     float x = dot(to, v.right) * v.width / dot(v.right, v.right), // in pixels, at distance z
-        y = dot(to, v.down) * v.height / dot(v.down, v.down), away = sqrt(x * x + y * y);
-    float pixel = 1 / v.spread, longer = r * sqrt(square - r * r) / below * pixel,
-          shorter = r / sqrt(below) * pixel;
-    bool turned = away > 1e-3f * abs(z);
+        y = dot(to, v.down) * v.height / dot(v.down, v.down), offAxis = sqrt(x * x + y * y);
+    float pixel = 1 / v.spread, majorAxis = r * sqrt(distance2 - r * r) / denominator * pixel,
+          minorAxis = r / sqrt(denominator) * pixel;
+    bool turned = offAxis > 1e-3f * abs(z);
     int i = d.count;
-    d.x[i] = fmadd(x, z / below, v.width * 0.5f - (float)t.x0);
-    d.y[i] = fmadd(y, z / below, v.height * 0.5f - (float)t.y0);
-    if (d.x[i] + longer < 0 || d.y[i] + longer < 0 || d.x[i] - longer > kTile || d.y[i] - longer > kTile)
+    d.x[i] = fmadd(x, z / denominator, v.width * 0.5f - (float)t.x0);
+    d.y[i] = fmadd(y, z / denominator, v.height * 0.5f - (float)t.y0);
+    if (d.x[i] + majorAxis < 0 || d.y[i] + majorAxis < 0 || d.x[i] - majorAxis > kTile ||
+        d.y[i] - majorAxis > kTile)
         return;
-    d.alongX[i] = (turned ? x / away : 1) / longer;
-    d.alongY[i] = (turned ? y / away : 0) / longer;
-    d.acrossX[i] = d.alongX[i] * longer / shorter;
-    d.acrossY[i] = d.alongY[i] * longer / shorter;
-    d.perHalf[i] = 1 / shorter;
-    d.near[i] = sqrt(square) - r;
+    d.alongX[i] = (turned ? x / offAxis : 1) / majorAxis;
+    d.alongY[i] = (turned ? y / offAxis : 0) / majorAxis;
+    d.acrossX[i] = d.alongX[i] * majorAxis / minorAxis;
+    d.acrossY[i] = d.alongY[i] * majorAxis / minorAxis;
+    d.perHalf[i] = 1 / minorAxis;
+    d.near[i] = sqrt(distance2) - r;
     d.shape[i] = index;
     ++d.count;
 }
