@@ -79,31 +79,37 @@ Rgb8 sunshaftLight(const Shading &c, const RayStream &in, const EightRays &rays,
     return shaftLight(c.scene.shafts, rays(in.o), d, rays(in.t));
 }
 
-// Adds the light that eight hits of a run send along their rays.
-void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
+float contrastOf(const Shading &c, const Material &m) { return m.faint() ? c.quality.faint : 1; }
+
+// The light that eight hits of a run emit. In reflections balls that only glow are skipped, because
+// addGlowingBalls() adds them. Other lamps fade in second reflections, and in glass that mirrors them, where
+// they are narrower than the distance between samples: they would flicker. Faded, they are about as bright as
+// their surroundings.
+Rgb8 emitted(const Shading &c, const Run &run, int i, const EightRays &rays, const RayStream &in) {
+    const Shape &shape = c.scene.shapes[run.shape];
+    const Material &m = c.scene.materials[shape.material];
+    Rgb8 light = load(run.weight, i) * m.emit;
+    if (c.bounces == 0) return light * m.tint; // a lamp's tint dims it only where it is seen directly
+    if (shape.isBall() && m.onlyGlows()) return Rgb8{};
+    if (!shape.traits().bounded || !(maxComponent(m.emit) > 0)) return light;
+    return light *
+           select(rays(in.path) < (m.onlyGlows() ? kTwoBounces : 0), 1.f,
+                  clamp(min(shape.half.x, shape.half.z) * 2 / load(run.width + i) - 1.f, 0.005f, 1.f));
+}
+
+// What eight hits of a run send along their rays. `cell`: the cells of their patterns.
+EightSamples samplesOf(const Shading &c, const RayStream &in, const Run &run, int i, const EightRays &rays,
+                       const Vec3x8 &d, Int8 &cell) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];
-    EightRays rays(run.ray + i);
-    int count = min(run.count - i, 8);
-    Vec3x8 d = load(run.d, i);
-    Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
-    if (c.bounces == 0) rest = rest * m.tint; // a lamp's tint dims it only where it is seen directly
-    // Skip balls that only glow: addGlowingBalls() adds them. Fade other lamps in second reflections, and in
-    // glass that mirrors them, where they are narrower than the distance between samples: they would flicker.
-    // Faded, they are about as bright as their surroundings
-    if (c.bounces > 0 && shape.isBall() && m.onlyGlows())
-        rest = Rgb8{};
-    else if (c.bounces > 0 && shape.traits().bounded && maxComponent(m.emit) > 0)
-        rest = rest *
-               select(rays(in.path) < (m.onlyGlows() ? kTwoBounces : 0), 1.f,
-                      clamp(min(shape.half.x, shape.half.z) * 2 / load(run.width + i) - 1.f, 0.005f, 1.f));
+    Rgb8 albedo = {}, light = {}, rest = emitted(c, run, i, rays, in);
     if (!m.plain()) light = rest, rest = Rgb8{}; // the pattern multiplies a lamp's own light
-    Int8 cell = {}, states = {};
-    float contrast = m.faint() ? c.quality.faint : 1;
+    Int8 states = {};
+    float contrast = contrastOf(c, m);
     if (m.diffuse > 0 || m.specular > 0) {
-        rest += weight * load(run.highlight, i);
-        light += weight * load(run.diffuse, i);
+        rest += load(run.weight, i) * load(run.highlight, i);
+        light += load(run.weight, i) * load(run.diffuse, i);
         states = loadInts(run.states + i);
         if (m.diffuse > 0 && (contrast > 0 || scene.lines != 0))
             albedo = diffuseColour(scene, shape, load(run.p, i), d, load(run.cosine + i), load(run.width + i),
@@ -112,29 +118,44 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
             albedo = lerp(broadcast(scene.mean[shape.material]), albedo, broadcast(contrast));
     }
     if (scene.fog > 0) rest += radiance(scene.sky, d) * rays(in.weight) * (1.f - load(run.clear + i));
-    Int8 id = loadInts(run.id + i);
-    if (c.bounces == 0) {
-        if (scene.lines != 0) states += cell << kCellShift; // so that squares split at patches' borders
-        rest += sunshaftLight(c, in, rays, d);
-        begin(c, in, run.ray + i, count, {albedo, id, light, states, rest});
-        return;
-    }
-    if (!c.samples.whole) {
-        addLight(c, in, run.ray + i, count, rest + albedo * light, Int8{});
-        return;
-    }
-    // Change the sample's mark if the hit has enough weight. The mark also depends on the ray's path
-    Rgb8 sent = rest + albedo * light;
-    if (m.onlyGlows()) weight += rest; // a lamp shows in weak mirrors, too
-    Int8 marked = maxComponent(weight) * scene.exposure > c.quality.markWeight;
-    Int8 mark = marked & hash(rays(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
+    return {albedo, loadInts(run.id + i), light, states, rest};
+}
+
+// Adds the light of eight hits after a bounce, and changes a sample's mark if its hit has enough weight. The
+// mark also depends on the ray's path.
+void addMarked(const Shading &c, const RayStream &in, const Run &run, int i, const EightRays &rays, int count,
+               const EightSamples &seen, Int8 cell) {
+    const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
+    Rgb8 weight = load(run.weight, i), sent = seen.rest + seen.albedo * seen.light;
+    if (m.onlyGlows()) weight += seen.rest; // a lamp shows in weak mirrors, too
+    Int8 marked = maxComponent(weight) * c.scene.exposure > c.quality.markWeight;
+    Int8 mark = marked & hash(rays(in.path) ^ hash(seen.id ^ hash(cell ^ seen.states << 16)));
     addLight(c, in, run.ray + i, count, sent, mark);
-    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || maxComponent(m.emit) > 0 || contrast < 1)
+    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain || maxComponent(m.emit) > 0 ||
+        contrastOf(c, m) < 1)
         return;
     // Ignore dark textures, unless they mirror and so may show a light
-    if (m.reflect == 0) marked &= maxComponent(sent) * scene.exposure > c.quality.markWeight * 0.3f;
+    if (m.reflect == 0) marked &= maxComponent(sent) * c.scene.exposure > c.quality.markWeight * 0.3f;
     for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)
         c.samples.whole[in.sample[run.ray[i + __builtin_ctz((unsigned)lanes)]]].lights |= kTextured;
+}
+
+// Adds the light that eight hits of a run send along their rays.
+void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
+    EightRays rays(run.ray + i);
+    int count = min(run.count - i, 8);
+    Vec3x8 d = load(run.d, i);
+    Int8 cell = {};
+    EightSamples seen = samplesOf(c, in, run, i, rays, d, cell);
+    if (c.bounces == 0) {
+        if (c.scene.lines != 0)
+            seen.states += cell << kCellShift; // so that squares split at patches' borders
+        seen.rest += sunshaftLight(c, in, rays, d);
+        begin(c, in, run.ray + i, count, seen);
+    } else if (c.samples.whole)
+        addMarked(c, in, run, i, rays, count, seen, cell);
+    else
+        addLight(c, in, run.ray + i, count, seen.rest + seen.albedo * seen.light, Int8{});
 }
 
 } // namespace
