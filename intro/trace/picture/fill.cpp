@@ -60,6 +60,25 @@ static constexpr struct {
     uint8_t row, above, below;
 } kRowOrder[] = {{0, 0, 0}, {4, 0, 0}, {7, 0, 0}, {2, 0, 4}, {6, 4, 7}, {1, 0, 2}, {3, 2, 4}, {5, 4, 6}};
 
+// Finds the albedo of the rows of a square of eight by eight pixels.
+ODRAZ_INLINE static void albedoOfRows(const Tile &t, uint16_t shape, Square q, Rgb8 (&albedo)[8]) {
+    for (const auto &[y, above, below] : kRowOrder) {
+        const Rgb8 &a = albedo[above], &b = albedo[below];
+        albedo[y] = below == 0 || any(abs(b.y - a.y) >= a.y * (t.quality.textureEdge * 0.025f))
+                        ? albedoOf(t, shape, q.x, q.y + y, kLanes >= 0)
+                        : a + (b - a) * broadcast((float)(y - above) / (float)(below - above));
+    }
+}
+
+// Keeps a pixel: the means of its corners' light and rest, no corner brighter than white.
+ODRAZ_INLINE static void keepPixel(const Tile &t, const __m128 (&light)[4], __m128 (&rest)[4], int at) {
+    __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
+    __m128 white = _mm_set1_ps(whiteOf(t.scene)), r = {}, darkest = rest[0];
+    for (__m128 &v : rest) darkest = _mm_min_ps(darkest, v), v = _mm_min_ps(v, white), r += v * 0.25f;
+    r = _mm_max_ps(r, darkest);
+    for (int k = 0; k < 3; ++k) t.s.light[k][at] = l[k], t.s.rest[k][at] = r[k];
+}
+
 void fill(Tile &t, Square q, int size) {
     TileScratch &s = t.s;
     uint32_t c[4];
@@ -76,11 +95,7 @@ void fill(Tile &t, Square q, int size) {
         rest[i] = lit ? fourOf(k.rest) : radianceOf(k);
     }
     if (size == 1) {
-        __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
-        __m128 white = _mm_set1_ps(whiteOf(t.scene)), r = {}, darkest = rest[0];
-        for (__m128 &v : rest) darkest = _mm_min_ps(darkest, v), v = _mm_min_ps(v, white), r += v * 0.25f;
-        r = _mm_max_ps(r, darkest);
-        for (int k = 0; k < 3; ++k) s.light[k][at] = l[k], s.rest[k][at] = r[k];
+        keepPixel(t, light, rest, at);
         s.shape[at] = shape;
         return;
     }
@@ -90,13 +105,7 @@ void fill(Tile &t, Square q, int size) {
     Bilinear lights(light), rests(rest);
     __m128i shapes = _mm_set1_epi16((short)shape);
     Rgb8 albedo[8];
-    for (const auto &[y, above, below] : kRowOrder) {
-        if (size < 8 || !lit) break;
-        const Rgb8 &a = albedo[above], &b = albedo[below];
-        albedo[y] = below == 0 || any(abs(b.y - a.y) >= a.y * (t.quality.textureEdge * 0.025f))
-                        ? albedoOf(t, shape, x0, y0 + y, kLanes >= 0)
-                        : a + (b - a) * broadcast((float)(y - above) / (float)(below - above));
-    }
+    if (size == 8 && lit) albedoOfRows(t, shape, q, albedo);
     for (int y = 0; y < size && y0 + y < t.height; ++y) {
         __m128 v = _mm_set1_ps(((float)y + 0.5f) * step);
         Rgb8 r = rests.row(v, u);
