@@ -51,6 +51,30 @@ ODRAZ_INLINE Int8 lookUp(const int32_t *entries, Int8 values) {
     return (Int8)_mm256_set_m128i(four(4), four(0));
 }
 
+// The tone curve at eight values, with its constants in registers.
+struct ToneLookUp {
+    const int32_t *entries;
+    Float8 foot = kept(broadcast(ToneCurve::kFoot)), head = kept(broadcast(ToneCurve::kHead));
+    Int8 low14 = kept(broadcast(0x3fff)), one = kept(broadcast(1 << 30));
+    // Returns the curve at v * gain in 2^-21 of one of the 255 steps.
+    ODRAZ_INLINE Int8 at(Float8 v, Float8 gain) const {
+        // Clamp to the table's range; NaN becomes 0
+        v = min(max(fmadd(v, gain, foot), foot), head);
+        // Interpolate: the entry's value times 2^14, plus the difference to the next one times the 14 bits
+        // that follow the index
+        Int8 share = (bits(v) >> (ToneCurve::kShift - 14) & low14) | one;
+        return (Int8)_mm256_madd_epi16((__m256i)lookUp(entries, bits(v)), (__m256i)share);
+    }
+};
+
+// Film grain: the sum of two random signed 16-bit numbers, times an amplitude.
+struct Grain {
+    Int8 amplitude, half, signs = kept(broadcast((int32_t)0x80008000));
+    ODRAZ_INLINE Int8 at(Uint8 noise) const {
+        return (Int8)_mm256_madd_epi16((__m256i)((Int8)pcg(noise) ^ signs), (__m256i)amplitude) + half;
+    }
+};
+
 // Interpolates eight pixels of a row from a level that is a quarter as wide and high.
 struct GlareRow {
     const float *near[3], *far[3]; // the two nearest rows
@@ -108,14 +132,12 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
     auto rows = [&](int first, int end, int) __attribute__((flatten)) {
         // Copy these: through references, they would be loaded again after each write to the picture
         const Frame f = frame;
-        const int32_t *entries = curve.entry;
+        const ToneLookUp tone = {curve.entry};
+        const Grain grain = {kept(broadcast(look.grain * 0x10001)), kept(broadcast(look.grain))};
         const bool spread = glare;
-        const Float8 fall = broadcast(-darker * exposure), spreadShare = broadcast(look.glare),
-                     foot = kept(broadcast(ToneCurve::kFoot)), head = kept(broadcast(ToneCurve::kHead));
+        const Float8 fall = broadcast(-darker * exposure), spreadShare = broadcast(look.glare);
         const Uint8 salts = salt - Uint8{};
-        const Int8 amplitude = kept(broadcast(look.grain * 0x10001)), half = kept(broadcast(look.grain)),
-                   signs = kept(broadcast((int32_t)0x80008000)), low14 = kept(broadcast(0x3fff)),
-                   one = kept(broadcast(1 << 30)), opaque = kept(broadcast(255)), eight = kept(broadcast(8));
+        const Int8 opaque = kept(broadcast(255)), eight = kept(broadcast(8));
         for (int y = first; y < end; ++y) {
             uint8_t *out = f.rgba + (size_t)y * (size_t)f.width * 4;
             float down = (float)y + 0.5f - midY;
@@ -128,9 +150,7 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
             Float8 across = toFloat(kLanes) + (0.5f - midX);
             for (ptrdiff_t x = 0; x < f.width; x += 8) {
                 Uint8 noise = pcg(pixel ^ salts);
-                // Grain: the sum of two random signed 16-bit numbers
-                Int8 grain = (Int8)_mm256_madd_epi16((__m256i)((Int8)pcg(noise) ^ signs), (__m256i)amplitude);
-                grain += half;
+                Int8 grains = grain.at(noise);
                 Float8 gain = fmadd(across * across, fall, rest);
                 ptrdiff_t right = x + 8 < f.width ? 1 : left;
                 Int8 shown[3];
@@ -138,14 +158,8 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
                     const float *at = f.plane[c] + (row + x);
                     Float8 v = withoutSparks(at, left, right, above, below);
                     if (spread) v = fmadd(glareRow.at(c, x) - v, spreadShare, v);
-                    // Clamp to the table's range; NaN becomes 0
-                    v = min(max(fmadd(v, gain, foot), foot), head);
-                    // Interpolate: the entry's value times 2^14, plus the difference to the next one times
-                    // the 14 bits that follow the index
-                    Int8 share = (bits(v) >> (ToneCurve::kShift - 14) & low14) | one;
-                    Int8 value = (Int8)_mm256_madd_epi16((__m256i)lookUp(entries, bits(v)), (__m256i)share);
                     // Add noise: each colour has 10 random bits that no other colour uses
-                    shown[c] = (value + (Int8)(noise >> 11) + grain) >> 21;
+                    shown[c] = (tone.at(v, gain) + (Int8)(noise >> 11) + grains) >> 21;
                     noise <<= 10;
                 }
                 write(out, shown, opaque, x, f.width);
