@@ -42,12 +42,12 @@ using namespace odraz::maker;
 
 namespace {
 
+enum class Request { SetKey, RemoveKey, Undo, Redo, Save, WriteTracks, Leave };
+
 struct Maker {
     double time = 0;
     bool paused = false, flying = false, sought = false;
-    // Requests: to set or remove a key of the camera, write the tracks, undo, redo, save, leave
-    bool sets = false, removes = false, writes = false, undoes = false, redoes = false, saves = false,
-         leaves = false;
+    std::set<Request> requests;
     std::string message; // the result of a request, drawn over the picture for a while
     double messageUntil = 0;
     bool warned = false, closes = false;
@@ -87,13 +87,13 @@ void onKey(GLFWwindow *, int key, int, int action, int mods) {
     };
     if (mods & GLFW_MOD_CONTROL) {
         m.chords.insert(key);
-        m.saves |= key == GLFW_KEY_S;
-        if (key == GLFW_KEY_Z) (mods & GLFW_MOD_SHIFT ? m.redoes : m.undoes) = true;
+        if (key == GLFW_KEY_S) m.requests.insert(Request::Save);
+        if (key == GLFW_KEY_Z) m.requests.insert(mods & GLFW_MOD_SHIFT ? Request::Redo : Request::Undo);
         return;
     }
     switch (key) {
     case GLFW_KEY_ESCAPE:
-        m.leaves = true;
+        m.requests.insert(Request::Leave);
         break;
     case GLFW_KEY_SPACE:
         m.paused = !m.paused;
@@ -111,10 +111,10 @@ void onKey(GLFWwindow *, int key, int, int action, int mods) {
         printCamera(m);
         break;
     case GLFW_KEY_K:
-        (mods & GLFW_MOD_SHIFT ? m.removes : m.sets) = true;
+        m.requests.insert(mods & GLFW_MOD_SHIFT ? Request::RemoveKey : Request::SetKey);
         break;
     case GLFW_KEY_X:
-        m.writes = true;
+        m.requests.insert(Request::WriteTracks);
         break;
     case GLFW_KEY_1:
     case GLFW_KEY_2:
@@ -188,7 +188,8 @@ const char *loadFilm(Stage &stage, Screen &screen, uint64_t solvers, Maker &m) {
         Picture p = {screen.width, screen.height, black.data()};
         drawStatus(p, line, share);
         show(screen, p);
-        return !(m.closes = m.closes || m.leaves || glfwWindowShouldClose(screen.window));
+        return !(m.closes =
+                     m.closes || m.requests.count(Request::Leave) || glfwWindowShouldClose(screen.window));
     };
     const char *problem = stage.loadFirst(
         screen.gl, solvers, [&](bool on) { screen.useHidden(on); }, wait);
@@ -227,35 +228,30 @@ void edit(Maker &m, Edits &edits, std::string &message) {
         m.time = *asked.row / kRowsPerSecond;
         m.sought = true;
     }
-    if (m.sets || m.removes) {
-        double row = m.time * kRowsPerSecond;
+    if (asked.save) m.requests.insert(Request::WriteTracks);
+    auto requested = [&](Request r) { return m.requests.count(r) > 0; };
+    if (requested(Request::SetKey) || requested(Request::RemoveKey)) {
         CameraKey view = m.flying ? m.camera : cameraAt(m.time);
-        uint32_t at = edits.setView(row, m.sets ? &view : nullptr, message);
-        m.time = at / kRowsPerSecond;
+        const CameraKey *key = requested(Request::SetKey) ? &view : nullptr;
+        m.time = edits.setView(m.time * kRowsPerSecond, key, message) / kRowsPerSecond;
         m.sought = true;
         m.flying = false;
     }
-    if (m.undoes) message = edits.undo();
-    if (m.redoes) message = edits.redo();
-    if (m.saves) {
-        message = edits.save();
-        report(message.c_str());
-    }
-    if (m.writes || asked.save) {
-        message = writeTracks(edits);
-        report(message.c_str());
-    }
+    if (requested(Request::Undo)) message = edits.undo();
+    if (requested(Request::Redo)) message = edits.redo();
+    if (requested(Request::Save)) report((message = edits.save()).c_str());
+    if (requested(Request::WriteTracks)) report((message = writeTracks(edits)).c_str());
     if (!edits.unsaved()) m.warned = false;
-    if (m.leaves && edits.unsaved() && !m.warned) {
-        message = "what you edited is not saved: Ctrl S saves it, ESC again leaves";
+    if (requested(Request::Leave)) {
+        m.closes |= m.warned || !edits.unsaved();
+        if (!m.closes) message = "what you edited is not saved: Ctrl S saves it, ESC again leaves";
         m.warned = true;
-    } else
-        m.closes |= m.leaves;
-    if (m.sets || m.removes || m.writes || asked.save || m.undoes || m.redoes || m.saves || m.leaves) {
+    }
+    if (!m.requests.empty()) {
         m.message = message;
         m.messageUntil = glfwGetTime() + 4;
     }
-    m.sets = m.removes = m.writes = m.undoes = m.redoes = m.saves = m.leaves = false;
+    m.requests.clear();
 }
 
 void help() {
@@ -292,7 +288,7 @@ int run(const Options &o, Stage &stage, Follower &follower, Edits &edits, std::s
     glfwGetCursorPos(screen.window, &m.mouseX, &m.mouseY);
     for (double last = glfwGetTime(); !m.closes;) {
         glfwPollEvents();
-        m.leaves |= glfwWindowShouldClose(screen.window) != 0;
+        if (glfwWindowShouldClose(screen.window)) m.requests.insert(Request::Leave);
         glfwSetWindowShouldClose(screen.window, GLFW_FALSE);
         double now = glfwGetTime(), passed = now - last;
         last = now;
