@@ -239,7 +239,8 @@ def test_the_film_is_made_of_intro_and_packer_and_what_the_packer_knows():
 
 def unregistered(tree):
     """The test files that CMake does not name with one of their kinds."""
-    lists = ''.join(tree[f'tests/programs/{name}'] for name in ('CMakeLists.txt', 'house.cmake', 'fuzz/CMakeLists.txt'))
+    names = 'CMakeLists.txt own_tests.cmake fuzz/CMakeLists.txt'.split()
+    lists = ''.join(tree[f'tests/programs/{name}'] for name in names)
     words = set(re.findall(r'\w+', re.sub('#.*', '', lists)))
     return [name for name in tree if (found := re.match(r'tests/programs/(test_(\w+)\.py)$', name))
             and not {found[2], found[1][:-3]} & words]
