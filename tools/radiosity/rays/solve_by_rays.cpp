@@ -73,25 +73,25 @@ private:
     std::vector<Rgb> directAtSites, reflects;
 
     void resume() {
-        if (s.resumed.empty()) return;
+        if (s.saving.resumed.empty()) return;
         size_t at = 0;
         std::vector<uint8_t> flag;
-        if (!get(s.resumed, at, flag) || flag.size() != 1 || !system.restore(s.resumed, at) ||
-            at != s.resumed.size())
+        if (!get(s.saving.resumed, at, flag) || flag.size() != 1 || !system.restore(s.saving.resumed, at) ||
+            at != s.saving.resumed.size())
             refuseResumed();
-        s.resumed = {};
+        s.saving.resumed = {};
         refined = flag[0];
     }
 
     void keep(bool refinedRows) {
-        if (!s.keep) return;
+        if (!s.saving.save) return;
         std::string rows;
         put(rows, std::vector<uint8_t>{refinedRows});
         system.save(rows);
-        s.keep(rows);
+        s.saving.save(rows);
         savedAt = common::wallSeconds();
     }
-    bool keepIsDue() const { return common::wallSeconds() - savedAt > s.keepEvery; }
+    bool keepIsDue() const { return common::wallSeconds() - savedAt > s.saving.seconds; }
 
     // Finds the missing rows for these numbers of rays. Reports progress in the range `from` .. `to`.
     void findRows(const std::vector<uint16_t> &rays, bool refinedRows, float from, float to) {

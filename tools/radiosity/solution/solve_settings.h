@@ -26,6 +26,13 @@ using SolveProgress = std::function<void(const char *step, float done, float res
 // with `bounced` false, then the light after every sweep.
 using LightWatcher = std::function<void(const Solution &soFar, bool bounced)>;
 
+// Rows of a solution by rays (saved_state.h) that are saved, so that a later run can resume.
+struct RowSaving {
+    std::function<void(const std::string &rows)> save; // every `seconds` and after a stop; may be null
+    double seconds = 60;
+    std::string_view resumed; // saved rows to continue from, used in place; empty: none
+};
+
 struct SolveSettings {
     SolveMethod method = SolveMethod::kRays;
     double element = 0;   // area of an element; 0: 1/30,000 of the model's, or 1/120,000 with final rays
@@ -39,6 +46,8 @@ struct SolveSettings {
     // By rays
     int rays = 0;      // rays from each element, up to 32768; 0: the number that each one needs
     int finalRays = 0; // rays from each element in the final gather; 0: no final gather
+    RowSaving saving;
+    std::function<void(size_t bytes)> needs; // reports the number of bytes needed, before they are allocated
 
     // Between patches
     int hemicube = 16;    // pixels along the top face, 4 .. kMaxHemicube
@@ -51,12 +60,6 @@ struct SolveSettings {
     LightWatcher watcher; // may be null
     // Decides whether to compute light for the watcher now, which takes time; null: always
     std::function<bool()> lightIsDue;
-    // By rays: reports the number of bytes needed, before they are allocated
-    std::function<void(size_t bytes)> needs;
-    // By rays: saves the rows found so far (saved_state.h), every `keepEvery` seconds and after a stop
-    std::function<void(const std::string &rows)> keep;
-    double keepEvery = 60;
-    std::string_view resumed; // saved rows to continue from, used in place; empty: none
 };
 
 } // namespace odraz::radiosity

@@ -176,10 +176,10 @@ private:
 
     void prepare() {
         SolveSettings &settings = job.options.settings;
-        if (job.saved) settings.resumed = job.saved->rows;
-        settings.keepEvery = job.keepEvery;
+        if (job.saved) settings.saving.resumed = job.saved->rows;
+        settings.saving.seconds = job.keepEvery;
         if (job.keeps)
-            settings.keep = [this](const std::string &rows) {
+            settings.saving.save = [this](const std::string &rows) {
                 state.rows = rows;
                 state.save(job.state());
             };
@@ -214,7 +214,7 @@ private:
         std::vector<std::string> printed; // the same notes, which were printed before
         read(printed);
         state.words.push_back("--two-sided"); // for --resume
-        job.options.settings.resumed = {};
+        job.options.settings.saving.resumed = {};
     }
 };
 
