@@ -160,7 +160,7 @@ bool parseOptions(int argc, const char *const *argv, double duration, Options &o
     if (to > duration)
         (wrong << "--to is beyond the film's end at ").decimal(duration, 1) << " s";
     else if (from > to)
-        (wrong << "--from must not be after the film's end or --to, ").decimal(to, 1) << " s";
+        (wrong << "--from must be at most ").decimal(to, 1) << " s, the film's end or --to";
     else if ((o.dump || o.wav) && (o.window || o.mute || o.stats))
         wrong << (o.window ? "--window"
                   : o.mute ? "--mute"

@@ -22,7 +22,7 @@ public:
     // was stopped since the last call (much time has passed, but little of it on the processor), the film
     // continues from where it stopped.
     void watch(int64_t now, int64_t processor);
-    // The number of calls of watch(). After a gap between its steps, the sound waits for the next call.
+    // The number of calls of watch(). If the sound was not scheduled for a while, it waits for the next call.
     unsigned watched() const { return __atomic_load_n(&watches, __ATOMIC_ACQUIRE); }
 
     // A histogram of the clock's errors: entry N counts errors of N milliseconds, the last entry also all

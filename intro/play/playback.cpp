@@ -38,7 +38,7 @@ void Playback::fill(float to) {
     quiet = 0;
 }
 
-// Makes a block of silence. Unless `still`, moves to a frame of the film, or towards it.
+// Makes a block of silence. Unless `still`, seeks to a frame of the film, or renders up to it if it is near.
 void Playback::leap(int64_t frame, bool still) {
     int64_t off = frame - position;
     if (!still && (!sought || off > kSeek || off < -kSeek)) {

@@ -42,7 +42,7 @@ uint32_t outsideFaces(const Vec3 &p) {
     auto face = [](uint32_t k0, uint32_t k1, uint32_t k2, uint32_t k3) {
         return k0 | k1 << 1 | k2 << 2 | k3 << 3;
     };
-    return face(p.x<-p.z, p.x> p.z, p.y<-p.z, p.y> p.z) | face(a, c, low, right) << 4 |
+    return face((p.x < -p.z), (p.x > p.z), (p.y < -p.z), (p.y > p.z)) | face(a, c, low, right) << 4 |
            face(d, a, low, front) << 8 | face(b, d, low, left) << 12 | face(c, b, low, back) << 16;
 }
 

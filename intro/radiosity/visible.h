@@ -20,7 +20,7 @@ Texels8 loadTexels(const Model &model, int first, int count);
 
 // One sample point of each of eight texels: number `round`, from 0, of the points in the texel's mask.
 struct TexelPoints8 {
-    Float8 x, y; // -1 or 1: the side of the texel
+    Float8 x, y; // -1 or 1: left or right, lower or upper half of the texel
     Int8 index;  // 0 .. 3
     Int8 active;
 };

@@ -4,9 +4,9 @@
 
 namespace odraz {
 
-static constexpr float kLoud = 1.9f;    // gain of the mix before it is clipped softly
-static constexpr float kUsual = 0.006f; // mean square above which 4 dB more become 3 dB more
-static constexpr float kFade = 0.35f;   // decrease of the gain per block while muted
+static constexpr float kLoud = 1.9f;        // gain of the mix before it is clipped softly
+static constexpr float kThreshold = 0.006f; // mean square above which the compressor acts, 4:3
+static constexpr float kFade = 0.35f;       // decrease of the gain per block while muted
 static constexpr float kRoomLevel = 0.42f;
 static constexpr float kPeak = 0.68f;       // the largest sample: leaves room for peaks between samples
 static constexpr int kSeekBlocks = 8 * 200; // rendered before the block sought, to fill room and echo
@@ -52,7 +52,8 @@ constexpr float kPerDecibel = 0.166096f; // log2(10) / 20
 // Mixes down to two channels: crossfeed, the compressor's gain and the level, soft clipping. Clears the mix.
 static void mixDown(Mixer &m, float *stereo) {
     // Move the gain linearly over the block; after silence in 1 ms, so that struck notes keep their attack
-    float gain = kLoud * exp2(fmadd(max(log2(m.power * (1 / kUsual)), 0.f), -0.125f, m.level * kPerDecibel));
+    float gain =
+        kLoud * exp2(fmadd(max(log2(m.power * (1 / kThreshold)), 0.f), -0.125f, m.level * kPerDecibel));
     if (m.muted) gain = max(m.gain - kFade, 0.f);
     float step = (gain - m.gain) / (m.gain > 0 ? kBlock : 48), most = max(gain, m.gain);
     Float8 squares = {};
@@ -76,9 +77,8 @@ static void mixDown(Mixer &m, float *stereo) {
 }
 
 void renderBlock(Mixer &m, float *stereo) {
-    // Treat denormal numbers as zeros in this function: they are slow
     unsigned control = _mm_getcsr();
-    _mm_setcsr(control | 0x8040);
+    _mm_setcsr(control | 0x8040); // FTZ and DAZ: denormal numbers are slow
     float ducked = m.ducked;
     if (m.block % kBlocksPerRow == 0) m.player(m, m.block / kBlocksPerRow);
     mixVoices(m, stereo, ducked);

@@ -84,7 +84,7 @@ struct WasmParser {
 
     uint32_t phase, count; // the part that the next byte belongs to, and how many of its bytes came before
     uint32_t value, numbers, raw; // the number so far; how many numbers and plain bytes are still to come
-    uint32_t depth, locals;       // nesting depth of blocks; the state of kHead
+    uint32_t depth, locals;       // nesting depth of blocks; for kHead: see step()
     bool table;                   // at the first number of a br_table, which is the count of the others
     uint32_t unread[kUnreads], stack[64], height;
     uint32_t follows[kTables], offsetOf[kTables], last[kTables]; // by local; `last` by opcode
@@ -180,7 +180,9 @@ struct WasmParser {
     void step(uint32_t *fields, uint32_t byte) {
         if (phase != kHead) fields[kSoFar] = mixIn(fields[kSoFar], byte);
         switch (phase) {
-        case kHead: // the function's size, the number of groups of locals, the count and the type of each
+        // The function's size, the number of groups of locals, the count and the type of each. `locals`: 0 in
+        // the size, 1 at the number; then 2 * (groups left) + 2 in a count, and 1 less at its type
+        case kHead:
             if (locals == 0) {
                 if (byte < 128) locals = 1;
             } else if (locals == 1)

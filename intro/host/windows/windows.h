@@ -36,7 +36,7 @@ enum Error : uint32_t {
 };
 
 constexpr uint32_t kUtf8 = 65001;
-inline const Handle kInvalid = (Handle)-1; // as the handle of a process: this process
+inline const Handle kInvalid = (Handle)-1; // also the pseudo handle of this process
 
 // Returns the handle of a standard descriptor, 0 to 2; an invalid handle if it is closed.
 Handle standard(int descriptor);

@@ -32,13 +32,13 @@ constexpr float kBlinding = 2.5f;      // in multiples of white; see join()
 constexpr int kSamples = 3;            // number of samples in a pixel that is traced again
 constexpr float kSampleStep = 0.33f;   // distance between these, across and down, in pixels
 constexpr float kFetchedShare = 0.5f;  // share of the fetched radiance in a pixel that is traced again
-constexpr int kInside = kTile * kTile; // added to the number of a pixel that one shape fills
+constexpr int kInside = kTile * kTile; // a flag in a pixel's index: one shape fills it
 constexpr int kMaxRetraced = kTile * kTile / 8; // pixels; a tile with more is traced as a whole
 
 } // namespace
 
 struct BetweenScratch {
-    // From one pixel up and left of the tile: each pixel's shape, and its distance, in lengths of direction()
+    // The tile with a border of one pixel: shape and distance (unit: the length of direction()) of each pixel
     int32_t shape[kRows * kRow];
     float along[kRows * kRow];
     uint16_t retraced[kMaxRetraced + kBlock * kBlock]; // numbers of pixels

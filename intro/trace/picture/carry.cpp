@@ -5,7 +5,7 @@
 namespace odraz {
 
 [[gnu::cold]] void carryTo(const Traced &to, const Traced &now, Carry *carry) {
-    constexpr int kMostNew = 200;
+    constexpr int kMostNew = 200; // most shapes of the later scene that are skipped in search of a match
     const View &v = to.view, &w = now.view;
     Vec3 rows[3] = {v.right * (v.width / dot(v.right, v.right)) + v.forward * (v.width * 0.5f),
                     v.down * (v.height / dot(v.down, v.down)) + v.forward * (v.height * 0.5f), v.forward};

@@ -17,7 +17,7 @@ struct RayStream {
     float weight[3][kStream];              // share of the ray's light that the sample gets, per channel
     float width[kStream], spread[kStream]; // the sample's width at the origin; its growth per unit
     int32_t sample[kStream];               // index of the Sample to which the ray adds
-    // The last 32 bits of: a 1, then for every bounce 0 (reflected), 1 (refracted) or 10 (reflected by glass)
+    // A 1, then for every bounce 0 (reflected), 1 (refracted) or 10 (reflected by glass); the last 32 bits
     int32_t path[kStream];
     float t[kStream];       // distance of the hit
     int32_t shape[kStream]; // index of the shape hit; -1: none

@@ -103,8 +103,9 @@ ODRAZ_INLINE void addAmbient(const Scene &scene, const Shape &shape, const Occlu
 // blurs highlights: the normals' variance is added to the lobe's, 1 / exponent (Kaplanyan et al., "Filtering
 // Distributions of Normals", 2016).
 struct Lobe {
-    Vec3x8 d = {}; // directions of the rays
-    Float8 dn = {}, wider = {};
+    Vec3x8 d = {};     // directions of the rays
+    Float8 dn = {};    // minus twice the cosine between ray and normal
+    Float8 widen = {}; // factor on the exponent for curvature; below 1 it widens the lobe
     // Cosines: the lobe ends at `end`. Above `reach`, shadows are traced even for faint light and squares
     // split, because the highlight may lie between the corners of the coarsest squares
     Float8 end = {}, reach = broadcast(2.f);
@@ -117,7 +118,7 @@ struct Lobe {
                spread = min(fmadd(steep, 2.f, load(run.spread + i)), 1.f), variance = spread * spread;
         end = fmadd(variance, -14.f, lobeEnd);
         reach = fmadd(variance, (float)(coarse * coarse) * -0.0625f, 1.f);
-        wider = 1.f / fmadd(variance, m.exponent, 1.f);
+        widen = 1.f / fmadd(variance, m.exponent, 1.f);
     }
     // The cosine between the mirrored rays and the direction l to a light. In a ball of light, the point
     // nearest to a mirrored ray counts. `cosine` is between normal and l, `inverse` is 1 / distance.
@@ -133,7 +134,7 @@ struct Lobe {
     ODRAZ_INLINE Float8 at(Float8 aligned, const Material &m, Int8 active) const {
         Int8 near = active & (aligned > end);
         if (!any(near)) return Float8{};
-        Float8 lobe = exp2(log2(clamp(aligned, 0.01f, 1.f)) * wider * m.exponent) * wider;
+        Float8 lobe = exp2(log2(clamp(aligned, 0.01f, 1.f)) * widen * m.exponent) * widen;
         return select(near, lobe * m.specular, 0.f);
     }
 };

@@ -26,7 +26,8 @@ inline constexpr PatternTraits kPatterns[] = {
     {.pattern = Pattern::WoodAcross, .shares = {12.5f / 64, 35.5f / 64, 14.5f / 64, 1.5f / 64}}, // along x
     {.pattern = Pattern::Stone, .faint = true, .shares = {7 / 64.f, 18.5f / 64, 24.5f / 64, 14 / 64.f}},
     {.pattern = Pattern::Plaster, .faint = true, .shares = {1.5f / 64, 40.5f / 64, 22 / 64.f, 0}},
-    {.pattern = Pattern::Tubes, .shares = {17.5f / 64, 14 / 64.f, 9.5f / 64, 23 / 64.f}}, // across x
+    {.pattern = Pattern::Tubes,
+     .shares = {17.5f / 64, 14 / 64.f, 9.5f / 64, 23 / 64.f}}, // circles around the x axis
 };
 static_assert(inOrder(kPatterns, &PatternTraits::pattern), "a row for every pattern, in the enum's order");
 

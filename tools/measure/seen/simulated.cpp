@@ -105,7 +105,8 @@ private:
         looked += nanosecondsOf(presenting(machine) / core());
         double sixtieths = std::ceil((filmAt(looked) - from) * kScreenRate - 0.5);
         list[number].at = from + (sixtieths + 0.5) / kScreenRate;
-        if (presented++ && list[last].at == list[number].at) list[last].at = -1; // replaced at once
+        if (presented++ && list[last].at == list[number].at)
+            list[last].at = -1; // overwritten before it was shown
         last = number;
     }
 

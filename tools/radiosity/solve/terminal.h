@@ -19,7 +19,7 @@ public:
     explicit ProgressBar(bool lines);
     ~ProgressBar() { clear(); }
     // Shows a step, the share of it that is done (0 .. 1), the residual unless it is below 0, and the time
-    // left once it can be estimated. `step` must stay in memory. A step may continue after another one. Lines
+    // left once it can be estimated. `step` must stay in memory. Steps may alternate. Lines
     // are printed when a step begins and ends. Between these, the next line follows after one second, or
     // after a twentieth of the time so far, if that is longer.
     void show(const char *step, float done, float residual);

@@ -29,7 +29,7 @@ public:
             float share = 1 / (float)row.size();
             firsts.push_back(links.size());
             for (uint32_t site : row) {
-                if (site == RaySystem::kDark) break; // the largest number, so only equal ones follow
+                if (site == RaySystem::kDark) break; // sorted: the rest are kDark
                 if (links.size() > firsts[i] && links.back().patch == site)
                     links.back().share += share;
                 else

@@ -202,7 +202,7 @@ TEST(Exr, RefusesByName) {
 TEST(Exr, RefusesWhatIsCutShort) {
     for (const char *name : {"none_half", "rle_float", "zip_rgba", "tiled_piz_half"}) {
         std::string file = fileOf(name);
-        // In the file with tiles smaller levels follow, which are not read
+        // The tiled file ends with smaller mip levels, which are not read
         size_t end = std::string(name) == "tiled_piz_half" ? 2 * file.size() / 3 : file.size();
         for (size_t size = 4; size < end; size += size < 700 ? 1 : 97)
             EXPECT_THROW(readExr(file.substr(0, size)), common::Refused) << name << " " << size;
