@@ -61,7 +61,7 @@ class House:
         self.write('tests/unit.cpp', 3)
         self.write('intro/trace/trace.cpp', 10)
         self.write('intro/film.conf', 1, 'FILM=odraz')
-        self.write('tools/build/lines', 1, self.budget)
+        self.write('tools/build/line_budget', 1, self.budget)
         shutil.copy(LEDGER, folder / 'tools')
         shutil.copy(ENVIRONMENT, folder / 'tools/build')
         self.git('init', '-q')
