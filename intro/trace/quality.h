@@ -14,9 +14,9 @@ struct Quality {
     QualityName id = QualityName::Count; // the row's name; Count: a blend of two rows
     char name[12] = ""; // not a pointer: the options are read before other constants are decoded
 
-    int grid = 0;   // 1 .. 16: grid x grid samples in every pixel; 0: adaptive sampling
-    int coarse = 0; // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
-    int fine = 0;   // 2: a pixel may take three samples inside; 1: twelve, and no corner is a mean
+    int grid = 0;     // 1 .. 16: grid x grid samples in every pixel; 0: adaptive sampling
+    int coarse = 0;   // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
+    int smallest = 0; // of the smallest: 8 (at most 3 samples inside a pixel) or 4 (12, and no mean corners)
     // Thresholds: differences of perceived intensity (0 .. 1) above which
     float threshold = 0;     // a square splits
     float markThreshold = 0; // a 2x2 square splits if its corners' marks differ; see also meanSuffices()
@@ -36,7 +36,7 @@ inline constexpr Quality kQualities[] = {
     {.id = QualityName::Draft,
      .name = "draft",
      .coarse = 32,
-     .fine = 2,
+     .smallest = 8,
      .threshold = 0.105f,
      .markThreshold = 0.063f,
      .edge = 0.25f,
@@ -50,7 +50,7 @@ inline constexpr Quality kQualities[] = {
     {.id = QualityName::Play,
      .name = "play",
      .coarse = 16,
-     .fine = 2,
+     .smallest = 8,
      .threshold = 0.042f,
      .markThreshold = 0.03f,
      .edge = 0.06f,
@@ -64,7 +64,7 @@ inline constexpr Quality kQualities[] = {
     {.id = QualityName::Film,
      .name = "film",
      .coarse = 16,
-     .fine = 1,
+     .smallest = 4,
      .threshold = 0.026f,
      .markThreshold = 0.005f,
      .edge = 0.06f,
@@ -82,7 +82,7 @@ static_assert(inOrder(kQualities, &Quality::id), "a row for every name, in the e
 inline Quality blend(const Quality &a, const Quality &b, float share) {
     auto mix = [&](float x, float y) { return x + (y - x) * share; };
     return {.coarse = share < 0.5f ? a.coarse : b.coarse,
-            .fine = share < 1 && a.fine < b.fine ? a.fine : b.fine,
+            .smallest = share < 1 && a.smallest < b.smallest ? a.smallest : b.smallest,
             .threshold = mix(a.threshold, b.threshold),
             .markThreshold = mix(a.markThreshold, b.markThreshold),
             .edge = mix(a.edge, b.edge),

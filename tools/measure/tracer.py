@@ -9,12 +9,12 @@ SETTINGS = 'draft', 'play', 'film', 'play,grid=1'
 SMALL = '320x180'  # size at which instructions are counted
 # The names of settings in tables
 TITLES = {'play,grid=1': 'one sample a pixel', 'play,grid=2': 'four samples a pixel',
-          'play,fine=1,again=0.12': 'twelve samples inside pixels',
+          'play,smallest=4,again=0.12': 'twelve samples inside pixels',
           **{f'level={level}': f'{"film" if level < 1 else "play"} to '
           f'{"play" if level < 1 else "draft"}, {level % 1:g}' for level in (0.25, 0.5, 0.75, 1.25, 1.5, 1.75)}}
 KNOBS = [*SETTINGS, 'play,grid=2', *(name for name in TITLES if name[:5] == 'level'), *(
     f'play,{knob}={value}' for knob, values in (
-        ('fine', ('1,again=0.12',)), ('coarse', (4, 8, 32)), ('threshold', (0.01, 0.02, 0.08)),
+        ('smallest', ('4,again=0.12',)), ('coarse', (4, 8, 32)), ('threshold', (0.01, 0.02, 0.08)),
         ('markThreshold', (0, 0.1)),
         ('edge', (0.03, 0.12, 0.2, 0.4)), ('outline', (0.06,)), ('markWeight', (0.1,)), ('depth', (2, 3)),
         ('cutoff', ('1/10', '1/160')))

@@ -160,7 +160,7 @@ void sampleInside(Tile &t, int count) {
     const __m128 white = _mm_set1_ps(whiteOf(t.scene));
     for (int from = 0, to = kFirst; count; from = to, to = kMostInside) {
         int perPixel = to - from, most = kChunk / perPixel, kept = 0;
-        bool again = !from && q.fine < 2;
+        bool again = !from && q.smallest < 8;
         float cornerWeight = from ? kCornerWeightAll : kCornerWeight,
               insideWeight = (1 - 4 * cornerWeight) / (float)to;
         for (int first = 0; first < count; first += most) {

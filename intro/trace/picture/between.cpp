@@ -368,7 +368,7 @@ void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Neig
     // Keep the depth and the cutoff: mirrors and glass must look as in the traced pictures, or they flicker.
     // But an in-between is shown for only a sixtieth of a second, so twice the thresholds are enough
     Quality relaxed = quality;
-    relaxed.fine = 2, relaxed.coarse = 32;
+    relaxed.smallest = 8, relaxed.coarse = 32;
     relaxed.threshold *= 2, relaxed.markThreshold *= 2;
     relaxed.edge *= 2, relaxed.outline *= 2;
     forTiles(tracer, workers, *now.scene, now.view, relaxed, now.frame, {makeTile, &from});

@@ -87,7 +87,7 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
 // the square of the distance. No mean is used in `film`, or near mirrored lamps.
 ODRAZ_INLINE bool meanSuffices(const Tile &t, uint32_t a, uint32_t b, int half) {
     const TileScratch &s = t.s;
-    return t.quality.fine > 1 && alike(s, a, b) == kSameMarks && !(s.corners[a].secondary & kLamps) &&
+    return t.quality.smallest > 4 && alike(s, a, b) == kSameMarks && !(s.corners[a].secondary & kLamps) &&
            !exceeds(range(s.perceived[a], s.perceived[b]) * (float)(half * half),
                     3 * t.quality.markThreshold);
 }

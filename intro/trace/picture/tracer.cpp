@@ -15,7 +15,8 @@ static bool edgeOn(const Tile &t, const Shape &s) {
           square = fmadd(dx, dx, fmadd(dz, dz, e.y * e.y)), across = sqrt(fmadd(x, x, z * z));
     // The rectangle's length in the direction of the eye
     float chord = min(s.half.x * across / max(x, 1e-9f), s.half.z * across / max(z, 1e-9f)) * 2;
-    return e.y * e.y < square * 0.01f && chord * e.y < square * t.view.spread * 0.2f * (float)t.quality.fine;
+    return e.y * e.y < square * 0.01f &&
+           chord * e.y < square * t.view.spread * 0.05f * (float)t.quality.smallest;
 }
 
 void findCandidates(const Tile &t, int x, int y, int size, Candidates &found) {

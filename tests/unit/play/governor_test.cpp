@@ -254,7 +254,7 @@ TEST(Governor, MixesQualities) {
     for (auto [level, like] :
          {std::pair{0.99f, QualityName::Film}, {1, QualityName::Play}, {2, QualityName::Draft}}) {
         g.coarseness = level;
-        EXPECT_EQ(g.quality().fine, kQualities[(int)like].fine) << level;
+        EXPECT_EQ(g.quality().smallest, kQualities[(int)like].smallest) << level;
     }
 }
 

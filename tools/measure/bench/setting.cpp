@@ -39,7 +39,7 @@ std::vector<Knob> knobsOf(Quality &q) {
     return {
         {"grid", &q.grid, nullptr, upTo(16)},
         {"coarse", &q.coarse, nullptr, {4, 8, 16, 32}},
-        {"fine", &q.fine, nullptr, {1, 2}},
+        {"smallest", &q.smallest, nullptr, {4, 8}},
         {"depth", &q.depth, nullptr, upTo(kMaxDepth)},
         {"threshold", nullptr, &q.threshold, {}},
         {"markThreshold", nullptr, &q.markThreshold, {}},
@@ -88,8 +88,8 @@ Quality settingOf(const std::string &words) {
         turn(setting, knob, number(knob, change.substr(equals + 1)));
         comma = next;
     }
-    if (!setting.grid && !(setting.fine && setting.coarse))
-        throw common::Refused("a setting without a grid needs fine and coarse");
+    if (!setting.grid && !(setting.smallest && setting.coarse))
+        throw common::Refused("a setting without a grid needs coarse and smallest");
     return setting;
 }
 
