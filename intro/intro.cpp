@@ -20,12 +20,16 @@ bool needsHall(double from, double to) {
 }
 
 size_t memoryNeeded(const IntroSettings &s, int workers) {
+    // Bytes of a pixel: three planes of radiance and a picture; shape and quad where it is traced
+    constexpr size_t kPicture = 4, kFrame = 3 * sizeof(float) + kPicture,
+                     kTraced = kFrame + sizeof(uint16_t) + sizeof(int32_t), kAlignment = 4096;
     size_t pixels = ((size_t)s.width + 7) * (size_t)s.height, bytes = 0;
     if (s.pairs)
-        bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 22) + (kBetweenBuffers - 1) * pixels * 4 + 8192;
+        bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * kTraced) +
+                (kBetweenBuffers - 1) * pixels * kPicture + 2 * kAlignment;
     bytes += glareBytes(s.width, s.height);
-    return bytes + pixels * 20 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
-           (s.hall ? sizeof(Hall) + kRoomBytes : 0);
+    return bytes + pixels * (kFrame + kPicture) + sizeof(Intro) + sizeof(Scene) +
+           (size_t)workers * kTileScratchBytes + kAlignment + (s.hall ? sizeof(Hall) + kRoomBytes : 0);
 }
 
 const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &workers,
