@@ -107,7 +107,8 @@ constexpr Option kOptions[] = {
          return readCount(p, kMaxWidth, o.width) && *p++ == 'x' && readCount(p, kMaxHeight, o.height) && !*p;
      }},
     {"--quality", "NAME", "draft, play, film, reference or live",
-     " (default: what keeps up; film for dumps);\n                     live: as played, for --fps 60",
+     " (default: what keeps up; film for dumps);\n                     live: play, every other frame between "
+     "two, for --fps 60",
      readQuality},
     {"--threads", "N", "1 to 64", " (default: the number of processors)",
      [](const char *p, Options &o) { return readCount(p, kMaxWorkers, o.threads) && !*p; }},
