@@ -50,7 +50,7 @@ def test_a_missing_display_is_named_on_stdout_alone(tmp_path):
 @pytest.mark.parametrize('lacks, name, text', [
     ('libasound.so.2', 'sound', 'no libasound.so.2'),
     ('libGL.so.1', 'OpenGL', 'libGL.so.1 is missing: install'),
-    ('libEGL.so.1', 'OpenGL for --dump', 'no headless OpenGL 3.3: install')])
+    ('libEGL.so.1', 'OpenGL for --dump', 'libEGL.so.1 is missing: install')])
 def test_a_missing_library_is_named(shown, tmp_path, lacks, name, text):
     assert doctor(tmp_path, 1, shown, lacks=lacks)[0][name].startswith(text)
 

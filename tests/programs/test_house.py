@@ -225,8 +225,8 @@ def test_workflows_use_only_the_services_own_actions_by_version():
 def test_a_video_is_refused_at_once_where_another_program_has_the_name(program, prints, text, script, words, tmp_path):
     (tmp_path / program).write_text(f'#!/bin/sh\necho "{prints}"\n')
     (tmp_path / program).chmod(0o755)
-    path = {'PATH': f'{tmp_path}:{os.environ["PATH"]}'}
-    refuses(2, text, SOURCE / 'tools' / script, *words.split(), cwd=tmp_path, env=path)
+    refuses(2, text, SOURCE / 'tools' / script, *words.split(), cwd=tmp_path,
+            env={'PATH': f'{tmp_path}:{os.environ["PATH"]}'})
 
 
 def test_the_film_is_made_of_intro_and_packer_and_what_the_packer_knows():
@@ -239,8 +239,7 @@ def test_the_film_is_made_of_intro_and_packer_and_what_the_packer_knows():
 
 def unregistered(tree):
     """The test files that CMake does not name with one of their kinds."""
-    names = 'CMakeLists.txt own_tests.cmake fuzz/CMakeLists.txt'.split()
-    lists = ''.join(tree[f'tests/programs/{name}'] for name in names)
+    lists = ''.join(text for name, text in tree.items() if re.match(r'tests/programs/(fuzz/)?[\w.]+(?<!py)$', name))
     words = set(re.findall(r'\w+', re.sub('#.*', '', lists)))
     return [name for name in tree if (found := re.match(r'tests/programs/(test_(\w+)\.py)$', name))
             and not {found[2], found[1][:-3]} & words]

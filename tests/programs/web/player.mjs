@@ -11,10 +11,10 @@ const kWorkers = 2, kSeconds = 8
 // the error of the place sought, with the locks meanwhile; and how often the poster was shown. `pauses`: the system
 // stops the sound from 3 to 7 s after the click. `silent`: the browser has no sound. `dark`: the hall's worker fails.
 // `broken`: those that measure fail. `resized`: the page has another size at the click, and ESC follows.
-// `stops`: the viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, seeks by these seconds, and
-// continues. `loops`: the viewer presses L. `late`: the sound starts 3 s after the click. `stands`: the sound's clock
-// stands for 1.5 s, soon after the start. `lags`: it runs at half the speed for 2 s. `reported`, `processors`: the
-// number that the browser reports, and that there are.
+// `stops`: the viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, seeks by these
+// seconds, and continues. `loops`: the viewer presses L. `late`: the sound starts 3 s after the click. `stands`: the
+// sound's clock stands for 1.5 s, soon after the start. `lags`: it runs at half the speed for 2 s. `reported`,
+// `processors`: the number that the browser reports, and that there are.
 const play = async (cost, from, { pauses, silent, dark, broken, resized, stops, seeks, loops, late, stands,
   lags, reported = kWorkers, processors = reported, query = from } = {}) => {
   let clock = 0, skippedAtStart = 0, off = 0, context, muted, tracers = 0, spinning = 0, spun
