@@ -24,6 +24,7 @@ CODE = (('odraz', 'build/odraz-safe', 16, 16), ('odraz', 'build/odraz-safe', 32,
 PEERS = {'xz -9e --x86': 'xz --x86 --lzma2=preset=9e -k -c "$1"', 'zstd --ultra -22': 'zstd --ultra -22 -q -c "$1"',
          'brotli -q 11': 'brotli -q 11 -w 24 -c "$1"',
          'zpaq -m5': 'zpaq a "$1.zpaq" "$1" -m5 >/dev/null 2>&1; cat "$1.zpaq"'}
+PROGRAMS = '/usr/bin/bash', '/usr/bin/curl', '/usr/bin/python3.11'
 # Fewer contexts, each with a short search; less and more memory; searches that start from arbitrary contexts
 MODELS = {
     **{f'{n} contexts': f'--contexts {n} --search 3' for n in (4, 8, 12)}, '**16 contexts (ships)**': '',
@@ -75,6 +76,19 @@ def pack_instructions(machine):
     return f'Millions of instructions for "odraz 16K": {encode / 1e6:.0f} to encode, {decode / 1e6:.0f} to decode.'
 
 
+def programs(machine):
+    """Yields rows of whole programs: sizes, and the seconds in which the packed ones start."""
+    for program in PROGRAMS:
+        xz = int(machine.run(['sh', '-c', f"{PEERS['xz -9e --x86']} | wc -c", 'sh', program], noted=False))
+        row = {'program': Path(program).name, 'file': Path(program).stat().st_size, 'xz': xz}
+        for prefix, options in (('', []), ('fast_', ['--fast'])):
+            machine.run(['build/pack', program, '-o', 'packed', *options])
+            size = (machine.work / 'packed').stat().st_size
+            row |= {prefix[:-1] or 'packed': size, (prefix or 'to_') + 'xz': f'{size / xz:.2f}',
+                    prefix + 'start': f"{machine.timed(['./packed', '--version'], noted=False).processor:.1f}"}
+        yield row
+
+
 def models(machine):
     for name, options in MODELS.items():
         packed = machine.run(f'build/bench_pack --model intro/odraz.model {options} build/odraz-safe')
@@ -84,30 +98,35 @@ def models(machine):
 # --- Radiosity and transfer ---
 
 # Models of the sizes in table 4.1 of the thesis, then three models with few triangles in one plane: kind, largest area
-# of a triangle, options (at least as many elements as triangles), seconds of the thesis at 100 x 100 pixels
-SOLVED = (('columns', 0.19531, '--element 0.1636', 280), ('columns', 0.035785, '--element 0.0316', 3500),
-          ('columns', 0.0088765, '--element 0.0079', 34980), ('cave', 0.046735, '', ''), ('vault', 0.0552, '', ''),
-          ('terrain', 0.018266, '', ''))
-SUMMARY = re.compile(r'(\d+) triangles, .*?(\d+) elements; (\d+) sites .* with (\d+) rays\nprocessor seconds: (.*)')
+# of a triangle, options (at least as many elements as triangles), seconds of the thesis at 100 x 100 pixels, and
+# whether it is compared with path tracing
+SOLVED = (('columns', 0.19531, '--element 0.1636', 280, True),
+          *(('columns', 0.19531, f'--element 0.1636 --hemicube {pixels}', 280, True) for pixels in (16, 32, 100)),
+          ('columns', 0.035785, '--element 0.0316', 3500, False),
+          ('columns', 0.0088765, '--element 0.0079', 34980, False), ('cave', 0.046735, '', '', False),
+          ('vault', 0.0552, '', '', True), ('terrain', 0.018266, '', '', True))
 
 
 def solutions(machine):
-    """Yields the whole solutions. Three models are solved three times, and compared with path tracing."""
+    """Yields the whole solutions. Those that are compared with path tracing are made three times."""
     machine.note('build/radiosity solve columns.obj -o columns.rad --element 0.1636')
     machine.note('build/radiosity_errors columns.obj columns.rad --side 64')
-    for kind, area, options, thesis in SOLVED:
+    for kind, area, options, thesis, compared in SOLVED:
         machine.run(f'build/radiosity generate {kind} -o {kind}.obj --area {area}', noted=False)
-        compared = kind != 'cave' and thesis in (280, '')
-        found = [SUMMARY.search(machine.run(f'build/radiosity solve {kind}.obj -o {kind}.rad {options}', noted=False))
+        found = [machine.run(f'build/radiosity solve {kind}.obj -o {kind}.rad {options}', noted=False)
                  for _ in range(3 if compared else 1)]
-        seconds = statistics.median(sum(map(float, re.findall(r'[0-9]+\.[0-9]+', one[5]))) for one in found)
-        row = dict(zip(('triangles', 'elements', 'sites', 'rays'), found[0].groups()))
+        seconds = statistics.median(sum(map(float, re.findall(
+            r'[0-9]+\.[0-9]+', re.search('^processor seconds: .*', one, re.M)[0]))) for one in found)
+        row = {what: count for count, what in re.findall(r'(\d+) (triangle|polygon|element|site|patch|ray)', found[0])}
+        pixels = options.partition('--hemicube ')[2]
+        by = f', hemicubes of {pixels} pixels' if pixels else ''
         errors = ['', '']
         if compared:
             printed = machine.run(f'build/radiosity_errors {kind}.obj {kind}.rad --side 64', noted=False)
             errors = re.search(r'median ([0-9.]+) .* rms ([0-9.]+) ', printed).groups()
-        yield {**row, 'model': kind, 'thesis': thesis, 'seconds': f'{seconds:.2f}', 'median': errors[0],
-               'rms': errors[1], 'each': f"{seconds * 1e6 / int(row['triangles']):.2f}"}
+        yield {'ray': '', **row, 'model': kind + by, 'sites': row.get('site') or row['patch'], 'thesis': thesis,
+               'seconds': f'{seconds:.2f}', 'median': errors[0], 'rms': errors[1],
+               'each': f"{seconds * 1e6 / int(row['triangle']):.2f}"}
 
 
 def columns(machine):

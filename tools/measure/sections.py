@@ -109,9 +109,7 @@ SECTIONS = [
             matrix(film.page_seen, 'G instructions a second'),
             '''What a viewer sees at 1280x720, simulated and judged as in "What a viewer sees, by machine and screen",
             for a twentieth of a second in each shot, but with the page's own player, one worker per core, and pictures
-            that cost {ratio} times as much as natively: the PSNR in sRGB (dB) and FLIP. A core of x86-64 has 7 G. On
-            ARM64 the page takes 3.2 to 3.7 times the instructions of the native film on x86-64, counted once under an
-            emulator.''']),
+            that cost {ratio} times as much as natively: the PSNR in sRGB (dB) and FLIP. A core of x86-64 has 7 G.''']),
     Section(
         'scenes', 'The tracer: qualities, knobs, and the parts of a picture', 2.0,
         sources=['intro/base', 'intro/trace', 'intro/show', 'intro/transfer', 'tools/measure/bench'],
@@ -142,35 +140,47 @@ SECTIONS = [
             '''One run of Debian's POV-Ray and of odraz. Each picture is compared with a picture of the same tracer with
             144 or 256 samples in every pixel: mean FLIP (67 pixels per degree), PSNR in linear light and in sRGB.
             POV-Ray's times and instructions are for its whole run, which also reads the scene and writes the picture.
+            "Times at equal FLIP" is the time relative to that of odraz at the same error, which is interpolated in
+            logarithms between odraz's qualities; there is none where no two of them enclose the error.
             **B**, a sphereflake of 7,381 balls, has edges in every pixel.''']),
     Section(
-        'packers', 'The packer against others, and what search, contexts and memory buy', 0.8,
+        'packers', 'The packer against others, and what search, contexts and memory buy', 1.6,
         sources=['packer', 'tools/measure/bench/bench_pack.cpp'],
-        programs=['bench_pack'], packages=['xz-utils', 'zstd', 'brotli', 'zpaq', 'valgrind'],
+        programs=['bench_pack', 'pack'], packages=['xz-utils', 'zstd', 'brotli', 'zpaq', 'valgrind'],
         parts=[
             methods.packers,
             methods.pack_instructions,
             '''Payloads, in bytes, of parts of the instructions of this film and of system libraries. The packer uses
             its default contexts without a search. The last row uses the contexts that ship, which may be newer.
             Packers and libraries that are not installed are left out. The last columns are this packer's payload
-            relative to xz's and zpaq's, and its speed.''',
+            relative to xz's and zpaq's, and its speed. Makers of intros use other packers, which cannot be measured
+            on the same code: Crinkler (4 KB) and kkrunchy (64 KB) make 32-bit programs for Windows; squishy packs
+            programs for Windows; oneKpaq and upkr have decoders of some hundred bytes, for intros of 1 to 8 KB. UPX
+            packs any program, by LZMA at best, which is xz's method.''',
+            table(methods.programs, '''program; file = bytes; xz = xz -9e --x86; packed; to_xz = to xz;
+                start = s to start; fast = `--fast`: packed; fast_xz = to xz; fast_start = s to start'''),
+            '''Whole programs of Debian, packed with the default contexts. A start is `--version`, in processor
+            seconds, decoding included.''',
             table(methods.models, '''; payload = payload in bytes; encode_s = s to encode;
                 decode_kb_s = KB decoded a second; memory_mb = MB'''),
             '''The whole film. "Contexts" and "slots" start from the contexts that ship; if the number of contexts
             changes, a short search adapts them. "Search" starts from contexts of two to four neighbouring fields each,
             since the contexts that ship are already the result of a search.''']),
     Section(
-        'radiosity', "Radiosity: whole solutions of the thesis's sizes", 1.5,
+        'radiosity', "Radiosity: whole solutions of the thesis's sizes", 2.3,
         sources=['intro/radiosity', 'tools/radiosity', 'tools/measure/oracle/radiosity_errors.cpp'],
         programs=['radiosity', 'radiosity_errors'], packages=[*RADIOSITY, 'valgrind'],
         parts=[
-            table(methods.solutions, '''model; triangles; elements; sites; rays = rays from each;
+            table(methods.solutions, '''model; triangle = triangles; polygon = polygons; element = elements;
+                sites = sites or patches; ray = rays from each;
                 thesis = the thesis, s; seconds = odraz, s; each = us a triangle;
                 median = median of 1,000 places, %; rms = rms, %'''),
             methods.columns,
-            '''Whole solutions by rays, without reading the model. "Columns" has at least as many elements as triangles.
-            The thesis's seconds are for 100 x 100 pixels on a dual-core Athlon with a GeForce 7600 GT. In "cave" no two
-            triangles lie in one plane, and many of them are lamps. "Vault" and "terrain" have many small planes. Rows
+            '''Whole solutions, without reading the model: by rays from every site, or, where the row says so, by
+            hemicubes over patches, the thesis's method and the film's. Triangles of one plane are joined to polygons
+            first, so the time depends on the elements: "columns" has at least as many as triangles. The thesis's
+            seconds are for 100 x 100 pixels on a dual-core Athlon with a GeForce 7600 GT. In "cave" no two triangles
+            lie in one plane, and many of them are lamps. "Vault" and "terrain" have many small planes. Rows
             with errors have the median time of three runs. Errors are against path tracing, at points spread by area;
             the noise of path tracing is subtracted from the rms.''']),
     Section(

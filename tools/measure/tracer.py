@@ -1,4 +1,5 @@
 """Measurements of the tracer: its qualities, their knobs, the parts of a picture; and the comparison with POV-Ray."""
+import math
 
 import counting
 from machine import at_once, say
@@ -81,7 +82,8 @@ def knobs(machine):
 
 PEER = {'A': 640, 'B': 320}  # widths of the pictures; B has edges in every pixel, which takes time
 PEER_OPTIONS = '-A', '+AM2 +A0.1 +R3', '+AM2 +A0.3 +R3'
-PEER_SETTINGS = 'play,grid=1', 'draft', 'play', 'film'
+QUALITIES = 'draft', 'play', 'film', 'reference'  # odraz's front, of growing time
+PEER_SETTINGS = 'play,grid=1', *QUALITIES
 
 
 def povray(options, scene, picture, width):
@@ -112,13 +114,26 @@ def our_rows(machine, scene):
                'count': millions(counted[row['setting']])}
 
 
+def time_at(flip, front):
+    """The time at which pictures of that error are traced: interpolated, in logarithms, between two settings of the
+    front (pairs of error and time); None if no two settings enclose it."""
+    front = sorted(front)
+    for (low, slow), (high, fast) in zip(front, front[1:]):
+        if low <= flip <= high:
+            return slow * (fast / slow) ** (math.log(flip / low) / math.log(high / low))
+    return None
+
+
 def against_povray(scene):
     def part(machine):
         (machine.work / f'{scene}.pov').write_text(machine.run(f'build/trace_once pov {scene}', noted=False))
         lines = [*povray_rows(machine, scene), *our_rows(machine, scene)]
-        play = next(float(line['ms']) for line in lines if line['setting'] == 'odraz play')
+        front = [(float(line['mean_flip']), float(line['ms'])) for line in lines if line['setting'][6:] in QUALITIES]
+        for line in lines:
+            equal = time_at(float(line['mean_flip']), front)
+            line['times'] = f"{float(line['ms']) / equal:.1f}" if equal else ''
         width, keys = PEER[scene], ('setting', 'ms', 'mean_flip', 'linear_psnr_db', 'srgb_psnr_db', 'times', 'count')
         return markdown([[f'{scene}; {width}x{width * 9 // 16}', 'processor ms', 'mean FLIP', 'linear dB', 'sRGB dB',
-                          'times of play', f'M instructions; {width // 4}x{width * 9 // 64}']] + [
-            [{**line, 'times': f"{float(line['ms']) / play:.1f}"}[key] for key in keys] for line in lines])
+                          'times at equal FLIP', f'M instructions; {width // 4}x{width * 9 // 64}']] + [
+            [line[key] for key in keys] for line in lines])
     return part
