@@ -50,7 +50,7 @@ def figures(results):
     first = results.column('page', 's from the click to the first picture')
     loads = [f"{name.title().replace('kit', 'Kit')} {number(opens[name]) + number(first[name]):.1f} s"
              for name in opens]
-    flips, times = peers('mean FLIP'), [f'{number(text):.0f}' for text in peers('times at equal FLIP')]
+    flips, times = peers('mean FLIP'), [f'{number(text):.2g}' for text in peers('times at equal FLIP')]
     return f'''\
 - **Size:** {rounded(cell('size', 'Linux', packed))} bytes of 65,536, for Windows \
 {rounded(cell('size', 'Windows', packed))} used, packed from {rounded(cell('size', 'Linux', linked))}: code to \

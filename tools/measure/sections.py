@@ -61,7 +61,7 @@ SECTIONS = [
             film.count_costs,
             matrix(film.seen, 'screen: G instructions'),
             '''The film's own player and governor, simulated on machines of G times 10^9 instructions a second, with
-            7 G a core. The costs of pictures are counted (`seen/costs.csv`), for in-betweens by their gap. A cell has
+            7 G a core: two cores have about 16, a laptop of 2020 about 60. The costs of pictures are counted (`seen/costs.csv`), for in-betweens by their gap. A cell has
             the PSNR in sRGB (dB), FLIP, and the number of pictures shown in a second of the scene. At each sixtieth of
             a second the picture on the screen is compared with the same moment in `film` quality, at the size of the
             screen: for a tenth of a second in the middle of each shot at 1280x720, for half of that on larger screens.
