@@ -107,16 +107,41 @@ def cell_of(row):
 
 
 def seen(machine):
-    """Yields cells: PSNR, FLIP, and the number of pictures shown in a second of the scene."""
+    """Cells: PSNR, FLIP, and the number of pictures shown in a second of the scene."""
+    cells = []
     for screen, (machines, length) in MACHINES.items():
         command = seen_command(screen, machines, length)
         rate = {(row['machine'], row['scene']): f" {float(row['a_second']):.0f}"
                 for row in rows(machine.run(command + ' --summary', noted=False))}
         for row in rows(machine.run(command)):
             shown = rate.get((row['machine'], row['scene']), '')
-            yield f"{screen}: {row['machine']}", row['scene'], cell_of(row) + shown
+            cells.append((f"{screen}: {row['machine']}", row['scene'], cell_of(row) + shown))
     for row in rows(machine.run(seen_command('1280x720', [16], 0.1) + ' --judged 320x180')):
-        yield 'judged at 320x180: 16', row['scene'], cell_of(row)
+        cells.append(('judged at 320x180: 16', row['scene'], cell_of(row)))
+    return cells
+
+
+def seen_plot(machine):
+    """Writes seen.svg: the PSNR of all scenes against the machine's instructions, a line for each screen."""
+    svg = ['<svg xmlns="http://www.w3.org/2000/svg" width="640" height="330" font-family="sans-serif" font-size="13">',
+           '<rect width="640" height="330" fill="#fff"/>']
+
+    def at(giga, decibels):
+        return 70 + 80 * (math.log2(giga) - 2), 290 - 10 * (decibels - 25)
+    for giga in MACHINES['1280x720'][0]:
+        svg.append(f'<text x="{at(giga, 25)[0]:.0f}" y="310" text-anchor="middle">{giga} G</text>')
+    for decibels in range(25, 55, 5):
+        y = at(4, decibels)[1]
+        svg.append(f'<path d="M60 {y}H500" stroke="#ccc"/><text x="8" y="{y + 4}">{decibels} dB</text>')
+    for screen, colour in zip(MACHINES, ('#06c', '#c30', '#080')):
+        points = [at(int(row.split(': ')[1]), float(cell.split()[0])) for row, scene, cell in machine.once(seen)
+                  if scene == 'all' and row.startswith(screen)]
+        svg.append(f'<polyline fill="none" stroke="{colour}" stroke-width="2" points="'
+                   + ' '.join(f'{x:.0f},{y:.0f}' for x, y in points) + '"/>')
+        x, y = points[-1]
+        svg.append(f'<text x="{x + 8:.0f}" y="{y + 4:.0f}" fill="{colour}">{screen}</text>')
+    (machine.page.parent / 'seen.svg').write_text('\n'.join(svg + ['</svg>', '']))
+    return '![PSNR of all scenes against instructions a second, for three screens](seen.svg)'
 
 
 def between(machine):
