@@ -16,7 +16,7 @@ struct Quality {
 
     int grid = 0;     // 1 .. 16: grid x grid samples in every pixel; 0: adaptive sampling
     int coarse = 0;   // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
-    int smallest = 0; // of the smallest: 8 (at most 3 samples inside a pixel) or 4 (12, and no mean corners)
+    int smallest = 0; // the smallest one: 8 (at most 3 samples inside a pixel) or 4 (12, and no mean corners)
     // Thresholds: differences of perceived intensity (0 .. 1) above which
     float threshold = 0;     // a square splits
     float markThreshold = 0; // a 2x2 square splits if its corners' marks differ; see also meanSuffices()

@@ -13,7 +13,7 @@ namespace odraz {
 
 namespace {
 
-constexpr int kLevels = 3;     // 1 + 9 + 81 + 729 balls
+constexpr int kLevels = 3;     // 1 + 9 + 81 + 243 balls
 constexpr float kLeaves = 160; // row of the last shot
 // Detail is chosen for a picture of kLines lines, whatever its actual size and lens. kPixelsPerUnit: the size
 // in pixels of a length of 1 at distance 1
@@ -55,8 +55,8 @@ void poseFlake(const SceneInput &in, Scene &scene) {
     float row = min(in.row, rowOf(kFlakeGoes)), leaves = max(row - kLeaves, 0.f);
     Flake flake = {scene, in.camera, {}, row * 0.002f + leaves * leaves * 0.0016f, {}};
     for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow), in.row - kGenerations[i]);
-    // Less than a mirror, so that images of images darken. Copper has broad highlights, as if brushed;
-    // mirrors have none, which costs less
+    // The balls on the core mirror less than it does, so that images of images darken. Copper has broad
+    // highlights, as if brushed; mirrors have none, which costs less
     for (int i = 0; i < 3; ++i) {
         Material metal = i ? pearl(i > 1, 0.6875f - 0.0625f * (float)i) : kMirror;
         metal.specular = i > 1 ? 0.1875f : 0, metal.exponent = 12;

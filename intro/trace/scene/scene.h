@@ -15,7 +15,7 @@
 
 namespace odraz {
 
-// (kMaxShapes: the film's largest scene has 821, a scene of the benchmarks 7,382.)
+// (kMaxShapes: a scene of the benchmarks has 7,382.)
 inline constexpr int kMaxShapes = 8000, kMaxMaterials = 32, kMaxLights = 8, kMaxUnbounded = 8,
                      kMaxOccluders = 24, kMaxGlowingBalls = 16;
 static_assert(kMaxShapes <= 0x10000 && kMaxMaterials <= 0x100, "their indices have 16 and 8 bits");

@@ -217,7 +217,7 @@ int run(common::CommandLine &line) {
     }
     if (!asked.pictures.empty()) std::filesystem::create_directories(asked.pictures);
     Viewer viewer(judged.width, judged.height, first, last);
-    std::vector<std::vector<uint8_t>> screens(players.size() + 1); // of each player, and the film's
+    std::vector<std::vector<uint8_t>> screens(players.size() + 1); // what each player shows, and the film
     std::puts((head + "scene,sixtieths,fresh,flip,linear_db,srgb_db").c_str());
     for (const auto &row : rows) {
         // Compare all players in a window before the next one, since they share the film's pictures

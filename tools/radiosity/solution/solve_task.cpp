@@ -42,7 +42,7 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
                                " elements: elements there are longer than --element asks");
     solution.origin = mesh.origin;
     this->settings.surroundings.moveTo(mesh.origin);
-    std::map<std::string, int> offsets; // of names
+    std::map<std::string, int> offsets; // where each name begins
     auto offsetOf = [&](const std::string &name) {
         auto [entry, isNew] = offsets.try_emplace(name, (int)solution.names.size());
         if (isNew) solution.names.insert(solution.names.end(), name.c_str(), name.c_str() + name.size() + 1);
