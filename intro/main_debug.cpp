@@ -266,7 +266,7 @@ void help() {
         "--rocket offers the film's tracks to an editor of GNU Rocket, on localhost if none is named.\n"
         "--tracks writes them as a document that such an editor opens, and ends.\n"
         "--shown plays the film as " FILM_NAME " does, and writes which pictures were shown, and when, for\n"
-        "build/seen.");
+        "build/judge_play.");
 }
 
 // Shows the film in a window until the maker leaves. Returns an exit status.

@@ -1,5 +1,5 @@
 // The player's decisions, without threads and clock: which pictures are made, in which order, and when each
-// is shown. The film, its tests and tools/measure/seen all use them.
+// is shown. The film, its tests and tools/measure/play all use them.
 #pragma once
 
 #include "play/governor.h"

@@ -138,7 +138,7 @@ def test_the_graph_of_the_rooms_shows_what_they_know(tree):
     ('intro/trace/picture/frame.cpp', '<vector>'),
     ('packer/main.cpp', 'intro/base/text.h'),
     ('packer/model/search.cpp', 'packer/stub/format.h'),
-    ('tools/engine/machine.cpp', 'tools/radiosity/read/mesh.h'),
+    ('tools/support/machine.cpp', 'tools/radiosity/read/mesh.h'),
     ('tools/radiosity/read/mesh.h', 'tools/radiosity/solution/solution.h'),
     ('tools/picture/flip.cpp', 'tests/support/open_room.h')])
 def test_a_planted_include_would_be_found(tree, name, included):
@@ -212,7 +212,7 @@ def test_code_has_the_layout_of_clang_format(tmp_path):
 
 
 def test_workflows_use_only_the_services_own_actions_by_version():
-    pages = [*SOURCE.glob('.github/workflows/*.yml'), SOURCE / 'tools/CI.md']
+    pages = [*SOURCE.glob('.github/workflows/*.yml'), SOURCE / 'tools/SIZE_GATE.md']
     used = re.findall(r'\buses: *(.*)', ''.join(page.read_text() for page in pages))
     assert len(used) > 8 and not [name for name in used if not re.fullmatch(r'actions/[a-z-]+@v\d+', name)]
 

@@ -144,8 +144,8 @@ def test_the_tools_can_be_released_alone(archives, tmp_path):
 
 
 def test_they_have_their_texts(tools):
-    texts = 'doc/pack/README.md doc/radiosity/README.md doc/radiosity/METHOD.md doc/CI.md LICENSE.txt NOTICES.txt'
-    for text in texts.split():
+    readmes = 'doc/pack/README.md doc/radiosity/README.md doc/radiosity/METHOD.md'
+    for text in f'{readmes} doc/SIZE_GATE.md LICENSE.txt NOTICES.txt'.split():
         assert (tools / text).stat().st_size
     readme = (tools / 'README.txt').read_text()
     assert not re.search('@[A-Za-z][A-Za-z_-]*@', readme)

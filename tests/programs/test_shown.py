@@ -1,4 +1,4 @@
-"""odraz-debug records the pictures that it showed while it played; build/seen judges them."""
+"""odraz-debug records the pictures that it showed while it played; build/judge_play judges them."""
 import re
 
 import pytest
@@ -6,9 +6,9 @@ import pytest
 from pictures import read_picture
 from running import BUILD, needs_built, refuses, rows_of, run
 
-needs_built('odraz-debug', 'seen', 'probe')
+needs_built('odraz-debug', 'judge_play', 'probe')
 
-DEBUG, SEEN, PROBE = BUILD / 'odraz-debug', BUILD / 'seen', BUILD / 'probe'
+DEBUG, JUDGE, PROBE = BUILD / 'odraz-debug', BUILD / 'judge_play', BUILD / 'probe'
 SCREEN, PLAYERS = '320x200', '--machine 8 --machine 64 --screen 640x360 --screen 1280x720'.split()
 
 
@@ -23,10 +23,10 @@ def shown(screen, work):
     return path
 
 
-def seen(folder, *options):
-    """The table that build/seen prints."""
-    (folder / 'seen.csv').write_text(run(SEEN, *options).stdout)
-    return rows_of(folder / 'seen.csv')
+def judged(folder, *options):
+    """The table that build/judge_play prints."""
+    (folder / 'judged.csv').write_text(run(JUDGE, *options).stdout)
+    return rows_of(folder / 'judged.csv')
 
 
 def columns(rows, *names):
@@ -43,39 +43,39 @@ def test_the_film_is_shown_in_order_and_nothing_before_its_time(shown):
 
 
 def test_it_is_summed_up_and_simulated_on_a_machine_as_fast(shown, tmp_path):
-    assert columns(seen(tmp_path, shown, '--summary'), 'scene') == [('flake',)]
-    rows = seen(tmp_path, shown, '--simulate', '--screen', '160x90', '--summary', '--since', 51.5)
+    assert columns(judged(tmp_path, shown, '--summary'), 'scene') == [('flake',)]
+    rows = judged(tmp_path, shown, '--simulate', '--screen', '160x90', '--summary', '--since', 51.5)
     assert ('simulated', 'flake') in columns(rows, 'player', 'scene')
 
 
 def test_pictures_on_the_screen_are_judged_and_written_with_their_references(shown, tmp_path):
     at = next(row['at'] for row in rows_of(shown) if row['at'] >= 0) + 0.001  # the first picture is on the screen
     options = shown, '--at', f'{at:.3f}', '--screen', '160x90'
-    (row,) = seen(tmp_path, *options)
+    (row,) = judged(tmp_path, *options)
     assert (row['scene'], row['sixtieths']) == ('flake', 30)
     assert 0 <= row['flip'] < 1
-    run(SEEN, *options, '--length', 0.0667, '--pictures', tmp_path / 'pictures')
+    run(JUDGE, *options, '--length', 0.0667, '--pictures', tmp_path / 'pictures')
     names = {re.sub(r'^\d*-', '', file.name) for file in (tmp_path / 'pictures').iterdir()}
     assert names == {f'{number}{end}' for number in range(4) for end in ('.png', '-truth.png')}
 
 
 def test_each_machine_is_simulated_and_judged_with_each_screen(tmp_path):
     wanted = [('640x360', 8), ('640x360', 64), ('1280x720', 8), ('1280x720', 64)]
-    assert [*dict.fromkeys(columns(seen(tmp_path, *PLAYERS, '--summary'), 'screen', 'machine'))] == wanted
-    rows = seen(tmp_path, *PLAYERS, '--judged', '64x36', '--at', 52, '--length', 0.05)
+    assert [*dict.fromkeys(columns(judged(tmp_path, *PLAYERS, '--summary'), 'screen', 'machine'))] == wanted
+    rows = judged(tmp_path, *PLAYERS, '--judged', '64x36', '--at', 52, '--length', 0.05)
     assert columns(rows, 'screen', 'machine', 'scene', 'sixtieths') == [(*player, 'flake', 3) for player in wanted]
 
 
 def test_squares_of_a_picture_are_written_side_by_side(tmp_path):
     options = '--machine 8 --machine 64 --screen 512x288 --at 52 --length 0.017 --crops'.split()
-    run(SEEN, *options, tmp_path / 'crops.jpg', '--corner', '224x1', status=2)  # the square does not fit there
-    run(SEEN, *options, tmp_path / 'crops.jpg')
+    run(JUDGE, *options, tmp_path / 'crops.jpg', '--corner', '224x1', status=2)  # the square does not fit there
+    run(JUDGE, *options, tmp_path / 'crops.jpg')
     assert read_picture(tmp_path / 'crops.jpg').shape == (288, 3 * 288 + 2 * 6, 3)
-    refuses(2, '.exr is not written', SEEN, *options, tmp_path / 'crops.exr')
+    refuses(2, '.exr is not written', JUDGE, *options, tmp_path / 'crops.exr')
 
 
 def test_the_players_of_pages_make_no_in_betweens(tmp_path):
-    assert {*columns(seen(tmp_path, '--machine', 16, '--page', 1.6, '--summary'), 'between')} == {(0,)}
+    assert {*columns(judged(tmp_path, '--machine', 16, '--page', 1.6, '--summary'), 'between')} == {(0,)}
 
 
 @pytest.mark.parametrize('text, options', [
@@ -83,7 +83,7 @@ def test_the_players_of_pages_make_no_in_betweens(tmp_path):
     ('--page needs --machine', ['LIST', '--page', 2]),
     ('several screens need --judged', PLAYERS)])
 def test_seen_refuses(text, options, shown):
-    refuses(2, text, SEEN, *(shown if word == 'LIST' else word for word in options))
+    refuses(2, text, JUDGE, *(shown if word == 'LIST' else word for word in options))
 
 
 def test_probe_prints_errors_and_keeps_the_films_picture_by_its_size(tmp_path):

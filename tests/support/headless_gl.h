@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/headless.h"
-#include "tools/engine/heap_arena.h"
+#include "tools/support/heap_arena.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>

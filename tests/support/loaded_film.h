@@ -3,7 +3,7 @@
 
 #include "intro.h"
 #include "tests/support/threads.h"
-#include "tools/engine/heap_arena.h"
+#include "tools/support/heap_arena.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "radiosity/visible.h"
-#include "tools/engine/heap_arena.h"
+#include "tools/support/heap_arena.h"
 
 #include <gtest/gtest.h>
 #include <memory>

@@ -5,8 +5,8 @@
 #include "tests/support/planes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/threads.h"
-#include "tools/engine/heap_arena.h"
 #include "tools/picture/psnr.h"
+#include "tools/support/heap_arena.h"
 #include "trace/picture/development.h"
 #include "trace/picture/tracer.h"
 

@@ -28,7 +28,7 @@ def figures(results):
         return least_to_most(results.column(section, column).values(), digits)
 
     def all_scenes(screen):
-        return number(cell('seen', 'all', screen))
+        return number(cell('play', 'all', screen))
 
     def page_seen(machine):
         return number(cell('page', 'all', str(machine)))

@@ -69,7 +69,7 @@ def played(printed):
 
 def around_cuts(machine):
     """The starts of pieces that show all scenes: a piece is played around every other cut between scenes."""
-    scenes = rows(machine.run('build/seen --machine 16 --summary', noted=False))
+    scenes = rows(machine.run('build/judge_play --machine 16 --summary', noted=False))
     cuts = list(accumulate(float(scene['seconds']) for scene in scenes))
     begins = [int(cut - PIECE / 2) for cut in cuts[:-1:2]]
     return begins + ([math.ceil(max(cuts[-2], cuts[-1] - PIECE - 1))] if len(cuts) % 2 else [])
@@ -91,14 +91,15 @@ def film(machine):
 MACHINES = {'1280x720': ((4, 8, 16, 32, 64, 128), 0.1), '1920x1080': ((16, 128), 0.05), '2560x1440': ((16, 64), 0.05)}
 
 
-def seen_command(screen, machines, length):
-    return ' '.join([f'build/seen --screen {screen} --length {length}', *(f'--machine {giga}' for giga in machines)])
+def play_command(screen, machines, length):
+    machines = ' '.join(f'--machine {giga}' for giga in machines)
+    return f'build/judge_play --screen {screen} --length {length} {machines}'
 
 
 def count_costs(machine):
     """Counts the costs of pictures for the simulated players, unless --built."""
     if not machine.built:
-        machine.run('tools/measure/seen/costs')
+        machine.run('tools/measure/play/costs')
     return ''
 
 
@@ -106,23 +107,23 @@ def cell_of(row):
     return f"{float(row['srgb_db']):.1f} {float(row['flip']):.3f}".replace(' 0.', ' .')
 
 
-def seen(machine):
+def play(machine):
     """Cells: PSNR, FLIP, and the number of pictures shown in a second of the scene."""
     cells = []
     for screen, (machines, length) in MACHINES.items():
-        command = seen_command(screen, machines, length)
+        command = play_command(screen, machines, length)
         rate = {(row['machine'], row['scene']): f" {float(row['a_second']):.0f}"
                 for row in rows(machine.run(command + ' --summary', noted=False))}
         for row in rows(machine.run(command)):
             shown = rate.get((row['machine'], row['scene']), '')
             cells.append((f"{screen}: {row['machine']}", row['scene'], cell_of(row) + shown))
-    for row in rows(machine.run(seen_command('1280x720', [16], 0.1) + ' --judged 320x180')):
+    for row in rows(machine.run(play_command('1280x720', [16], 0.1) + ' --judged 320x180')):
         cells.append(('judged at 320x180: 16', row['scene'], cell_of(row)))
     return cells
 
 
 def seen_plot(machine):
-    """Writes seen.svg: the PSNR of all scenes against the machine's instructions, a line for each screen."""
+    """Writes play.svg: the PSNR of all scenes against the machine's instructions, a line for each screen."""
     svg = ['<svg xmlns="http://www.w3.org/2000/svg" width="640" height="330" font-family="sans-serif" font-size="13">',
            '<rect width="640" height="330" fill="#fff"/>']
 
@@ -134,21 +135,21 @@ def seen_plot(machine):
         y = at(4, decibels)[1]
         svg.append(f'<path d="M60 {y}H500" stroke="#ccc"/><text x="8" y="{y + 4}">{decibels} dB</text>')
     for screen, colour in zip(MACHINES, ('#06c', '#c30', '#080')):
-        points = [at(int(row.split(': ')[1]), float(cell.split()[0])) for row, scene, cell in machine.once(seen)
+        points = [at(int(row.split(': ')[1]), float(cell.split()[0])) for row, scene, cell in machine.once(play)
                   if scene == 'all' and row.startswith(screen)]
         svg.append(f'<polyline fill="none" stroke="{colour}" stroke-width="2" points="'
                    + ' '.join(f'{x:.0f},{y:.0f}' for x, y in points) + '"/>')
         x, y = points[-1]
         svg.append(f'<text x="{x + 8:.0f}" y="{y + 4:.0f}" fill="{colour}">{screen}</text>')
-    (machine.page.parent / 'seen.svg').write_text('\n'.join(svg + ['</svg>', '']))
-    return '![PSNR of all scenes against instructions a second, for three screens](seen.svg)'
+    (machine.page.parent / 'play.svg').write_text('\n'.join(svg + ['</svg>', '']))
+    return '![PSNR of all scenes against instructions a second, for three screens](play.svg)'
 
 
 def between(machine):
     """Yields rows by scene: the error of draft, play and in-betweens against `film`, and what such pictures cost."""
     kinds = {'play': ('0', 'play'), 'draft': ('0', 'draft'), **{f'b{gap}': (gap, 'play') for gap in '246'}}
     levels = {'1': 'play', '2': 'draft'}
-    counted = [row for row in rows((SOURCE / 'tools/measure/seen/costs.csv').read_text()) if row['width'] == '1280']
+    counted = [row for row in rows((SOURCE / 'tools/measure/play/costs.csv').read_text()) if row['width'] == '1280']
     costs = {(float(row['seconds']), row['gap'], levels[row['level']]): float(row['serial']) + float(row['parallel'])
              for row in counted}
     moments = machine.run('build/probe --list', noted=False).split()[1::3]
@@ -173,7 +174,7 @@ def played_and_simulated(machine):
     with machine.display():
         for begin in around_cuts(machine):
             machine.run(f'build/odraz-debug --shown shown.csv --mute --from {begin} --to {begin + PIECE}')
-            printed = rows(machine.run(f'build/seen shown.csv --simulate --cores {PROCESSORS} '
+            printed = rows(machine.run(f'build/judge_play shown.csv --simulate --cores {PROCESSORS} '
                                        f'--since {begin + SETTLED} --summary'))
             for scene in dict.fromkeys(row['scene'] for row in printed):
                 real, model = (row for row in printed if row['scene'] == scene)
@@ -255,6 +256,6 @@ def page_scenes(machine):
 
 
 def page_seen(machine):
-    command = seen_command('1280x720', (8, 16, 32, 64), 0.05)
+    command = play_command('1280x720', (8, 16, 32, 64), 0.05)
     for row in rows(machine.run(f"{command} --page {machine.facts['ratio']}")):
         yield row['machine'], row['scene'], cell_of(row)

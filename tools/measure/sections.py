@@ -43,7 +43,7 @@ SECTIONS = [
             decoder's memory before the first picture.''']),
     Section(
         'film', 'The film, played', 1.0,
-        sources=['intro'], programs=['odraz-safe', 'seen'], packages=['xvfb'],
+        sources=['intro'], programs=['odraz-safe', 'judge_play'], packages=['xvfb'],
         parts=[
             table(film.film, '''scene; rate = shown a second; traced = pictures traced; between = in-betweens made; shown;
                 missed = sixtieths of a second without a new picture; trace_ms = ms to trace: median; trace_95 = 95 %;
@@ -53,17 +53,17 @@ SECTIONS = [
             '''{piece} seconds around every other cut between scenes were played at 1280x720, on a display in memory
             with software OpenGL, which runs on the same cores. The governor is on. Times are by the clock.''']),
     Section(
-        'seen', 'What a viewer sees, by machine and screen', 6.5,
-        sources=['intro/play', 'intro/timeline', 'intro/trace', 'intro/show', 'tools/measure/seen',
-                 'tools/measure/seen/costs.csv'],
-        programs=['seen', 'odraz-debug'], packages=[*PICTURES, 'xvfb', 'libglfw3-dev'],
+        'play', 'What a viewer sees, by machine and screen', 6.5,
+        sources=['intro/play', 'intro/timeline', 'intro/trace', 'intro/show', 'tools/measure/play',
+                 'tools/measure/play/costs.csv'],
+        programs=['judge_play', 'odraz-debug'], packages=[*PICTURES, 'xvfb', 'libglfw3-dev'],
         parts=[
             film.count_costs,
             film.seen_plot,
-            matrix(lambda machine: machine.once(film.seen), 'screen: G instructions'),
+            matrix(lambda machine: machine.once(film.play), 'screen: G instructions'),
             '''The film's own player and governor, simulated on machines of G times 10^9 instructions a second, with 7 G
             a core: two cores have about 16, a laptop of 2020 about 60. The costs of pictures are counted
-            (`seen/costs.csv`), for in-betweens by their gap. A cell has the PSNR in sRGB (dB), FLIP, and the number of
+            (`play/costs.csv`), for in-betweens by their gap. A cell has the PSNR in sRGB (dB), FLIP, and the number of
             pictures shown in a second of the scene. At each sixtieth of a second the picture on the screen is compared
             with the same moment in `film` quality, at the size of the screen: for a tenth of a second in the middle of
             each shot at 1280x720, for half of that on larger screens. FLIP is of every fifth of these pictures. The
@@ -80,18 +80,18 @@ SECTIONS = [
             step gives up 35 % of the width. The simulated machine is as fast in each second as this one was.''']),
     Section(
         'between', 'In-betweens against traced pictures', 0.6,
-        sources=['intro/trace', 'intro/show', 'tools/measure/seen/costs.csv'], programs=['probe'],
+        sources=['intro/trace', 'intro/show', 'tools/measure/play/costs.csv'], programs=['probe'],
         parts=[
             table(film.between, '''scene; play = play, dB; draft = draft; b2 = in-between at a gap of 2; b4 = 4; b6 = 6;
                 m_play = M instructions: play; m_draft = draft; m_b2 = in-between at a gap of 2; m_b4 = 4; m_b6 = 6'''),
-            '''PSNR in sRGB against `film` at 1280x720, and the instructions of such pictures (`seen/costs.csv`): the
+            '''PSNR in sRGB against `film` at 1280x720, and the instructions of such pictures (`play/costs.csv`): the
             means over moments six seconds apart. In-betweens are half-way between two pictures of `play`, whose gap is
             in sixtieths of a second. "What a viewer sees" has in-betweens at the gaps that the player chooses.''']),
     Section(
         'page', 'The film as a page', 4.2,
         sources=['intro', 'packer/model', 'packer/web', 'tests/programs/web/browser.mjs',
-                 'tools/measure/bench/page.mjs', 'tools/measure/seen/costs.csv'],
-        programs=['odraz.html', 'odraz-safe', 'seen'], targets=['film_web'],
+                 'tools/measure/bench/page.mjs', 'tools/measure/play/costs.csv'],
+        programs=['odraz.html', 'odraz-safe', 'judge_play'], targets=['film_web'],
         packages=['nodejs', 'chromium', 'firefox-esr', 'webkit2gtk-driver', 'libwebkit2gtk-4.1-0', 'xvfb'],
         parts=[
             table(film.page_size, '; bytes'),
@@ -170,7 +170,7 @@ SECTIONS = [
             since the contexts that ship are already the result of a search.''']),
     Section(
         'radiosity', "Radiosity: whole solutions of the thesis's sizes", 2.3,
-        sources=['intro/radiosity', 'tools/radiosity', 'tools/measure/oracle/radiosity_errors.cpp'],
+        sources=['intro/radiosity', 'tools/radiosity', 'tools/measure/reference/radiosity_errors.cpp'],
         programs=['radiosity', 'radiosity_errors'], packages=[*RADIOSITY, 'valgrind'],
         parts=[
             table(methods.solutions, '''model; triangle = triangles; polygon = polygons; element = elements;
@@ -189,7 +189,7 @@ SECTIONS = [
         'hall', "The hall's light, against path tracing; and the transfer of any model", 4.0,
         sources=['intro/radiosity', 'intro/transfer', 'intro/show/daylight.cpp', 'intro/show/hall.h',
                  'intro/show/hall.cpp', 'intro/show/hall_model.cpp', 'tools/radiosity',
-                 'tools/measure/bench/bench_transfer.cpp', 'tools/measure/oracle'],
+                 'tools/measure/bench/bench_transfer.cpp', 'tools/measure/reference'],
         programs=['hall_light', 'bench_transfer', 'trace_once', 'radiosity'],
         packages=[*RADIOSITY, 'libglfw3-dev', 'xvfb', 'valgrind'],
         parts=[
@@ -224,7 +224,7 @@ SECTIONS = [
     Section(
         'proofs', 'What tests find, against closed forms and references', 0.6,
         sources=['intro/base', 'intro/trace', 'intro/sound', 'intro/radiosity', 'intro/transfer',
-                 'intro/show/hall.h', 'intro/show/hall.cpp', 'intro/show/hall_model.cpp', 'tools/measure/oracle',
+                 'intro/show/hall.h', 'intro/show/hall.cpp', 'intro/show/hall_model.cpp', 'tools/measure/reference',
                  *(f'tests/unit/{room}' for room in methods.TESTS)],
         programs=[f'tests/{room}_tests' for room in methods.TESTS], packages=[*RADIOSITY, 'libgtest-dev'],
         parts=[

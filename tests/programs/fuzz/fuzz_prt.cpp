@@ -1,10 +1,10 @@
 // For libFuzzer: whatever a room's file holds, `radiosity` either refuses it with one line or can relight it.
 // The input is the file without its checksum, which is appended. Writes into the current folder.
-#include "tools/engine/machine.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/transfer/environment.h"
 #include "tools/radiosity/transfer/relight.h"
+#include "tools/support/machine.h"
 
 #include <fstream>
 #include <stdexcept>

@@ -1,10 +1,10 @@
 // For libFuzzer: whatever a solution's file holds, `radiosity` either refuses it with one line or can export
 // and render it. The input is the file without its checksum, which is appended: a mutated file would almost
 // never have the right one. Writes into the current folder.
-#include "tools/engine/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
+#include "tools/support/machine.h"
 
 #include <filesystem>
 #include <fstream>

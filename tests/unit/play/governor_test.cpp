@@ -1,6 +1,6 @@
 // Tests the governor on simulated machines: the player's makePictures() drives it, on a clock that only the
 // test advances.
-#include "tools/measure/seen/simulated_player.h"
+#include "tools/measure/play/simulated_player.h"
 
 #include <algorithm>
 #include <array>

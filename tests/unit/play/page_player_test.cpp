@@ -1,6 +1,6 @@
 // Tests that the page's player decides as the film's player does if both have one worker and no in-betweens,
 // and tests it with several workers.
-#include "tools/measure/seen/simulated_player.h"
+#include "tools/measure/play/simulated_player.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

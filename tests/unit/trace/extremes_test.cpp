@@ -4,7 +4,7 @@
 #include "base/maths.h"
 #include "tests/support/dice.h"
 #include "tests/support/traced_ray.h"
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

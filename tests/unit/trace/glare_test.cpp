@@ -1,7 +1,7 @@
 // Tests that glare neither loses nor makes light, whatever the size of the picture. (test_pictures.py tests
 // that it is the same for every number of threads.)
 #include "tests/support/threads.h"
-#include "tools/engine/heap_arena.h"
+#include "tools/support/heap_arena.h"
 #include "trace/picture/development.h"
 #include "trace/picture/glare.h"
 

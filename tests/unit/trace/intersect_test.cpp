@@ -4,7 +4,7 @@
 #include "tests/support/model_bench.h"
 #include "tests/support/room.h"
 #include "tests/support/shapes.h"
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 #include "trace/rays/beam.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Compares noise with a plain implementation in double precision; checks noise and materials by statistics.
 #include "show/materials.h"
 #include "tests/support/dice.h"
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 #include "trace/texture/noise.h"
 
 #include <cmath>

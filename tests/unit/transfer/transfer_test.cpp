@@ -4,7 +4,7 @@
 #include "tests/support/model_rays.h"
 #include "tests/support/open_room.h"
 #include "tests/support/sanitized.h"
-#include "tools/measure/oracle/transfer.h"
+#include "tools/measure/reference/transfer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include "tools/common/clock.h"
 #include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
-#include "tools/engine/machine.h"
-#include "tools/measure/oracle/reference_hall.h"
+#include "tools/measure/reference/reference_hall.h"
+#include "tools/support/machine.h"
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 #include "tools/measure/bench/peer_scenes.h"
 
 #include "tools/common/text.h"
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 
 #include <cmath>
 #include <memory>

@@ -5,10 +5,10 @@
 // counted, traces it. A file keeps the memory between them, mapped at the same address. Only the program that
 // wrote the file can use it.
 #include "tools/common/command_line.h"
-#include "tools/engine/machine.h"
 #include "tools/measure/bench/peer_scenes.h"
 #include "tools/measure/bench/setting.h"
 #include "tools/measure/bench/subject.h"
+#include "tools/support/machine.h"
 #include "trace/picture/development.h"
 
 #include <cstdio>

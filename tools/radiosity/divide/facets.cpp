@@ -1,6 +1,6 @@
 #include "tools/radiosity/divide/facets.h"
 
-#include "tools/engine/clip.h"
+#include "tools/support/clip.h"
 
 #include <algorithm>
 

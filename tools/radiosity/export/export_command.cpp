@@ -1,10 +1,10 @@
-#include "tools/engine/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/read/mesh.h"
 #include "tools/radiosity/transfer/relight_options.h"
+#include "tools/support/machine.h"
 
 #include <cstdio>
 

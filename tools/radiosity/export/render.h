@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/parallel.h"
-#include "tools/engine/heap_arena.h"
 #include "tools/radiosity/solution/solution.h"
+#include "tools/support/heap_arena.h"
 #include "trace/picture/frame.h"
 
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/common/text.h"
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 
 #include <map>
 #include <string>

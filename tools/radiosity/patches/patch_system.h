@@ -2,10 +2,10 @@
 // sweeps over all patches find the light. The model has the form that the film's hemicubes need.
 #pragma once
 
-#include "tools/engine/machine.h"
-#include "tools/radiosity/patches/odd_hemicube.h"
+#include "tools/radiosity/patches/any_hemicube.h"
 #include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/solution/solve_task.h"
+#include "tools/support/machine.h"
 
 #include <memory>
 

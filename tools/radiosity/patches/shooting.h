@@ -10,7 +10,7 @@
 // Generation", SIGGRAPH 1988; blocks of patches that shoot are its "patches", the receivers its "elements".
 #pragma once
 
-#include "tools/radiosity/patches/odd_hemicube.h"
+#include "tools/radiosity/patches/any_hemicube.h"
 
 namespace odraz::radiosity {
 

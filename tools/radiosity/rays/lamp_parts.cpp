@@ -1,7 +1,7 @@
 // Divides the emitting triangles of a mesh into parts.
 #include "base/maths.h"
-#include "tools/engine/luminance.h"
 #include "tools/radiosity/rays/lamp_rays.h"
+#include "tools/support/luminance.h"
 
 #include <algorithm>
 #include <cmath>

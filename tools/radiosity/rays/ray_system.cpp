@@ -1,8 +1,8 @@
 #include "tools/radiosity/rays/ray_system.h"
 
 #include "base/random.h"
-#include "tools/engine/luminance.h"
 #include "tools/radiosity/solution/arrays.h"
+#include "tools/support/luminance.h"
 
 #include <algorithm>
 #include <cmath>

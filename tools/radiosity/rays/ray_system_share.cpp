@@ -1,6 +1,6 @@
 // RaySystem: values of sites, sharing of light between sites, and the number of rays that this needs.
-#include "tools/engine/luminance.h"
 #include "tools/radiosity/rays/ray_system.h"
+#include "tools/support/luminance.h"
 
 #include <algorithm>
 #include <cmath>

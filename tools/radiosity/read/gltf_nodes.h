@@ -1,8 +1,8 @@
 // The transforms of a glTF scene's nodes.
 #pragma once
 
-#include "tools/engine/vec3d.h"
 #include "tools/radiosity/read/gltf_file.h"
+#include "tools/support/vec3d.h"
 
 namespace odraz::radiosity {
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "tools/common/command_line.h"
-#include "tools/engine/vec3d.h"
 #include "tools/picture/picture.h"
 #include "tools/radiosity/read/material_changes.h"
 #include "tools/radiosity/read/surroundings.h"
+#include "tools/support/vec3d.h"
 
 #include <array>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "tools/radiosity/read/reflectance_picture.h"
 
-#include "tools/engine/clip.h"
+#include "tools/support/clip.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 // halve their light (Debevec, "A Median Cut Algorithm for Light Probe Sampling", 2005).
 #pragma once
 
-#include "tools/engine/vec3d.h"
 #include "tools/picture/picture.h"
+#include "tools/support/vec3d.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 // and the same wherever the polygon lies. Holes may be joined to the outline by a bridge.
 #pragma once
 
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 
 #include <algorithm>
 #include <array>

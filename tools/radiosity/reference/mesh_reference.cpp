@@ -1,11 +1,11 @@
 #include "tools/radiosity/reference/mesh_reference.h"
 
 #include "tools/common/statistics.h"
-#include "tools/engine/luminance.h"
 #include "tools/picture/picture_file.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 #include "tools/radiosity/reference/obstacles.h"
 #include "tools/radiosity/reference/sampler.h"
+#include "tools/support/luminance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 // area heuristic in bins (Wald, 2007), and are tested by Moeller and Trumbore's method (1997).
 #pragma once
 
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 
 #include <array>
 #include <vector>

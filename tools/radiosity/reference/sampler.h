@@ -1,7 +1,7 @@
 // Random numbers and directions for the references, in double precision.
 #pragma once
 
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 
 #include <array>
 #include <cstdint>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "radiosity/model.h"
-#include "tools/engine/vec3d.h"
+#include "tools/support/vec3d.h"
 
 #include <functional>
 #include <string>

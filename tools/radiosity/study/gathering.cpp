@@ -1,8 +1,8 @@
 #include "tools/radiosity/study/gathering.h"
 
 #include "tools/common/statistics.h"
-#include "tools/engine/luminance.h"
-#include "tools/radiosity/patches/odd_hemicube.h"
+#include "tools/radiosity/patches/any_hemicube.h"
+#include "tools/support/luminance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #include "tools/common/folders.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/study/study.h"
+#include "tools/support/machine.h"
 
 #include <cstdio>
 #include <span>

@@ -1,7 +1,7 @@
 // Compares gathering, Gauss-Seidel and shooting, the light that each pass adds, and two orders of update.
-#include "tools/engine/luminance.h"
 #include "tools/radiosity/patches/shooting.h"
 #include "tools/radiosity/study/study.h"
+#include "tools/support/luminance.h"
 
 #include <algorithm>
 #include <cmath>

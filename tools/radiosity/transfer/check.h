@@ -1,9 +1,9 @@
 // Compares a relit room with solutions for the same light: `transfer --check`.
 #pragma once
 
-#include "tools/engine/machine.h"
 #include "tools/radiosity/transfer/find_transfer.h"
 #include "tools/radiosity/transfer/relight.h"
+#include "tools/support/machine.h"
 
 #include <string>
 

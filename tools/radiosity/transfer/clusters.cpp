@@ -1,8 +1,8 @@
 #include "tools/radiosity/transfer/clusters.h"
 
-#include "tools/engine/heap_arena.h"
 #include "tools/radiosity/solution/solution.h"
 #include "tools/radiosity/transfer/clustered_pca.h"
+#include "tools/support/heap_arena.h"
 
 #include <algorithm>
 #include <array>

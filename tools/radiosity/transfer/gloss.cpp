@@ -1,9 +1,9 @@
 #include "tools/radiosity/transfer/gloss.h"
 
-#include "tools/engine/heap_arena.h"
 #include "tools/radiosity/solution/solution.h"
 #include "tools/radiosity/transfer/bands.h"
 #include "tools/radiosity/transfer/clustered_pca.h"
+#include "tools/support/heap_arena.h"
 
 #include <algorithm>
 #include <cmath>

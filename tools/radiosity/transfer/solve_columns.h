@@ -3,8 +3,8 @@
 #pragma once
 
 #include "radiosity/solve.h"
-#include "tools/engine/heap_arena.h"
 #include "tools/radiosity/rays/ray_system.h"
+#include "tools/support/heap_arena.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,10 +1,10 @@
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/transfer/check.h"
+#include "tools/support/machine.h"
 
 #include <cstdio>
 #include <stdexcept>

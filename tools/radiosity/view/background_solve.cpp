@@ -2,8 +2,8 @@
 
 #include "tools/common/clock.h"
 #include "tools/common/text.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"
+#include "tools/support/machine.h"
 
 namespace odraz::radiosity {
 

@@ -1,8 +1,8 @@
 #include "tools/radiosity/view/relit_room.h"
 
 #include "tools/common/text.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/transfer/find_transfer.h"
+#include "tools/support/machine.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

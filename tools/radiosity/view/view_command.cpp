@@ -1,11 +1,11 @@
 #include "host/process.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/view/help.h"
 #include "tools/radiosity/view/window.h"
+#include "tools/support/machine.h"
 
 #include <cstdio>
 

@@ -2,7 +2,7 @@
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
-#include "tools/measure/seen/costs.h"
+#include "tools/measure/play/costs.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Tests the simulated player with invented costs.
-#include "tools/measure/seen/simulated.h"
+#include "tools/measure/play/simulated.h"
 
 #include "play/page_player.h"
 #include "tests/support/thrown.h"

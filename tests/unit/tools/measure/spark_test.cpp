@@ -1,5 +1,5 @@
 // Tests that the spark detector finds the sparks planted into clean pictures, and no others.
-#include "tools/measure/detect/spark.h"
+#include "tools/measure/inspection/spark.h"
 
 #include "tests/support/dice.h"
 

@@ -3,10 +3,10 @@
 #include "tests/support/generated_mesh.h"
 #include "tests/support/headless_gl.h"
 #include "tools/common/folders.h"
-#include "tools/engine/machine.h"
 #include "tools/picture/psnr.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/solve/solve.h"
+#include "tools/support/machine.h"
 
 #include <cmath>
 #include <random>

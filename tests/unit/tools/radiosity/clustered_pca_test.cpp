@@ -2,7 +2,7 @@
 #include "tools/radiosity/transfer/clustered_pca.h"
 
 #include "tests/support/dice.h"
-#include "tools/engine/heap_arena.h"
+#include "tools/support/heap_arena.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Tests the light shown during solving: it starts with direct light, grows, and ends with the solution.
 #include "tests/support/generated_mesh.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"
+#include "tools/support/machine.h"
 
 #include <gtest/gtest.h>
 

@@ -2,12 +2,12 @@
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
 #include "tools/common/folders.h"
-#include "tools/engine/machine.h"
 #include "tools/picture/picture.h"
 #include "tools/picture/psnr.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 #include "tools/radiosity/solve/solve.h"
+#include "tools/support/machine.h"
 
 #include <cmath>
 

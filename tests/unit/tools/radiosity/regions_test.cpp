@@ -1,10 +1,10 @@
 // Tests joining triangles into charts, and the elements of charts. (radiosity_errors compares solutions with
 // paths.)
 #include "tests/support/headless_gl.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/divide/facets.h"
 #include "tools/radiosity/divide/regions.h"
 #include "tools/radiosity/solve/solve.h"
+#include "tools/support/machine.h"
 
 using namespace odraz;
 using namespace odraz::radiosity;

@@ -3,10 +3,10 @@
 // patches and from blocks, with rows; radiosity_light compares the form factors of odd hemicubes with closed
 // forms.)
 #include "tests/support/dice.h"
-#include "tools/engine/heap_arena.h"
-#include "tools/radiosity/patches/odd_hemicube.h"
+#include "tools/radiosity/patches/any_hemicube.h"
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/patches/shooting.h"
+#include "tools/support/heap_arena.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

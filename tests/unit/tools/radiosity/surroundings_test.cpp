@@ -2,8 +2,8 @@
 #include "tools/common/command_line.h"
 #include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
-#include "tools/engine/vec3d.h"
 #include "tools/radiosity/read/surroundings.h"
+#include "tools/support/vec3d.h"
 
 #include <cmath>
 #include <functional>
