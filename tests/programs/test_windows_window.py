@@ -54,7 +54,7 @@ def test_draws_between_bars_at_another_size_and_alt_f4_ends_it(wine, screen):
     resize(window, 900, 300)
     draws_between(window, '180x300+0+0', '180x300+720+0')
     ends(window, 'alt+F4')
-    assert re.search('^flake +[1-9]', window.program.output(), re.M)
+    assert re.search('^patches +[1-9]', window.program.output(), re.M)
 
 
 def test_keys_act_once_and_alone_and_the_pause_has_a_sign(wine, screen):
