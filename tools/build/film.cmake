@@ -9,13 +9,9 @@ foreach(line ${lines})
     set(${CMAKE_MATCH_1} "${CMAKE_MATCH_2}")
 endforeach()
 string(REPLACE " " ", " POSTER "${FILM_POSTER}")
-if(FILM_PACE)
-    string(APPEND FILM_PACE "\\n")
-endif()
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/film.h CONTENT "// Generated from intro/film.conf.
 #pragma once
 #define FILM_NAME \"@FILM@\"
 #define FILM_ABOUT \"@FILM_ABOUT@\"
-#define FILM_PACE \"@FILM_PACE@\"
 #define FILM_POSTER @POSTER@
 " @ONLY)
