@@ -6,6 +6,7 @@ import re
 import pytest
 
 from running import BUILD, FILM, SOURCE, needs, needs_built, run
+from test_pages import dead_links
 
 needs('cmake')
 needs_built(FILM, 'pack', 'compare', 'radiosity')
@@ -36,8 +37,10 @@ def test_radiosity_solves(prefix, tmp_path):
 
 
 def test_texts_are_there_and_nothing_else(prefix):
-    for text in 'pack/README.md', 'radiosity/README.md', 'radiosity/METHOD.md', 'SIZE_GATE.md', 'LICENSE':
-        assert (prefix / 'share/doc' / FILM / text).stat().st_size
+    documents = prefix / 'share/doc' / FILM
+    for text in 'packer/README.md', 'tools/radiosity/METHOD.md', 'tools/SIZE_GATE.md', 'LICENSE':
+        assert (documents / text).stat().st_size
+    assert dead_links(documents.rglob('*.md')) == []
     assert {path.name for path in prefix.iterdir()} == {'bin', 'share'}
 
 

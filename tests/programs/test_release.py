@@ -6,6 +6,7 @@ import time
 import pytest
 
 from running import BUILD, SOURCE, check_bytes, needs, needs_built, refuses, run, wait_for
+from test_pages import dead_links
 
 needs('zip', 'unzip', 'tar', 'gzip', 'sha256sum')
 needs_built('portable/radiosity')
@@ -144,9 +145,9 @@ def test_the_tools_can_be_released_alone(archives, tmp_path):
 
 
 def test_they_have_their_texts(tools):
-    readmes = 'doc/pack/README.md doc/radiosity/README.md doc/radiosity/METHOD.md'
-    for text in f'{readmes} doc/SIZE_GATE.md LICENSE.txt NOTICES.txt'.split():
+    for text in 'doc/packer/README.md', 'doc/tools/radiosity/METHOD.md', 'LICENSE.txt', 'NOTICES.txt':
         assert (tools / text).stat().st_size
+    assert dead_links((tools / 'doc').rglob('*.md')) == []
     readme = (tools / 'README.txt').read_text()
     assert not re.search('@[A-Za-z][A-Za-z_-]*@', readme)
     assert max(map(len, readme.splitlines())) <= 80  # columns of a terminal
