@@ -32,7 +32,7 @@ void CameraOptions::addTo(common::CommandLine &line) {
         line.option(
             option, "X,Y,Z", [&to, option](const std::string &text) { to = pointOf(option, text); }, what);
     };
-    place("--eye", eye, "the camera's position; without --eye and --at it shows the whole model");
+    place("--eye", eye, "the camera's position; without --eye and --at the whole model, from its open side");
     place("--at", target, "the point that the camera looks at");
     line.option("--lens", "DEGREES", s.lens, {1, 170}, "vertical field of view");
     line.option("--up", {"y", "z"}, s.upIsZ, "the axis that points up; by default y, or the room's");
