@@ -13,7 +13,9 @@ let x, module, url, duration, begins, from, over
 let playing, since, clicked, loops, frame
 const say = text => { if (word.textContent != text) word.textContent = text }
 const fail = what => { over = 1; button.textContent = ''; awake(0); say(what) }
-const stop = e => fail('The film has stopped: ' + (e.message ?? e))
+// The reason that an error, an event or a text gives. An event of a worker may have no message
+const reason = e => e.message || (e.type ? 'the browser could not run a worker' : e)
+const stop = e => fail('The film has stopped: ' + reason(e))
 // Makes a callback that catches its errors. The page's own events also report errors of other scripts (extensions)
 const own = f => async (...all) => { try { await f(...all) } catch (e) { stop(e) } }
 

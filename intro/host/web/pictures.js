@@ -8,8 +8,7 @@ const kNow = 0, kLater = 1, kNever = 2 // when a picture can be traced: Traceabl
 let turn = 0, shown = 0, skipped = 0, first = 0 // turn: number of seeks; first: when the first picture was shown
 const startWorker = (receive, ...first) => {
   const k = new Worker(url)
-  const broken = why => k == solver ? leaveOut(why) : stop(why)
-  k.onerror = e => broken(e.message)
+  const broken = k.onerror = e => k == solver ? leaveOut(reason(e)) : stop(e)
   k.onmessage = own(({ data }) => data.wrong ? broken(data.wrong) : receive(data, k))
   k.postMessage(first)
   return k

@@ -174,6 +174,9 @@ try {
     { text: ${JSON.stringify(foreign)} }))`)
   const went = await at()
   check("goes on after another script's errors", await until(b, `film.state().film > ${went + 0.2}`), went)
+  await b.evaluate('film.start(() => {}, "trace", film.module, 16, 9).dispatchEvent(new Event("error")), 0')
+  const why = await b.evaluate('document.querySelector("p").textContent')
+  check('says why it stops', why == 'The film has stopped: the browser could not run a worker', why)
 } catch (e) {
   check('the browser answers', false, String(e.stack))
 }
