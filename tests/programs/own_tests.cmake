@@ -20,7 +20,7 @@ odraz_pytests(usual
 odraz_pytests(long
     binary 80   busy 9000   commandline 120   damaged 120   doubleclick 100   killed 60   live 300   machine 100
     memcheck 600   new_film 200   pack_any 50   pack_kernels 120   pack_programs 500   radiosity_errors 60
-    radiosity_resume 60   report_page 60   same_film 250   soak 180   surroundings 150   systems 200
+    radiosity_resume 60   release 60   report_page 60   same_film 250   soak 180   surroundings 150   systems 200
     tradeoff 45   watch 40   words 300)
 foreach(reader gltf hdr obj pack picture prt rad)
     odraz_pytest(long fuzz 610 ${reader})

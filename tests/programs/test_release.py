@@ -5,6 +5,7 @@ import time
 
 import pytest
 
+from pictures import read_picture
 from running import BUILD, SOURCE, check_bytes, needs, needs_built, refuses, run, wait_for
 from test_pages import dead_links
 
@@ -95,6 +96,16 @@ def test_the_film_is_the_one_that_was_built_and_runs(inside, tmp_path):
     for program in 'odraz', *WINDOWS:
         run('cmp', inside / program, BUILD / program)
     run(inside / 'odraz', '--dump', tmp_path / 'frames', '--from', 20, '--to', 20.04, '--size', '64x36')
+
+
+@pytest.mark.long
+def test_its_pictures_are_rendered_and_small(tmp_path):
+    needs_built('contact_sheet')
+    run(RELEASE, '--built', '--unclean', '--no-capture', '--to', tmp_path, env=ENV)
+    (archive,) = tmp_path.glob('*.zip')
+    folder = unpacked(tmp_path / 'unpacked', 'unzip', '-q', archive)
+    assert (folder / 'poster.jpg').stat().st_size < 350e3
+    assert read_picture(folder / 'screenshot.jpg').shape == (900, 1600, 3)
 
 
 def test_its_texts_are_filled_in(inside):  # tools/release itself counts their columns

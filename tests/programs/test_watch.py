@@ -83,9 +83,10 @@ def test_answers_before_it_builds(clone, text, options):
         assert run(clone.house / 'tools/watch', *known, '--version', env=env).stdout.startswith(f'{FILM} ')
 
 
-def test_with_a_display_plays_the_film_as_large_as_the_screen(clone, display):
+def test_with_a_display_says_that_it_packs_and_plays_the_film_as_large_as_the_screen(clone, display):
+    needs('pgrep')
     screen = display('640x400')
-    window = screen.begin(clone.house / 'tools/watch', '--mute', env=clone.env)
+    window = screen.begin(clone.house / 'tools/watch', '--mute', env={**clone.env, 'PACKS': ' packing'})
     assert window.size() == (640, 400)
     screen.do('key', 'Escape')
     assert window.program.ended() == 0
