@@ -38,7 +38,7 @@ int clip(const FaceCorner *in, int count, FaceCorner *out, const Border &border)
 uint32_t outsideFaces(const Vec3 &p) {
     float sum = p.x + p.y, difference = p.x - p.y;
     uint32_t low = p.z < 0, right = p.x < p.z, left = -p.x < p.z, front = p.y < p.z, back = -p.y < p.z;
-    uint32_t a = sum<0, b = sum> 0, c = difference<0, d = difference> 0;
+    uint32_t a = (sum < 0), b = (sum > 0), c = (difference < 0), d = (difference > 0);
     auto face = [](uint32_t k0, uint32_t k1, uint32_t k2, uint32_t k3) {
         return k0 | k1 << 1 | k2 << 2 | k3 << 3;
     };

@@ -103,7 +103,7 @@ const Material kCopper = {.texture = plain(linear(184, 87, 46)),
                           .fresnel = true,
                           .tint = linear(256, 159, 108)};
 
-Material pearl(bool warm, float reflect) {
+Material metal(bool warm, float reflect) {
     Rgb base = warm ? linear(184, 66, 28) : linear(141, 143, 148);
     return {.texture = plain(base),
             .diffuse = 0.5f - 0.8f * reflect,

@@ -14,7 +14,7 @@ extern const Material kPlaster, kWarmPlaster, kOutside;
 extern const Material kBeamAlong, kBeamAcross; // oak with its grain along world z, or x
 extern const Material kGranite, kOak, kGlass, kMirror, kCopper;
 
-Material pearl(bool warm, float reflect); // copper if warm, else silver; reflect: reflectance as a mirror
+Material metal(bool warm, float reflect); // copper if warm, else silver; reflect: reflectance as a mirror
 Material lamp(const Rgb &radiance);       // only emits
 
 // Fills a scene with fog and a little light. share: factor on the light.

@@ -58,9 +58,9 @@ void poseFlake(const SceneInput &in, Scene &scene) {
     // The balls on the core mirror less than it does, so that images of images darken. Copper has broad
     // highlights, as if brushed; mirrors have none, which costs less
     for (int i = 0; i < 3; ++i) {
-        Material metal = i ? pearl(i > 1, 0.6875f - 0.0625f * (float)i) : kMirror;
-        metal.specular = i > 1 ? 0.1875f : 0, metal.exponent = 12;
-        flake.metals[i] = scene.add(metal);
+        Material material = i ? metal(i > 1, 0.6875f - 0.0625f * (float)i) : kMirror;
+        material.specular = i > 1 ? 0.1875f : 0, material.exponent = 12;
+        flake.metals[i] = scene.add(material);
     }
     // Water has a colour of its own instead of diffuse light, so that no shadow falls on it
     Material water = kSlate;

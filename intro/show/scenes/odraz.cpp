@@ -85,8 +85,8 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     scene.sky.cover = 0;
 
     scene.addAll(kMaterials);
-    scene.add(pearl(true, 0.26f));
-    scene.add(pearl(false, 0.3f));
+    scene.add(metal(true, 0.26f));
+    scene.add(metal(false, 0.3f));
     addPoint(scene, point, 0.05f, {});
     // The great ball comes with the others. When they leave, it rolls back a little, and stays
     float far = value(track(kApart), row), turn = value(track(kTurn), row);

@@ -13,8 +13,8 @@ inline constexpr int kTile = 64;                       // pixels along a side
 inline constexpr int kCorners = kTile + 1;             // corners of pixels along a side
 inline constexpr int kPointShift = 7;                  // a row of points is 2^7 long, see pointAt()
 inline constexpr int kDiscs = 1024, kThinShapes = 192; // limits on the balls and thin shapes of a tile
-// TileScratch::shape of pixels without an albedo. kMixed: several shapes or samples. kDone: already in the
-// frame.
+// TileScratch::shape of pixels without an albedo. kMixed: several shapes or samples. kSky: sky. kDone:
+// already in the frame.
 inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
 static_assert(kMaxShapes <= kDone);
 

@@ -160,7 +160,7 @@ TEST(Checker, IsFilteredAlongASlantedView) {
 
 TEST(Materials, AreColoursEverywhere) {
     for (const Material &m :
-         {kDarkMarble, kBoards, pearl(true, 0.4f), kSlate, kGranite, kOak, kGlass, kMirror, kCopper})
+         {kDarkMarble, kBoards, metal(true, 0.4f), kSlate, kGranite, kOak, kGlass, kMirror, kCopper})
         for (float far : {0.f, 3.3f, 1e3f, 1e9f})
             for (float width : {0.f, 1e-3f, 1.f, 1e6f})
                 for (float cosine : {0.f, 1e-4f, 1.f}) {
