@@ -1,4 +1,4 @@
-"""The links of the pages lead to files that exist, and the keys that they name are in the table of keys."""
+"""The links of the pages, and the steps of workflows, name files that exist; the keys of the pages are in the table."""
 import re
 
 from running import SOURCE, run
@@ -16,6 +16,13 @@ def test_no_link_is_dead(tmp_path):
     page = tmp_path / 'wrong.md'
     page.write_text('[a](nothing.md)')
     assert dead_links([page]) == [f'{page}: nothing.md']
+
+
+def test_the_steps_of_workflows_name_files_that_exist():
+    scripts = *SOURCE.glob('.github/workflows/*.yml'), SOURCE / '.ci/run', SOURCE / '.devcontainer/devcontainer.json'
+    named = {name for script in scripts for name in re.findall(r'\b(?:intro|tools|tests)/[\w./]+', script.read_text())}
+    assert {'tools/test', 'tools/release', 'tools/ledger', 'tools/build/packages.sh', 'intro/film.conf'} <= named
+    assert not [name for name in named if not (SOURCE / name).exists()]
 
 
 def unknown_keys(text):
