@@ -3,8 +3,6 @@
 #include "base/text.h"
 #include "base/vec3.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
 #include <limits>
 
 using namespace odraz;

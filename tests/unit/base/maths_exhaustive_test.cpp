@@ -3,13 +3,8 @@
 // N, which takes seconds.
 #include "base/maths.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdlib>
-#include <gtest/gtest.h>
-#include <thread>
-#include <vector>
 
 using namespace odraz;
 

@@ -1,10 +1,6 @@
 // Tests properties of the maths functions. maths_exhaustive_test proves their accuracy.
 #include "base/maths.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <random>
-
 using namespace odraz;
 
 TEST(Maths, ScalarAndLanesAgreeToTheBit) {

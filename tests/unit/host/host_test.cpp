@@ -5,18 +5,12 @@
 #include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 
-#include <algorithm>
 #include <cpuid.h>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
-#include <gtest/gtest.h>
 #include <sstream>
-#include <string>
 #include <sys/stat.h>
-#include <thread>
 #include <unistd.h>
-#include <vector>
 
 using namespace odraz;
 

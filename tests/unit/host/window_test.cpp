@@ -1,9 +1,7 @@
 // Tests how pictures are shown in a window, with an OpenGL that only records blits.
 #include "host/window.h"
 
-#include <gtest/gtest.h>
 #include <utility>
-#include <vector>
 
 // Defined here instead of by the system's window
 namespace odraz {

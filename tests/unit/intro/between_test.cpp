@@ -8,9 +8,6 @@
 #include "tests/support/sanitized.h"
 #include "tools/picture/psnr.h"
 
-#include <cmath>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

@@ -3,9 +3,6 @@
 #include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
 
-#include <cstring>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

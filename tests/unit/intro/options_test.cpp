@@ -1,8 +1,6 @@
 #include "options.h"
 
-#include <gtest/gtest.h>
 #include <sstream>
-#include <vector>
 
 using namespace odraz;
 

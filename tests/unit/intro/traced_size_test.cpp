@@ -5,8 +5,6 @@
 #include "tools/picture/psnr.h"
 #include "trace/picture/enlarge.h"
 
-#include <vector>
-
 using namespace odraz;
 
 namespace {

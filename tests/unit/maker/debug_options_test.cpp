@@ -1,8 +1,5 @@
 #include "maker/debug_options.h"
 
-#include <gtest/gtest.h>
-#include <vector>
-
 using namespace odraz;
 using namespace odraz::maker;
 

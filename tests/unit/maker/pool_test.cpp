@@ -1,7 +1,6 @@
 #include "maker/pool.h"
 
 #include <atomic>
-#include <gtest/gtest.h>
 
 using namespace odraz;
 using namespace odraz::maker;

@@ -2,7 +2,6 @@
 
 #include <arpa/inet.h>
 #include <bit>
-#include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>

@@ -3,9 +3,7 @@
 #include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 
-#include <cstring>
 #include <filesystem>
-#include <gtest/gtest.h>
 
 using namespace odraz;
 using namespace odraz::maker;

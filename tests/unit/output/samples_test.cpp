@@ -1,10 +1,6 @@
 // Tests the music's last step: floats are rounded to 16-bit samples, with dither.
 #include "output/samples.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

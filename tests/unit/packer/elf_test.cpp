@@ -3,9 +3,7 @@
 #include "packer/write/packed_file.h"
 #include "tests/support/thrown.h"
 
-#include <cstring>
 #include <elf.h>
-#include <gtest/gtest.h>
 
 using namespace pack;
 

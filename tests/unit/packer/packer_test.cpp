@@ -5,10 +5,7 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/thrown.h"
 
-#include <gtest/gtest.h>
 #include <iterator>
-#include <random>
-#include <thread>
 
 using namespace pack;
 

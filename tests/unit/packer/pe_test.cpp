@@ -2,9 +2,7 @@
 #include "packer/write/packed_file.h"
 #include "tests/support/pe_rules.h"
 
-#include <cstring>
 #include <filesystem>
-#include <gtest/gtest.h>
 
 using namespace pack;
 

@@ -2,9 +2,6 @@
 #include "packer/report/report_html.h"
 #include "tests/support/thrown.h"
 
-#include <gtest/gtest.h>
-#include <random>
-
 using namespace pack;
 
 namespace {

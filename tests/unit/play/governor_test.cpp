@@ -2,13 +2,7 @@
 // test advances.
 #include "tools/measure/play/simulated_player.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
-#include <random>
-#include <vector>
 
 using namespace odraz;
 

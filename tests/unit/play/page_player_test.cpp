@@ -2,10 +2,6 @@
 // and tests it with several workers.
 #include "tools/measure/play/simulated_player.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <vector>
-
 using namespace odraz;
 using namespace odraz::measure;
 

@@ -2,11 +2,7 @@
 // positions. Time is simulated.
 #include "play/playback.h"
 
-#include <algorithm>
-#include <cmath>
 #include <deque>
-#include <gtest/gtest.h>
-#include <vector>
 
 using namespace odraz;
 

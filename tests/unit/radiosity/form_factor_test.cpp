@@ -2,9 +2,6 @@
 #include "tests/support/hemicube_bench.h"
 #include "tests/support/sanitized.h"
 
-#include <algorithm>
-#include <cmath>
-
 using namespace odraz;
 
 namespace {

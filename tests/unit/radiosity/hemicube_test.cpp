@@ -2,7 +2,6 @@
 #include "tests/support/hemicube_bench.h"
 #include "tests/support/room.h"
 
-#include <cmath>
 #include <dlfcn.h>
 #include <optional>
 

@@ -6,10 +6,6 @@
 #include "tests/support/shapes.h"
 #include "transfer/relight.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 using namespace odraz;
 
 namespace {

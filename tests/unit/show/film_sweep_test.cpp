@@ -5,10 +5,7 @@
 #include "tests/support/loaded_film.h"
 #include "tests/support/planes.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
 #include <utility>
-#include <vector>
 
 using namespace odraz;
 

@@ -6,9 +6,6 @@
 #include "tests/support/solved_hall.h"
 #include "tests/support/traced_ray.h"
 
-#include <cmath>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

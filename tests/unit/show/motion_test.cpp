@@ -3,11 +3,7 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/small_film.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <vector>
 
 using namespace odraz;
 

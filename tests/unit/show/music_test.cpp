@@ -4,11 +4,6 @@
 
 #include "show/score.h"
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <memory>
-
 using namespace odraz;
 using namespace odraz::measure;
 

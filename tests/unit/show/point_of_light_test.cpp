@@ -7,11 +7,6 @@
 #include "tests/support/shots.h"
 #include "tests/support/small_film.h"
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

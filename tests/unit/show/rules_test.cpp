@@ -8,10 +8,6 @@
 #include "tests/support/shots.h"
 #include "tests/support/small_film.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

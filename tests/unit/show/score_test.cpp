@@ -4,11 +4,6 @@
 #include "show/tune.h"
 #include "tests/support/shots.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <gtest/gtest.h>
-#include <memory>
 #include <set>
 
 using namespace odraz;

@@ -4,8 +4,6 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/solved_hall.h"
 
-#include <cmath>
-
 using namespace odraz;
 using namespace odraz::radiosity;
 

@@ -4,13 +4,7 @@
 #include "show/score.h"
 #include "tests/support/sanitized.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <gtest/gtest.h>
-#include <memory>
 #include <span>
-#include <vector>
 
 using namespace odraz;
 

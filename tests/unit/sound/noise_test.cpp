@@ -4,9 +4,6 @@
 #include "base/random.h"
 #include "tests/support/voice.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 
 namespace {

@@ -3,10 +3,6 @@
 #include "tests/support/voice.h"
 #include "tools/measure/inspection/recording.h"
 
-#include <cmath>
-#include <cstring>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::measure;
 

@@ -1,11 +1,6 @@
 // Tests that the room's sound decays as designed and is dense, and that the echo alternates sides.
 #include "sound/reverb.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <memory>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

@@ -4,8 +4,6 @@
 
 #include "host/windows/windows.h"
 
-#include <gtest/gtest.h>
-
 using namespace odraz;
 
 namespace {

@@ -2,9 +2,6 @@
 #include "timeline/shot.h"
 #include "timeline/track.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using enum Interpolation;
 

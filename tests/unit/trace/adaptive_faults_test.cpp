@@ -2,10 +2,6 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_picture.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 using namespace odraz;
 
 // Flicker is an error that changes: if a camera moves by a quarter of a pixel per picture, the error changes

@@ -6,8 +6,6 @@
 #include "tools/measure/bench/peer_scenes.h"
 #include "trace/rays/beam.h"
 
-#include <cmath>
-
 using namespace odraz;
 using namespace odraz::measure;
 

@@ -3,12 +3,6 @@
 #include "tests/support/threads.h"
 #include "trace/picture/enlarge.h"
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <random>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

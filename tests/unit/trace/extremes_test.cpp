@@ -6,10 +6,6 @@
 #include "tests/support/traced_ray.h"
 #include "tools/support/vec3d.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <memory>
-
 using namespace odraz;
 
 namespace {

@@ -5,9 +5,6 @@
 #include "trace/picture/development.h"
 #include "trace/picture/overlay.h"
 
-#include <cmath>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

@@ -5,11 +5,7 @@
 #include "trace/picture/development.h"
 #include "trace/picture/glare.h"
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <numeric>
-#include <vector>
 
 using namespace odraz;
 

@@ -7,11 +7,7 @@
 #include "tools/support/vec3d.h"
 #include "trace/rays/beam.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <memory>
 #include <set>
-#include <vector>
 
 using namespace odraz;
 

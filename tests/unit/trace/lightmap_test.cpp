@@ -3,10 +3,6 @@
 #include "trace/scene/sky.h"
 #include "trace/shade/ball.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <vector>
-
 using namespace odraz;
 
 namespace {

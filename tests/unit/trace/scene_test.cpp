@@ -3,9 +3,6 @@
 #include "trace/rays/intersect.h"
 #include "trace/shade/diffuse.h"
 
-#include <gtest/gtest.h>
-#include <string>
-
 using namespace odraz;
 
 namespace {

@@ -3,9 +3,6 @@
 #include "tests/support/dice.h"
 #include "tests/support/traced_ray.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 
 namespace {

@@ -1,10 +1,6 @@
 // Compares soft shadows and caustics with sampled discs, and with rays traced through glass.
 #include "trace/shade/soft_shadow.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <memory>
-
 using namespace odraz;
 
 namespace {

@@ -5,9 +5,6 @@
 #include "tests/support/dice.h"
 #include "trace/texture/noise.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 
 namespace {

@@ -4,9 +4,6 @@
 #include "tools/support/vec3d.h"
 #include "trace/texture/noise.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 
 namespace {

@@ -4,9 +4,6 @@
 #include "tests/support/traced_picture.h"
 #include "tests/support/traced_ray.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 
 namespace {

@@ -4,11 +4,7 @@
 
 #include "tests/support/dice.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
-#include <cmath>
-#include <vector>
 
 using namespace odraz;
 

@@ -6,10 +6,6 @@
 #include "tests/support/sanitized.h"
 #include "tools/measure/reference/transfer.h"
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::measure;
 

@@ -8,11 +8,8 @@
 #define ODRAZ_LIVE
 #include "timeline/keys.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <gtest/gtest.h>
-#include <random>
 
 using namespace odraz;
 using namespace odraz::maker;

@@ -3,8 +3,6 @@
 #include "maker/panel/strip.h"
 
 #include <cctype>
-#include <cstring>
-#include <gtest/gtest.h>
 
 using namespace odraz;
 using namespace odraz::maker;

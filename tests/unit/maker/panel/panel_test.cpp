@@ -3,7 +3,6 @@
 #include "tests/support/loaded_film.h"
 
 #include <chrono>
-#include <gtest/gtest.h>
 #include <numeric>
 
 using namespace odraz;

@@ -4,9 +4,6 @@
 #include "tools/common/whole_file.h"
 #include "tools/measure/play/costs.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::measure;
 

@@ -4,8 +4,6 @@
 #include "tools/common/command_line.h"
 #include "tools/measure/play/viewer.h"
 
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::measure;
 

@@ -5,8 +5,6 @@
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
 #include <map>
 #include <utility>
 

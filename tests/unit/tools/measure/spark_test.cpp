@@ -3,9 +3,7 @@
 
 #include "tests/support/dice.h"
 
-#include <algorithm>
 #include <cstdlib>
-#include <gtest/gtest.h>
 
 using namespace odraz;
 using namespace odraz::measure;
