@@ -1,6 +1,6 @@
-// Tests the film's hall: form factors against rays, light over the day, and bounces.
+// Tests the film's hall: its light over the day, and bounces. (traced_hall_test compares its hemicubes with
+// rays.)
 #include "show/materials.h"
-#include "tests/support/model_rays.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/single_hemicube.h"
 #include "tests/support/solved_hall.h"
@@ -52,82 +52,6 @@ TEST(Hall, IsClosed) {
         EXPECT_LT(dark, 1e-6) << "patch " << i << " of chart " << p.chart << " at " << p.p.x << ' ' << p.p.y
                               << ' ' << p.p.z;
     }
-}
-
-// Bounds the variance of the form factors of charts in a hemicube. A straight border along the pixels is at a
-// random distance from their centres, evenly distributed, so the variance of what it adds is a twelfth of its
-// pixels' form factors, squared. A slanted border is a staircase of such pieces, whose distances are spread
-// more evenly.
-static std::vector<double> varianceOfCharts(const SingleHemicube &hemicube, const Model &m) {
-    const Hemicubes &h = hemicube.h;
-    std::vector<double> variance((size_t)m.chartCount + 1);
-    auto chartAt = [&](int x, int y) {
-        uint32_t id = hemicubeIds(h, 0)[y * hemicubeStride(h) + x];
-        int chart = id == kNothing || id == kBackSide ? m.chartCount : m.patches[id - 1].chart;
-        return (size_t)(chart < m.chartCount && m.charts[chart].open ? m.chartCount : chart);
-    };
-    auto share = [&](int x, int y) {
-        const float *sums = hemicube.sums.data() + y * (h.px + 1) + x;
-        return (double)(sums[1] - sums[0]);
-    };
-    // Follow the borders between two rows or columns of a face that starts at row `top`
-    auto follow = [&](int top, int height, bool down) {
-        int lines = down ? h.px : height, length = down ? height : h.px;
-        for (int line = 0; line + 1 < lines; ++line) {
-            double sum = 0;
-            std::pair<size_t, size_t> last = {};
-            for (int i = 0; i <= length; ++i) {
-                std::pair<size_t, size_t> here = {};
-                int x = down ? line : i, y = top + (down ? i : line), nextX = x + down, nextY = y + !down;
-                if (i < length) here = {chartAt(x, y), chartAt(nextX, nextY)};
-                if (here != last) {
-                    if (last.first != last.second)
-                        for (size_t chart : {last.first, last.second}) variance[chart] += sum * sum / 12;
-                    sum = 0, last = here;
-                }
-                if (i < length) sum += (share(x, y) + share(nextX, nextY)) / 2;
-            }
-        }
-    };
-    for (int face = 0; face < 5; ++face)
-        for (bool down : {false, true})
-            follow(face ? h.px + (face - 1) * h.px / 2 : 0, face ? h.px / 2 : h.px, down);
-    return variance;
-}
-
-// Compares the film's hemicubes with rays by the cosine law, in double precision. Both have noise, and its
-// sizes are known: the rays' is binomial at most, and the borders in a hemicube bound its own.
-TEST(Hall, HemicubesAgreeWithRays) {
-    const Model &m = solved().hall->model;
-    ModelRays bench(m);
-    SingleHemicube hemicube(kHallSettings.px);
-    double row =
-        (double)hemicube.sums[(size_t)(kHallSettings.px / 2 * (kHallSettings.px + 1) + kHallSettings.px)];
-    double square = 0, noise = 0, raster = 0;
-    for (int i = 7; i < m.patchCount; i += m.patchCount / (kSanitized ? 12 : 120)) {
-        const Patch &p = m.patches[i];
-        const Chart &c = m.charts[p.chart];
-        if (p.share == 0 || c.open) continue;
-        std::vector<float> factors = hemicube.row(m, hemicubeEye(p.p, c.n, (uint32_t)i));
-        std::vector<double> variance = varianceOfCharts(hemicube, m);
-        // Compare by chart, with all windows as one: rays that hit nothing leave through a window
-        std::vector<double> drawn((size_t)m.chartCount + 1), rays((size_t)m.chartCount + 1);
-        for (int k = 0; k < m.patchCount; ++k) {
-            int chart = m.patches[k].chart;
-            drawn[(size_t)(m.charts[chart].open ? m.chartCount : chart)] += (double)factors[(size_t)k];
-        }
-        constexpr int kSide = 64; // kSide^2 rays
-        bench.castFan(c, p.p, kSide, (uint32_t)i, [&](int chart, Vec3, Vec3) {
-            rays[(size_t)(chart < 0 ? m.chartCount : chart)] += 1.0 / (kSide * kSide);
-        });
-        for (size_t k = 0; k < rays.size(); ++k) {
-            double d = rays[k] - drawn[k], binomial = rays[k] * (1 - rays[k]) / (kSide * kSide);
-            // A strip narrower than a pixel is missed, or has whole pixels, along one row at most
-            EXPECT_LT(std::fabs(d), 5 * std::sqrt(binomial) + row) << "patch " << i << " chart " << k;
-            square += d * d, noise += binomial, raster += variance[k];
-        }
-    }
-    EXPECT_LT(square, raster + noise);
 }
 
 TEST(Hall, IsLitUntilNightAndNeverNegative) {
