@@ -2,7 +2,7 @@
 #pragma once
 
 #include "show/show.h"
-#include "tests/support/planes.h"
+#include "tests/support/pictures.h"
 #include "tests/support/shapes.h"
 #include "tests/support/threads.h"
 #include "tools/picture/psnr.h"
@@ -16,7 +16,6 @@
 namespace odraz {
 
 constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
-inline const Quality &named(QualityName name) { return kQualities[(int)name]; }
 
 // Returns a scene that contains one shape, which emits light.
 inline std::unique_ptr<Scene> shining(const Rgb &radiance, const Shape &shape) {

@@ -4,7 +4,7 @@
 #include "show/materials.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
-#include "tests/support/planes.h"
+#include "tests/support/pictures.h"
 #include "tests/support/sanitized.h"
 #include "tools/picture/psnr.h"
 
@@ -19,8 +19,6 @@ Intro &film() {
     static LoadedFilm loaded(2, kWidth, kHeight, true, &headlessGl());
     return *loaded.intro;
 }
-
-const Quality &named(QualityName name) { return kQualities[(int)name]; }
 
 // The samples a pixel of the last picture. In-betweens take none where they reuse other pictures.
 double samplesPerPixel() { return (double)tracedSamples(film().tracer) / (kWidth * kHeight); }
@@ -45,7 +43,6 @@ std::vector<float> made(Intro &intro, double seconds, double gap = 2, double bef
 }
 
 using Bytes = std::vector<uint8_t>;
-Bytes bytesOf(const Picture &p) { return {p.rgba, p.rgba + kWidth * kHeight * 4}; }
 
 // PSNR in linear light, exposed and clipped at white.
 double decibels(const Intro &intro, const std::vector<float> &a, const std::vector<float> &b) {

@@ -2,22 +2,27 @@
 // are as they should be.
 #include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
+#include "tests/support/pictures.h"
 
 using namespace odraz;
 
 namespace {
 
 constexpr int kAcross = 96, kHigh = 54;
+const IntroSettings kWithHall = {.width = kAcross, .height = kHigh, .pairs = true, .hall = true};
 constexpr double kElsewhere = 50, kInHall[] = {70, 100, 130}; // the first one has letters
 
-// Loads the film with this table, and returns the line about the hall.
-std::string lineOf(const Gl &gl, const IntroSettings &settings, Arena &arena, Workers &workers,
-                   Intro *&intro) {
-    const char *line = load(intro, settings, arena, workers, kDrawnHemicubes, &gl);
-    return line ? line : "";
-}
+// The film with its hall, which is loaded with a table of OpenGL and in some bytes of memory.
+struct DarkFilm {
+    Threads threads{2};
+    HeapArena memory;
+    Intro *intro;
 
-std::vector<uint8_t> rgbaOf(const Picture &p) { return {p.rgba, p.rgba + kAcross * kHigh * 4}; }
+    DarkFilm(const char *complaint, const Gl &gl, size_t bytes) : memory(bytes) {
+        const char *line = load(intro, kWithHall, memory.arena, threads.workers, kDrawnHemicubes, &gl);
+        EXPECT_EQ(std::string(line ? line : "").find(complaint), 0u);
+    }
+};
 
 bool isBlack(const Picture &p) {
     for (int i = 0; i < kAcross * kHigh * 4; ++i)
@@ -50,48 +55,33 @@ void (*const kWrong[])(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) =
 } // namespace
 
 TEST(DarkHall, CostsOnlyItsScenes) {
-    const Quality &draft = kQualities[(int)QualityName::Draft];
+    const Quality &draft = named(QualityName::Draft);
     LoadedFilm without(2, kAcross, kHigh, true);
-    IntroSettings settings = without.settings;
-    settings.hall = true;
-    std::vector<uint8_t> flake = rgbaOf(picture(*without.intro, 0, kElsewhere, draft));
+    std::vector<uint8_t> flake = bytesOf(picture(*without.intro, 0, kElsewhere, draft));
     for (auto &read : kWrong) {
         SCOPED_TRACE((int)(&read - kWrong));
-        Threads threads(2);
-        HeapArena memory(memoryNeeded(settings, 2));
         Gl gl = headlessGl();
         gl.glReadPixels = read;
         calls = 0;
-        Intro *intro;
-        EXPECT_EQ(lineOf(gl, settings, memory.arena, threads.workers, intro)
-                      .find("cannot light the hall: OpenGL 3.3 cannot draw integers"),
-                  0u);
-        EXPECT_EQ(rgbaOf(picture(*intro, 0, kElsewhere, draft)), flake);
+        DarkFilm dark("cannot light the hall: OpenGL 3.3 cannot draw integers", gl,
+                      memoryNeeded(kWithHall, 2));
+        Intro &intro = *dark.intro;
+        EXPECT_EQ(bytesOf(picture(intro, 0, kElsewhere, draft)), flake);
         for (double t : kInHall) {
-            EXPECT_TRUE(isBlack(picture(*intro, 0, t, draft))) << t;
-            EXPECT_TRUE(isBlack(picture(*intro, 1, t + 4 / 60., draft))) << t;
-            EXPECT_TRUE(isBlack(between(*intro, 0, 1))) << t;
+            EXPECT_TRUE(isBlack(picture(intro, 0, t, draft))) << t;
+            EXPECT_TRUE(isBlack(picture(intro, 1, t + 4 / 60., draft))) << t;
+            EXPECT_TRUE(isBlack(between(intro, 0, 1))) << t;
         }
         // From a scene in the hall to the next one that is not
-        picture(*intro, 0, kElsewhere, draft);
-        picture(*intro, 1, kInHall[0], draft);
-        EXPECT_TRUE(isBlack(between(*intro, 0, 1, 0.99)));
+        picture(intro, 0, kElsewhere, draft);
+        picture(intro, 1, kInHall[0], draft);
+        EXPECT_TRUE(isBlack(between(intro, 0, 1, 0.99)));
     }
 }
 
 // An arena that fills at any stage of solving is reported as short of memory.
 TEST(DarkHall, MayLackMemory) {
-    LoadedFilm without(2, kAcross, kHigh, false);
-    IntroSettings settings = without.settings;
-    settings.hall = true;
-    size_t whole = memoryNeeded(settings, 2), film = without.memory.arena.used;
-    for (double share : {0.05, 0.3, 0.5, 0.6}) {
-        Threads threads(2);
-        HeapArena memory(film + sizeof(size_t) + (size_t)((double)(whole - film) * share));
-        Intro *intro;
-        EXPECT_EQ(
-            lineOf(headlessGl(), settings, memory.arena, threads.workers, intro).find("not enough memory"),
-            0u)
-            << share;
-    }
+    size_t whole = memoryNeeded(kWithHall, 2), film = LoadedFilm(2, kAcross, kHigh, true).memory.arena.used;
+    for (double share : {0.05, 0.3, 0.5, 0.6})
+        DarkFilm("not enough memory", headlessGl(), film + (size_t)((double)(whole - film) * share));
 }

@@ -2,6 +2,7 @@
 // any order. Also tests in-betweens of them.
 #include "inside.h"
 #include "tests/support/loaded_film.h"
+#include "tests/support/pictures.h"
 #include "tools/picture/psnr.h"
 #include "trace/picture/enlarge.h"
 
@@ -15,13 +16,7 @@ constexpr double kAtTable = 25, kAtFlake = 53, kAtCredits = 156; // the last one
 struct Loaded : LoadedFilm {
     Loaded(int width, int height, bool pairs) : LoadedFilm(2, width, height, pairs) {}
     std::vector<uint8_t> at(double seconds, TracedSize traced = {}, int slot = 0) {
-        Picture p = picture(*intro, slot, seconds, kQualities[(int)QualityName::Draft], nullptr, traced);
-        return bytesOf(p);
-    }
-    std::vector<uint8_t> bytesOf(const Picture &p) {
-        EXPECT_EQ(p.width, settings.width);
-        EXPECT_EQ(p.height, settings.height);
-        return {p.rgba, p.rgba + p.width * p.height * 4};
+        return bytesOf(picture(*intro, slot, seconds, named(QualityName::Draft), nullptr, traced));
     }
 };
 
@@ -68,7 +63,7 @@ TEST(TracedSize, InBetweensMayHaveTwo) {
         auto made = [&](TracedSize before, TracedSize after) {
             film.at(seconds - 1 / 60., before, 0);
             film.at(seconds + 1 / 60., after, 1);
-            return film.bytesOf(between(*film.intro, 0, 1));
+            return bytesOf(between(*film.intro, 0, 1));
         };
         std::vector<uint8_t> truth = film.at(seconds, {}, 0);
         double alike = pictures::psnr(made({304, 171}, {304, 171}), truth);

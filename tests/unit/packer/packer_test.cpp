@@ -34,6 +34,12 @@ ModelParameters smallParameters(uint32_t slotBits = 14) {
     return parameters;
 }
 
+void shuffleMasks(ModelParameters &parameters, std::mt19937 &random) {
+    for (int type = 0; type < 2; ++type)
+        for (uint32_t i = 0; i < parameters.hashes(); ++i)
+            parameters.masks[type][i] = (uint32_t)random() & kMayUse[type];
+}
+
 Workspace workspace;
 
 // Makes a packed file with a payload.
@@ -50,9 +56,12 @@ Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelParamete
     return kElf.write(program, parameters, payload, {});
 }
 
-// Decodes with the stub's code.
-Bytes decodeByStub(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
-    return decodeWithStub(kElf, fileAround(payload, layout, parameters));
+// Encodes, and expects the same bytes from the C++ decoder and from the stub's.
+void expectDecoded(const Bytes &b, const Layout &layout, const ModelParameters &parameters) {
+    Encoded e = encode(b, layout, parameters, workspace);
+    ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, parameters, workspace), b) << b.size();
+    if (b.empty()) return;
+    ASSERT_EQ(decodeWithStub(kElf, fileAround(e.payload, layout, parameters)), b) << b.size();
 }
 
 // Random opcodes with random operands, many of them extreme.
@@ -91,29 +100,6 @@ Bytes structured(unsigned seed, size_t size) {
 
 // --- Parser and filter ---
 
-namespace {
-
-// Returns the lengths of the instructions in `code`.
-std::vector<int> lengths(const Bytes &code) {
-    uint8_t opcodes[1024];
-    expandOpcodes(opcodes);
-    X86Parser parser = {};
-    uint32_t fields[kFields] = {};
-    std::vector<int> all;
-    int length = 0;
-    for (uint8_t b : code) {
-        parser.step(fields, b, opcodes);
-        ++length;
-        if (!fields[kSoFar]) {
-            all.push_back(length);
-            length = 0;
-        }
-    }
-    return all;
-}
-
-} // namespace
-
 TEST(Parser, FindsWhereInstructionsEnd) {
     const Bytes code = {0x55,                                           // push
                         0x48, 0x89, 0xe5,                               // mov
@@ -136,8 +122,18 @@ TEST(Parser, FindsWhereInstructionsEnd) {
                         0x3d, 1,    0,    0,    0,                      // cmp eax
                         0x0f, 0xc2, 0xc1, 2,                            // cmpps
                         0xeb, 5,    0xc3};                              // jmp, ret
-    EXPECT_EQ(lengths(code),
-              (std::vector<int>{1, 3, 7, 4, 11, 10, 4, 3, 2, 6, 5, 3, 8, 6, 6, 6, 3, 8, 5, 4, 2, 1}));
+    uint8_t opcodes[1024];
+    expandOpcodes(opcodes);
+    X86Parser parser = {};
+    uint32_t fields[kFields] = {};
+    std::vector<int> lengths = {0};
+    for (uint8_t b : code) {
+        parser.step(fields, b, opcodes);
+        ++lengths.back();
+        if (!fields[kSoFar]) lengths.push_back(0);
+    }
+    EXPECT_EQ(lengths,
+              (std::vector<int>{1, 3, 7, 4, 11, 10, 4, 3, 2, 6, 5, 3, 8, 6, 6, 6, 3, 8, 5, 4, 2, 1, 0}));
 }
 
 TEST(Filter, MakesOneTargetLookTheSame) {
@@ -177,13 +173,8 @@ TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
         }
         ModelParameters parameters = smallParameters(12 + random() % 6);
         parameters.contexts = 4 * (1 + random() % (kMostContexts / 4));
-        for (int type = 0; type < 2; ++type)
-            for (uint32_t i = 0; i < parameters.hashes(); ++i)
-                parameters.masks[type][i] = (uint32_t)random() & kMayUse[type];
-        Encoded e = encode(b, layout, parameters, workspace);
-        ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, parameters, workspace), b) << b.size();
-        if (b.empty()) continue;
-        ASSERT_EQ(decodeByStub(e.payload, layout, parameters), b) << b.size();
+        shuffleMasks(parameters, random);
+        expectDecoded(b, layout, parameters);
     }
 }
 
@@ -214,11 +205,7 @@ TEST(Coder, SurvivesSurprises) {
                 Bytes b(size, fill);
                 b.back() ^= 1;
                 if (middle) b[middle] = 0x7f;
-                Layout layout = {size, 0, middle ? size : 0};
-                Encoded e = encode(b, layout, smallParameters(), workspace);
-                ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, smallParameters(), workspace),
-                          b);
-                ASSERT_EQ(decodeByStub(e.payload, layout, smallParameters()), b);
+                expectDecoded(b, {size, 0, middle ? size : 0}, smallParameters());
             }
 }
 
@@ -235,30 +222,20 @@ TEST(Coder, RefusesMasksOfFieldsThatCannotBeUsed) {
 TEST(Coder, KeepsMasksInAFile) {
     Bytes b = randomBytes(100, 1);
     ModelParameters parameters = smallParameters();
-    for (int type = 0; type < 2; ++type)
-        for (uint32_t i = 0; i < parameters.hashes(); ++i)
-            parameters.masks[type][i] = (uint32_t)randomBytes(4, i)[type] * 0x4321 & kMayUse[type];
+    std::mt19937 random(1);
+    shuffleMasks(parameters, random);
     Layout layout = {100, 0, 0};
     Bytes file = fileAround(encode(b, layout, parameters, workspace).payload, layout, parameters);
-    ModelParameters read = kElf.open(file).parameters;
-    for (int type = 0; type < 2; ++type)
-        for (uint32_t i = 0; i < parameters.hashes(); ++i)
-            EXPECT_EQ(read.masks[type][i], parameters.masks[type][i]) << type << " " << i;
+    EXPECT_EQ(kElf.open(file).parameters, parameters);
     EXPECT_EQ(readPacked(kElf, file).bytes, b);
 }
 
 // --- Model parameters and search ---
 
-namespace {
-
-// Returns the error of a text, or "".
-std::string complaint(const std::string &text) {
-    return thrown<common::Refused>([&] { parseParameters(text); });
-}
-
-} // namespace
-
 TEST(ModelParameters, ArePrintedAndParsed) {
+    auto complaint = [](const std::string &text) {
+        return thrown<common::Refused>([&] { parseParameters(text); });
+    };
     std::string text = printParameters(defaultParameters());
     EXPECT_EQ(parseParameters(text), defaultParameters());
     EXPECT_NE(complaint(""), "");

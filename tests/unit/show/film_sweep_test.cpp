@@ -3,7 +3,7 @@
 #include "inside.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
-#include "tests/support/planes.h"
+#include "tests/support/pictures.h"
 
 #include <utility>
 

@@ -17,7 +17,7 @@ struct Pictures {
     std::vector<double> changes; // mean difference of luma from the picture before, in levels of 255
 };
 
-const Pictures &pictures() {
+const Pictures &measured() {
     static const Pictures all = [] {
         Pictures p;
         std::array<double, 256> linear;
@@ -46,8 +46,8 @@ const Pictures &pictures() {
 }
 
 double medianChange(double from, double to) {
-    std::vector<double> part(pictures().changes.begin() + (long)(from * kRate) + 1,
-                             pictures().changes.begin() + (long)(to * kRate));
+    std::vector<double> part(measured().changes.begin() + (long)(from * kRate) + 1,
+                             measured().changes.begin() + (long)(to * kRate));
     std::nth_element(part.begin(), part.begin() + (long)part.size() / 2, part.end());
     return part[part.size() / 2];
 }
@@ -74,7 +74,7 @@ int swings(const double *values, int count) {
 // What swings more often tires the eye; three flashes a second are the limit of WCAG 2.3.1.
 TEST(Motion, LightRisesAndFallsAtMostThreeTimesASecond) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    const std::vector<double> &light = pictures().light;
+    const std::vector<double> &light = measured().light;
     for (int n = 0; n + kRate < (int)light.size(); n += kRate / 5)
         EXPECT_LE(swings(&light[(size_t)n], kRate + 1), 3) << "from " << (double)n / kRate << " s";
 }

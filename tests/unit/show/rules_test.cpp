@@ -2,7 +2,7 @@
 // shots and neither jump nor run into shapes, events are within their scenes, and no picture has a NaN.
 #include "inside.h"
 #include "show/events.h"
-#include "tests/support/planes.h"
+#include "tests/support/pictures.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shots.h"
@@ -96,10 +96,7 @@ TEST(Rules, NoPictureHasANaN) {
 }
 
 TEST(Rules, APictureDependsOnlyOnItsTime) {
-    auto bytes = [&](double t) {
-        Picture p = picture(smallFilm(), 0, t, kQualities[(int)QualityName::Film]);
-        return std::vector<uint8_t>(p.rgba, p.rgba + 160 * 90 * 4);
-    };
+    auto bytes = [](double t) { return bytesOf(picture(smallFilm(), 0, t, named(QualityName::Film))); };
     double end = duration();
     auto first = bytes(0.19 * end);
     bytes(0.62 * end);

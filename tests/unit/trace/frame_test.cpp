@@ -1,7 +1,7 @@
 #include "inside.h"
 #include "show/font.h"
 #include "tests/support/loaded_film.h"
-#include "tests/support/planes.h"
+#include "tests/support/pictures.h"
 #include "trace/picture/development.h"
 #include "trace/picture/overlay.h"
 
@@ -186,9 +186,9 @@ TEST(Develop, NoiseMovesWithItsSeedAndWithNothingElse) {
 TEST(Develop, NoiseMovesWithTheFilm) {
     LoadedFilm film(1, 320, 180, false);
     auto shown = [&](double time, std::vector<float> &red) {
-        Picture p = picture(*film.intro, 0, time, kQualities[(int)QualityName::Draft]);
+        Picture p = picture(*film.intro, 0, time, named(QualityName::Draft));
         red = planeOf(film.intro->frame, 0);
-        return std::vector<uint8_t>(p.rgba, p.rgba + 4 * 320 * 180);
+        return bytesOf(p);
     };
     std::vector<float> red, next;
     std::vector<uint8_t> first = shown(33.2, red), again = shown(33.2, red),

@@ -1,6 +1,7 @@
 // Tests the panel over pictures of the film, as odraz-debug uses it.
 #include "maker/panel/panel.h"
 #include "tests/support/loaded_film.h"
+#include "tests/support/pictures.h"
 
 #include <chrono>
 #include <numeric>
@@ -13,7 +14,6 @@ namespace {
 int64_t nanosecondsNow() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
 const Quality &kDraft = kQualities[(int)QualityName::Draft], &kBest = kQualities[(int)QualityName::Film];
-std::vector<uint8_t> bytesOf(const Picture &p) { return {p.rgba, p.rgba + p.width * p.height * 4}; }
 
 // The film without its hall, with a panel over its pictures
 struct FilmWithPanel : LoadedFilm {

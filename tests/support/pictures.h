@@ -1,13 +1,20 @@
-// Lists of the radiance of a traced picture, row by row.
+// What pictures hold, row by row, as lists; and qualities by their names.
 #pragma once
 
+#include "intro.h"
 #include "trace/picture/frame.h"
+#include "trace/quality.h"
 
 #include <vector>
 
 namespace odraz {
 
-// One plane: 0 red, 1 green, 2 blue.
+inline const Quality &named(QualityName name) { return kQualities[(int)name]; }
+
+// Red, green, blue and 255 of each pixel.
+inline std::vector<uint8_t> bytesOf(const Picture &p) { return {p.rgba, p.rgba + p.width * p.height * 4}; }
+
+// The radiance of one plane: 0 red, 1 green, 2 blue.
 inline std::vector<float> planeOf(const Frame &f, int c) {
     std::vector<float> all;
     for (int y = 0; y < f.height; ++y) {
