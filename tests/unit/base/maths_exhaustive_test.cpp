@@ -8,9 +8,7 @@
 
 using namespace odraz;
 
-namespace {
-
-uint64_t step() {
+static uint64_t step() {
     const char *every = std::getenv("ODRAZ_EVERY");
     return 8 * std::max<uint64_t>(1, every ? std::strtoull(every, nullptr, 10) : 1);
 }
@@ -52,9 +50,7 @@ template <class Right> double absoluteError(Float8 x, Float8 y, Right right) {
 }
 
 constexpr uint32_t kSign = 0x80000000u;
-uint32_t of(float x) { return (uint32_t)bits(x); }
-
-} // namespace
+static uint32_t of(float x) { return (uint32_t)bits(x); }
 
 // Tests positive arguments. Negative ones follow by symmetry, which is checked for each of them.
 template <class Own, class Library> static void expectPeriodic(Own own, Library library, float sign) {

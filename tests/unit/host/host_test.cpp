@@ -87,16 +87,12 @@ TEST(Machine, ReportsTheSizeOfItsFile) {
     EXPECT_EQ(ownSize(), (long)std::filesystem::file_size("/proc/self/exe"));
 }
 
-namespace {
-
 struct Files : testing::Test {
     common::TemporaryFolder temporary;
     std::string folder = temporary / "new", path = folder + "/a";
     Files() { EXPECT_EQ(makeDirectory(folder.c_str()), nullptr); }
     long count() const { return std::distance(std::filesystem::directory_iterator(folder), {}); }
 };
-
-} // namespace
 
 TEST_F(Files, AreWholeOrAbsent) {
     EXPECT_EQ(makeDirectory(folder.c_str()), nullptr); // it exists already

@@ -13,20 +13,18 @@ void swapBuffers(FilmWindow &window) { ++window.state->shown; }
 
 using namespace odraz;
 
-namespace {
-
 struct Blit {
     int x0, y0, x1, y1;
     GLenum filter;
     bool operator==(const Blit &) const = default;
 };
-std::vector<Blit> blits;
-bool multisampled;
-GLenum error;
+static std::vector<Blit> blits;
+static bool multisampled;
+static GLenum error;
 
 // Like the driver, refuses to scale into a multisampled window.
-void blit(GLint, GLint, GLint width, GLint height, GLint x0, GLint y0, GLint x1, GLint y1, GLbitfield,
-          GLenum filter) {
+static void blit(GLint, GLint, GLint width, GLint height, GLint x0, GLint y0, GLint x1, GLint y1, GLbitfield,
+                 GLenum filter) {
     bool scales = x1 - x0 != width || y0 - y1 != height;
     if (multisampled && scales)
         error = GL_INVALID_OPERATION;
@@ -35,7 +33,7 @@ void blit(GLint, GLint, GLint width, GLint height, GLint x0, GLint y0, GLint x1,
 }
 
 // Shows a picture of 64x36 in a window of this size, twice; returns what was drawn the second time.
-std::vector<Blit> shown(int width, int height) {
+static std::vector<Blit> shown(int width, int height) {
     WindowState state = {};
     FilmWindow window = {};
     window.state = &state;
@@ -60,8 +58,6 @@ std::vector<Blit> shown(int width, int height) {
     EXPECT_EQ(state.shown, 2);
     return blits;
 }
-
-} // namespace
 
 TEST(Present, ScalesThePictureToTheWindow) {
     multisampled = false;

@@ -10,28 +10,26 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr int kWidth = 320, kHeight = 180;
 constexpr double kStep = 1 / 60.0;
 
-Intro &film() {
+static Intro &film() {
     static LoadedFilm loaded(2, kWidth, kHeight, true, &headlessGl());
     return *loaded.intro;
 }
 
 // The samples a pixel of the last picture. In-betweens take none where they reuse other pictures.
-double samplesPerPixel() { return (double)tracedSamples(film().tracer) / (kWidth * kHeight); }
+static double samplesPerPixel() { return (double)tracedSamples(film().tracer) / (kWidth * kHeight); }
 
 // Returns the radiance of a traced picture, before the letters are drawn.
-std::vector<float> traced(Intro &intro, double seconds, const Quality &quality) {
+static std::vector<float> traced(Intro &intro, double seconds, const Quality &quality) {
     View view = poseAt(intro.film, seconds).view(kWidth, kHeight);
     traceFrame(intro.tracer, *intro.workers, *intro.film.scene, view, quality, intro.frame);
     return planesOf(intro.frame);
 }
 // Returns the radiance of an in-between. Its two pictures are `gap` sixtieths apart, and the first one is
 // `before` sixtieths earlier.
-std::vector<float> made(Intro &intro, double seconds, double gap = 2, double before = 1) {
+static std::vector<float> made(Intro &intro, double seconds, double gap = 2, double before = 1) {
     picture(intro, 0, seconds - before * kStep, named(QualityName::Play));
     picture(intro, 1, seconds + (gap - before) * kStep, named(QualityName::Play));
     Traced now = {intro.frame, intro.film.scene, poseAt(intro.film, seconds).view(kWidth, kHeight)};
@@ -45,7 +43,7 @@ std::vector<float> made(Intro &intro, double seconds, double gap = 2, double bef
 using Bytes = std::vector<uint8_t>;
 
 // PSNR in linear light, exposed and clipped at white.
-double decibels(const Intro &intro, const std::vector<float> &a, const std::vector<float> &b) {
+static double decibels(const Intro &intro, const std::vector<float> &a, const std::vector<float> &b) {
     double squares = 0, exposure = intro.film.scene->exposure;
     for (size_t i = 0; i < a.size(); ++i) {
         double d = std::fmin(a[i] * exposure, 1) - std::fmin(b[i] * exposure, 1);
@@ -53,8 +51,6 @@ double decibels(const Intro &intro, const std::vector<float> &a, const std::vect
     }
     return -10 * std::log10(squares / (double)a.size() + 1e-12);
 }
-
-} // namespace
 
 // A picture of `play` and an in-between take about as long as two drafts, so they must not look worse: their
 // mean squared error is at most half a dB above a draft's (in the credits), or too small to see.

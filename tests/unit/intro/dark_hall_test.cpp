@@ -6,8 +6,6 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr int kAcross = 96, kHigh = 54;
 const IntroSettings kWithHall = {.width = kAcross, .height = kHigh, .pairs = true, .hall = true};
 constexpr double kElsewhere = 50, kInHall[] = {70, 100, 130}; // the first one has letters
@@ -24,16 +22,16 @@ struct DarkFilm {
     }
 };
 
-bool isBlack(const Picture &p) {
+static bool isBlack(const Picture &p) {
     for (int i = 0; i < kAcross * kHigh * 4; ++i)
         if (i % 4 < 3 && p.rgba[i] > 2) return false; // the film has grain
     return true;
 }
 
-int calls; // how often pictures were read back
+static int calls; // how often pictures were read back
 
 // Ways in which reading back goes wrong.
-void (*const kWrong[])(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) = {
+static void (*const kWrong[])(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) = {
     [](GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) {}, // refused, or the context is lost
     [](GLint, GLint, GLsizei w, GLsizei h, GLenum, GLenum, void *to) { memset(to, 0, (size_t)(w * h) * 4); },
     [](GLint, GLint, GLsizei w, GLsizei h, GLenum, GLenum, void *to) {
@@ -51,8 +49,6 @@ void (*const kWrong[])(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *) =
         for (int i = 0; i < w * h; ++i) ((uint32_t *)to)[i] = 7; // the same patch everywhere
     },
 };
-
-} // namespace
 
 TEST(DarkHall, CostsOnlyItsScenes) {
     const Quality &draft = named(QualityName::Draft);

@@ -4,14 +4,12 @@
 
 using namespace odraz;
 
-namespace {
-
-bool parse(std::vector<const char *> args, Options &o, Message &wrong) {
+static bool parse(std::vector<const char *> args, Options &o, Message &wrong) {
     args.insert(args.begin(), "odraz");
     return parseOptions((int)args.size(), args.data(), 164, o, wrong);
 }
 
-Options good(std::vector<const char *> args) {
+static Options good(std::vector<const char *> args) {
     Options o;
     Message wrong;
     EXPECT_TRUE(parse(args, o, wrong)) << wrong.data;
@@ -19,7 +17,7 @@ Options good(std::vector<const char *> args) {
 }
 
 // Parses a command line of words separated by single spaces and expects an error. Returns the error line.
-std::string bad(std::string line) {
+static std::string bad(std::string line) {
     std::vector<const char *> args = {line.data()};
     for (char &c : line)
         if (c == ' ') c = 0, args.push_back(&c + 1);
@@ -29,12 +27,10 @@ std::string bad(std::string line) {
     return wrong.size ? wrong.data : "";
 }
 
-int64_t first(const char *from, const char *fps) {
+static int64_t first(const char *from, const char *fps) {
     Options o = good({"--dump", "x", "--from", from, "--fps", fps});
     return firstFrame(o.from, o.fps);
 }
-
-} // namespace
 
 TEST(Options, DefaultsPlayTheWholeFilm) {
     Options o = good({});

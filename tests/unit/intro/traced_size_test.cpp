@@ -8,8 +8,6 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr int kTracedWidth = 320, kTracedHeight = 180;
 constexpr double kAtTable = 25, kAtFlake = 53, kAtCredits = 156; // the last one has letters
 
@@ -19,8 +17,6 @@ struct Loaded : LoadedFilm {
         return bytesOf(picture(*intro, slot, seconds, named(QualityName::Draft), nullptr, traced));
     }
 };
-
-} // namespace
 
 TEST(TracedSize, IsASmallerFilmScaledUp) {
     for (bool pairs : {false, true})

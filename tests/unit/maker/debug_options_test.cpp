@@ -3,8 +3,6 @@
 using namespace odraz;
 using namespace odraz::maker;
 
-namespace {
-
 struct Parsed {
     explicit Parsed(std::vector<std::string> line) {
         line.insert(line.begin(), "odraz-debug");
@@ -19,8 +17,6 @@ struct Parsed {
     DebugOptions options;
     std::string wrong, rest, shown;
 };
-
-} // namespace
 
 TEST(DebugOptions, RemovesItsOptions) {
     Parsed t({"--from", "3", "--shown", "list", "--mute"});

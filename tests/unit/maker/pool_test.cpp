@@ -5,10 +5,8 @@
 using namespace odraz;
 using namespace odraz::maker;
 
-namespace {
-
 // Sums the numbers below `count` in pieces of `size`.
-long sum(Workers &workers, int count, int size) {
+static long sum(Workers &workers, int count, int size) {
     long parts[kMaxWorkers] = {};
     parallelRanges(workers, count, size, [&](int first, int end, int worker) {
         for (int i = first; i < end; ++i) parts[worker] += i;
@@ -17,8 +15,6 @@ long sum(Workers &workers, int count, int size) {
     for (long part : parts) all += part;
     return all;
 }
-
-} // namespace
 
 TEST(Pool, DoesAllWorkOnce) {
     for (int threads : {1, 2, 5, kMaxWorkers}) {

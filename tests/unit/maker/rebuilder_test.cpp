@@ -10,8 +10,6 @@
 using namespace odraz;
 using namespace odraz::maker;
 
-namespace {
-
 // A project whose target "live" copies a source to the shared object, unless the source is wrong.
 class Project {
 public:
@@ -57,8 +55,6 @@ struct Rebuilding : testing::Test {
         return true;
     }
 };
-
-} // namespace
 
 TEST_F(Rebuilding, BuildsWhatIsSaved) {
     ASSERT_EQ(r.problem(), "");

@@ -8,15 +8,13 @@
 
 using namespace odraz::maker::rocket;
 
-namespace {
-
-std::string number(uint32_t n) { return {(char)(n >> 24), (char)(n >> 16), (char)(n >> 8), (char)n}; }
-std::string setKey(uint32_t track, uint32_t row, float value, uint8_t interpolation) {
+static std::string number(uint32_t n) { return {(char)(n >> 24), (char)(n >> 16), (char)(n >> 8), (char)n}; }
+static std::string setKey(uint32_t track, uint32_t row, float value, uint8_t interpolation) {
     return std::string(1, 0) + number(track) + number(row) + number(std::bit_cast<uint32_t>(value)) +
            (char)interpolation;
 }
-std::string deleteKey(uint32_t track, uint32_t row) { return "\x01" + number(track) + number(row); }
-std::string setRow(uint32_t row) { return "\x03" + number(row); }
+static std::string deleteKey(uint32_t track, uint32_t row) { return "\x01" + number(track) + number(row); }
+static std::string setRow(uint32_t row) { return "\x03" + number(row); }
 
 // An editor that sends what a test tells it to.
 class Editor {
@@ -76,7 +74,7 @@ template <class Done> bool until(Client &client, double now, Done done) {
 const std::vector<std::string> kNames = {"hall.camera:eye.x", "light"};
 
 // Exchanges greetings and receives the requests for both tracks.
-void meet(Editor &editor, Client &client, double now = 0) {
+static void meet(Editor &editor, Client &client, double now = 0) {
     ASSERT_TRUE(until(client, now, [&] { return editor.called(); }));
     editor.answer();
     client.update(now);
@@ -87,8 +85,6 @@ void meet(Editor &editor, Client &client, double now = 0) {
     ASSERT_EQ(editor.receive(1 + 4 + 17 + 1 + 4 + 5),
               "\x02" + number(17) + "hall.camera:eye.x" + "\x02" + number(5) + "light");
 }
-
-} // namespace
 
 TEST(RocketClient, ParsesEveryMessage) {
     Editor editor;

@@ -8,8 +8,6 @@
 using namespace odraz;
 using namespace odraz::maker;
 
-namespace {
-
 // A film of two scenes: the first has a camera's path and a track, the second a track whose rows count from
 // row 4.
 constexpr char kFilmKeys[] = R"(PATH(kPath, 24)
@@ -27,34 +25,33 @@ constexpr char kStartKeys[] = R"(TRACK(kLamp)
 END
 )";
 constexpr char kEndKeys[] = "TRACK(kGrow, rowOf(kSprouts))\n    {0, 0, Linear},\n    {4, 1, Linear},\nEND\n";
-KeyTable kPath = {
+static KeyTable kPath = {
     "kPath", "./show/film.keys", 24, {{-8, {1, 2, 3}, {4, 5, 6}, 7, 40}, {16, {2, 3, 4}, {5, 6, 7}, 8, 50}}};
-KeyTable kOther = {"kOther", "./show/film.keys", 24, {{0, {1, 2, 3}, {4, 5, 6}, 7, 40}}};
+static KeyTable kOther = {"kOther", "./show/film.keys", 24, {{0, {1, 2, 3}, {4, 5, 6}, 7, 40}}};
 using enum odraz::Interpolation;
-KeyTable kLamp = {
+static KeyTable kLamp = {
     "kLamp", "./show/scenes/start.keys", 0.f, {{0, 1, Linear}, {2.5f, 2, Smooth}, {8, 3, Linear}}};
-KeyTable kGrow = {"kGrow", "./show/scenes/end.keys", 4.f, {{0, 0, Linear}, {4, 1, Linear}}};
+static KeyTable kGrow = {"kGrow", "./show/scenes/end.keys", 4.f, {{0, 0, Linear}, {4, 1, Linear}}};
 
-CameraPath thePaths[2];
-double theCut = 1e9; // where the second scene begins, in seconds
-const char *sceneName(int scene) { return scene ? "end" : "start"; }
-int shots(ShotInfo *to, int) {
+static CameraPath thePaths[2];
+static double theCut = 1e9; // where the second scene begins, in seconds
+static int shots(ShotInfo *to, int) {
     to[0] = {0, theCut, 0, 0, &thePaths[0]};
     to[1] = {theCut, 2e9, 100 / kRowsPerSecond, 1, &thePaths[1]};
     return 2;
 }
-int events(EventInfo *to, int) {
+static int events(EventInfo *to, int) {
     to[0] = {13, 4, true, "kSprouts"};
     return 1;
 }
-void setKeys(KeyTable &table, const void *keys, int count) {
+static void setKeys(KeyTable &table, const void *keys, int count) {
     std::memcpy(table.keys, keys, (size_t)count * (table.camera ? sizeof(CameraKey) : sizeof(odraz::Key)));
     table.count = count;
 }
-Inspector theInspector = {};
+static Inspector theInspector = {};
 
 // The keys that the film is shown with.
-std::vector<KeyNumbers> keysOf(const KeyTable &t) {
+static std::vector<KeyNumbers> keysOf(const KeyTable &t) {
     std::vector<KeyNumbers> all;
     for (int i = 0; i < t.count; ++i) all.push_back(t.camera ? numbersOf(t.poses[i]) : numbersOf(t.keys[i]));
     return all;
@@ -74,7 +71,7 @@ struct Fixture : testing::Test {
         write("scenes/end.keys", kEndKeys);
         theCut = 1e9;
         thePaths[0] = path(kPath), thePaths[1] = path(kOther);
-        live.sceneName = sceneName;
+        live.sceneName = [](int scene) { return scene ? "end" : "start"; };
         live.setKeys = setKeys;
         theInspector.shots = shots, theInspector.events = events;
         live.inspector = []() -> const Inspector & { return theInspector; };
@@ -93,8 +90,6 @@ enum { kEyeX, kEyeY, kLens = 7, kTheLamp, kOtherX, kTheGrow = kOtherX + 8 };
 using rocket::Interpolation::Ramp, rocket::Interpolation::Step;
 constexpr auto kLinear = rocket::Interpolation::Linear, kSmooth = rocket::Interpolation::Smooth;
 const CameraKey kView = {0, {8, 7, 6}, {5, 4, 3}, 0, 0};
-
-} // namespace
 
 TEST_F(Fixture, NamesThemAfterTheSource) {
     std::vector<std::string> names = tracks.names();

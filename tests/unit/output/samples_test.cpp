@@ -3,18 +3,14 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr int kCount = 2 * kSoundBlock;
 
-std::vector<int16_t> samplesOf(float value, int number) {
+static std::vector<int16_t> samplesOf(float value, int number) {
     std::vector<float> block(kCount, value);
     std::vector<int16_t> samples(kCount);
     quantize(block.data(), number, samples.data());
     return samples;
 }
-
-} // namespace
 
 TEST(Samples, AreWithinOneAndAHalfOfTheirValue) {
     for (float value : {0.f, 1e-9f, 0.25f, -0.25f, 0.5f, -0.5f, 0.9999f, -0.9999f})

@@ -9,8 +9,6 @@ using namespace pack;
 
 // --- Reader ---
 
-namespace {
-
 // A minimal valid program: a code page, and a data page that holds the dynamic section.
 struct Example {
     struct Image {
@@ -70,20 +68,18 @@ struct Example {
     }
 };
 
-std::string complaint(const Bytes &file, const System &system = kLinux) {
+static std::string complaint(const Bytes &file, const System &system = kLinux) {
     return thrown<common::Refused>([&] { readProgram(file, system); });
 }
 
 using Edit = void (*)(Example &);
 // Expects that the edited example is refused with this text, as a program made for packing or as any program.
-void expectRefused(const char *text, Edit edit, bool any = false) {
+static void expectRefused(const char *text, Edit edit, bool any = false) {
     Example e;
     edit(e);
     std::string why = any ? thrown<common::Refused>([&] { readAnyProgram(e.file()); }) : complaint(e.file());
     EXPECT_NE(why.find(text), std::string::npos) << text << ": " << why;
 }
-
-} // namespace
 
 TEST(Reader, TakesAProgramAsWeLinkIt) {
     Program p = readProgram(Example().file());
@@ -153,8 +149,6 @@ TEST(Reader, TakesAProgramForWindows) {
 
 // --- Sections ---
 
-namespace {
-
 // The example with three pages of code and constants and with section headers. Two pages are the early part.
 struct Sectioned {
     Example example;
@@ -194,8 +188,6 @@ struct Sectioned {
         return b;
     }
 };
-
-} // namespace
 
 TEST(Reader, FindsCodeAndEarlyPartBySections) {
     Program p = readProgram(Sectioned().file());

@@ -9,9 +9,7 @@
 
 using namespace pack;
 
-namespace {
-
-Bytes randomBytes(size_t size, unsigned seed, int alphabet = 256) {
+static Bytes randomBytes(size_t size, unsigned seed, int alphabet = 256) {
     std::mt19937 random(seed);
     Bytes b(size);
     for (uint8_t &x : b) x = (uint8_t)(random() % (unsigned)alphabet);
@@ -19,31 +17,31 @@ Bytes randomBytes(size_t size, unsigned seed, int alphabet = 256) {
 }
 
 // Real machine code, from this test program.
-Bytes realCode(size_t size) {
+static Bytes realCode(size_t size) {
     Bytes all = readBytes("/proc/self/exe");
     size_t from = all.size() / 3;
     return {all.begin() + (long)from, all.begin() + (long)(from + size)};
 }
 
-Layout allCode(const Bytes &b) { return {(uint32_t)b.size(), 0, (uint32_t)b.size()}; }
+static Layout allCode(const Bytes &b) { return {(uint32_t)b.size(), 0, (uint32_t)b.size()}; }
 
 // Parameters with little memory, so that thousands of runs are fast.
-ModelParameters smallParameters(uint32_t slotBits = 14) {
+static ModelParameters smallParameters(uint32_t slotBits = 14) {
     ModelParameters parameters = defaultParameters();
     parameters.slotBits = slotBits;
     return parameters;
 }
 
-void shuffleMasks(ModelParameters &parameters, std::mt19937 &random) {
+static void shuffleMasks(ModelParameters &parameters, std::mt19937 &random) {
     for (int type = 0; type < 2; ++type)
         for (uint32_t i = 0; i < parameters.hashes(); ++i)
             parameters.masks[type][i] = (uint32_t)random() & kMayUse[type];
 }
 
-Workspace workspace;
+static Workspace workspace;
 
 // Makes a packed file with a payload.
-Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
+static Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
     Program program = {};
     program.base = 0x400000;
     program.span = 1 << 20;
@@ -57,7 +55,7 @@ Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelParamete
 }
 
 // Encodes, and expects the same bytes from the C++ decoder and from the stub's.
-void expectDecoded(const Bytes &b, const Layout &layout, const ModelParameters &parameters) {
+static void expectDecoded(const Bytes &b, const Layout &layout, const ModelParameters &parameters) {
     Encoded e = encode(b, layout, parameters, workspace);
     ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, parameters, workspace), b) << b.size();
     if (b.empty()) return;
@@ -65,7 +63,7 @@ void expectDecoded(const Bytes &b, const Layout &layout, const ModelParameters &
 }
 
 // Random opcodes with random operands, many of them extreme.
-Bytes structured(unsigned seed, size_t size) {
+static Bytes structured(unsigned seed, size_t size) {
     std::mt19937 random(seed);
     static const Bytes starts[] = {{0xe8},
                                    {0xe9},
@@ -95,8 +93,6 @@ Bytes structured(unsigned seed, size_t size) {
     b.resize(size);
     return b;
 }
-
-} // namespace
 
 // --- Parser and filter ---
 

@@ -6,10 +6,8 @@
 
 using namespace pack;
 
-namespace {
-
 // A page of code, then a page of data that begins with the slots of the imports.
-Program example() {
+static Program example() {
     Program p = {};
     p.base = 0x400000;
     p.readOnly = 0x1000;
@@ -22,8 +20,6 @@ Program example() {
 }
 
 constexpr size_t kOptional = 64 + 24;
-
-} // namespace
 
 TEST(Pe, WritesFilesThatModernWindowsAccepts) {
     Program p = example();

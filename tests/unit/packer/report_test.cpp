@@ -4,17 +4,15 @@
 
 using namespace pack;
 
-namespace {
-
 // Returns the first letter of the claim of each byte; '.' for none.
-std::string text(std::vector<Claim> claims) {
+static std::string text(std::vector<Claim> claims) {
     std::string all;
     for (uint32_t i : assignClaims(claims, 0, 10)) all += i == kUnclaimed ? '.' : claims[i].name[0];
     return all;
 }
 
 // Makes a report of bytes with these costs, in two sections, two objects and three symbols.
-Report example(std::vector<float> bits, const Rooms *rooms = nullptr) {
+static Report example(std::vector<float> bits, const Rooms *rooms = nullptr) {
     std::vector<Stretch> stretches = {{0, 2, ".text", "a.o", "liba.a", "f(int)"},
                                       {2, 1, ".text", "a.o", "liba.a", "(nothing named in .text)"},
                                       {3, 1, ".data", "b.o", "src", "g"}};
@@ -24,11 +22,9 @@ Report example(std::vector<float> bits, const Rooms *rooms = nullptr) {
 }
 
 // Whether the text is read as a report and not refused.
-bool reads(const std::string &text) {
+static bool reads(const std::string &text) {
     return thrown<common::Refused>([&] { readJson(text); }).empty();
 }
-
-} // namespace
 
 // --- The symbol of each byte ---
 

@@ -6,8 +6,6 @@
 
 using namespace odraz;
 
-namespace {
-
 // A scene: the seconds that a picture of each quality and an in-between take on one core.
 struct SceneCost {
     int id;
@@ -25,7 +23,7 @@ struct Machine {
     bool hiccupInBetween = false; // that picture is an in-between, not a traced one
     int width = 0, height = 0;    // the screen's size, if fewer pixels may be traced
 };
-Machine withScreen(double cores, double noise = 0) {
+static Machine withScreen(double cores, double noise = 0) {
     return {.cores = cores, .noise = noise, .width = 1280, .height = 720};
 }
 
@@ -114,18 +112,19 @@ private:
     std::vector<Decision> all;
 };
 
-SceneAt always(const SceneCost &scene) {
+static SceneAt always(const SceneCost &scene) {
     return [=](double) { return scene; };
 }
-std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt = always(kUsual),
-                             const Penalty &penalty = kSomePairs) {
+static std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt = always(kUsual),
+                                    const Penalty &penalty = kSomePairs) {
     return GovernedPlayer(machine, length, sceneAt, penalty).play();
 }
-std::vector<Decision> playedInPairs(const Machine &machine, double length, SceneAt sceneAt = always(kUsual)) {
+static std::vector<Decision> playedInPairs(const Machine &machine, double length,
+                                           SceneAt sceneAt = always(kUsual)) {
     return played(machine, length, sceneAt, kPairsAlone);
 }
 // A costly scene between two usual ones, from 5 to 10 seconds.
-SceneCost costlyFromFiveToTen(double time) { return time < 5 || time >= 10 ? kUsual : kCostly; }
+static SceneCost costlyFromFiveToTen(double time) { return time < 5 || time >= 10 ? kUsual : kCostly; }
 
 // Statistics between two times of the film.
 struct Summary {
@@ -133,7 +132,7 @@ struct Summary {
     float least = 9, most = 0;                // range of the level
     bool cadences[kCadences] = {};
 };
-Summary seen(const std::vector<Decision> &all, double from, double to) {
+static Summary seen(const std::vector<Decision> &all, double from, double to) {
     Summary s;
     for (size_t i = 1; i < all.size(); ++i) {
         const Decision &d = all[i];
@@ -147,8 +146,6 @@ Summary seen(const std::vector<Decision> &all, double from, double to) {
     }
     return s;
 }
-
-} // namespace
 
 // The cadence settles even if times vary by 30 %.
 TEST(Governor, SettlesSoonAndNeverSwings) {

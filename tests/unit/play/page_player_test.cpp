@@ -5,8 +5,6 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-namespace {
-
 constexpr double kFrom = 3, kTo = 23;
 
 // A film of two scenes. The second one costs more.
@@ -48,7 +46,7 @@ struct Native : SimulatedPlayer, TwoScenes {
         return count;
     }
 };
-std::vector<Decided> native(double core) {
+static std::vector<Decided> native(double core) {
     Native player(core);
     GovernorOf<false> governor;
     governor.width = 1280, governor.height = 720;
@@ -74,7 +72,7 @@ struct Page : TwoScenes {
     unsigned workers = 1;
     Traceable dark = Traceable::Now;
 };
-Page page(double core, unsigned workers, Traceable dark = Traceable::Now) {
+static Page page(double core, unsigned workers, Traceable dark = Traceable::Now) {
     Page film = {{core}, {}, {}, workers, dark};
     Queue queue = {};
     PagePlayer<Page> player = {&film, &queue, (int)workers};
@@ -84,8 +82,6 @@ Page page(double core, unsigned workers, Traceable dark = Traceable::Now) {
     playPage(player, kFrom, one ? 1e-5 : 1 / 60., one ? 0 : player.kNearest);
     return film;
 }
-
-} // namespace
 
 TEST(PagePlayer, OneWorkerPlaysAsTheFilmDoes) {
     for (double core : {0.5, 1., 2., 4., 16.}) {

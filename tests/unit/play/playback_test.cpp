@@ -6,8 +6,6 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr int64_t kMillisecond = 1000000, kSecond = 1000 * kMillisecond;
 
 // A device with a buffer of some frames that plays at its own speed.
@@ -43,7 +41,7 @@ struct Device {
         }
     }
 };
-Device *theDevice;
+static Device *theDevice;
 
 const SoundOutput kFake = {[] { return ++theDevice->opened, theDevice->there && !theDevice->dead(); },
                            [](const int16_t *samples, int frames) {
@@ -136,11 +134,9 @@ struct Play {
         return most;
     }
 };
-double largest(const std::vector<double> &off) {
+static double largest(const std::vector<double> &off) {
     return off.empty() ? 1e9 : *std::max_element(off.begin(), off.end());
 }
-
-} // namespace
 
 // Sound and film stay together, and no viewer notices how: the film's speed changes by 1.5 % at most.
 TEST(Playback, FilmFollowsItsDevice) {

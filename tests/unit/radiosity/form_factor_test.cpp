@@ -4,8 +4,6 @@
 
 using namespace odraz;
 
-namespace {
-
 // Two unit squares, at distance 1 or with a common edge. Howell, "A Catalog of Radiation Heat Transfer
 // Configuration Factors", C-11 and C-14.
 struct Squares {
@@ -23,7 +21,7 @@ constexpr Squares kSquares[] = {{"parallel", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0.
                                 {"perpendicular", {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.20004378}};
 
 // Returns the form factor from chart 0 to chart 1, by hemicubes with a given rotation.
-double between(HemicubeBench &b, int turn) {
+static double between(HemicubeBench &b, int turn) {
     const Model &m = *b.model;
     const Chart &from = m.charts[0], &to = m.charts[1];
     int all = from.patchesAcross * from.patchesDown;
@@ -43,8 +41,6 @@ double between(HemicubeBench &b, int turn) {
     }
     return sum / all;
 }
-
-} // namespace
 
 TEST(DeltaFormFactors, SumToOneAndAreTheIntegralOfTheKernel) {
     for (int px : {4, 16, 64, 128}) {

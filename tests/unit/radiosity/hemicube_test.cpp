@@ -7,8 +7,6 @@
 
 using namespace odraz;
 
-namespace {
-
 // While it exists, hemicubes draw with vertices that are rounded to multiples of `unit` pixels, as GPUs do:
 // to 1/256 of a pixel, software WebGL to 1/16. Software OpenGL rounds nothing. A vertex begins with x, y, z
 // and w.
@@ -48,8 +46,6 @@ private:
         real->glDrawArrays(mode, first, count);
     }
 };
-
-} // namespace
 
 TEST(ClosedRoom, RowsSumToOne) {
     HemicubeBench b;

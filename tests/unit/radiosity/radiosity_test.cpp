@@ -8,8 +8,6 @@
 
 using namespace odraz;
 
-namespace {
-
 // A room of 4 x 3 x 6 with a block on the floor, solved. Materials: 0 walls, 1 a floor that may be coloured,
 // 2 lamps.
 struct TestRoom : ModelBench {
@@ -58,21 +56,19 @@ struct TestRoom : ModelBench {
 
 // Returns the form factor from a point to a parallel rectangle a x b at distance c, with one corner straight
 // above the point.
-double cornerFormFactor(double a, double b, double c) {
+static double cornerFormFactor(double a, double b, double c) {
     double A = a / c, B = b / c, ra = std::sqrt(1 + A * A), rb = std::sqrt(1 + B * B);
     return (A / ra * std::atan(B / ra) + B / rb * std::atan(A / rb)) / (2 * M_PI);
 }
 // Returns the form factor from the point (x, z) on a plane to the rectangle [x0, x1] x [z0, z1] at height c
 // above it.
-double parallelFormFactor(double x, double z, double x0, double x1, double z0, double z1, double c) {
+static double parallelFormFactor(double x, double z, double x0, double x1, double z0, double z1, double c) {
     auto corner = [&](double u, double v) {
         double sign = (u < 0) != (v < 0) ? -1 : 1;
         return sign * cornerFormFactor(std::fabs(u), std::fabs(v), c);
     };
     return corner(x1 - x, z1 - z) - corner(x0 - x, z1 - z) - corner(x1 - x, z0 - z) + corner(x0 - x, z0 - z);
 }
-
-} // namespace
 
 TEST(Direct, ARectangularLampIsItsFormFactor) {
     for (float height : {0.1f, 0.5f, 2.5f}) {

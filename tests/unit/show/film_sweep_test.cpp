@@ -9,11 +9,7 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr int kWidth = 320, kHeight = 180;
-
-} // namespace
 
 static void expectValidPictures(QualityName quality) {
     LoadedFilm film(1, kWidth, kHeight, false, &headlessGl());

@@ -8,19 +8,15 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr Vec3 kEye = {0, 1.6f, 3};
 
-SolvedHall &solved() { return SolvedHall::drawn(); }
+static SolvedHall &solved() { return SolvedHall::drawn(); }
 // Returns a scene with the lit hall.
-std::unique_ptr<Scene> posed(const HallLight &light) {
+static std::unique_ptr<Scene> posed(const HallLight &light) {
     auto scene = emptyScene();
     poseHall(*solved().hall, light, 0, kEye, *scene);
     return scene;
 }
-
-} // namespace
 
 // The hall fits the memory of a room, with a reserve but without waste. With all its lights on, it is below
 // the limits of a scene.

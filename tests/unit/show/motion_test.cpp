@@ -7,8 +7,6 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr int kRate = 15, kPixels = 160 * 90; // pictures a second, and their size
 constexpr double kClimaxFrom = 56 * 2, kClimaxTo = 68 * 2, kBeforeFrom = 46 * 2; // seconds
 
@@ -17,7 +15,7 @@ struct Pictures {
     std::vector<double> changes; // mean difference of luma from the picture before, in levels of 255
 };
 
-const Pictures &measured() {
+static const Pictures &measured() {
     static const Pictures all = [] {
         Pictures p;
         std::array<double, 256> linear;
@@ -45,7 +43,7 @@ const Pictures &measured() {
     return all;
 }
 
-double medianChange(double from, double to) {
+static double medianChange(double from, double to) {
     std::vector<double> part(measured().changes.begin() + (long)(from * kRate) + 1,
                              measured().changes.begin() + (long)(to * kRate));
     std::nth_element(part.begin(), part.begin() + (long)part.size() / 2, part.end());
@@ -53,7 +51,7 @@ double medianChange(double from, double to) {
 }
 
 // Returns how often the values rise or fall by a tenth or more, of a fiftieth of white at least.
-int swings(const double *values, int count) {
+static int swings(const double *values, int count) {
     int result = 0, direction = 0;
     double low = std::max(values[0], 0.02), high = low;
     for (int i = 1; i < count; ++i) {
@@ -68,8 +66,6 @@ int swings(const double *values, int count) {
     }
     return result;
 }
-
-} // namespace
 
 // What swings more often tires the eye; three flashes a second are the limit of WCAG 2.3.1.
 TEST(Motion, LightRisesAndFallsAtMostThreeTimesASecond) {

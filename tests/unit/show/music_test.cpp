@@ -7,10 +7,8 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-namespace {
-
 // The whole music, rendered once.
-const Recording &music() {
+static const Recording &music() {
     static const Recording all = [] {
         auto m = std::make_unique<Mixer>();
         m->player = playRow;
@@ -26,10 +24,10 @@ const Recording &music() {
     return all;
 }
 
-int64_t sampleOf(double row) { return (int64_t)(row / kRowsPerSecond * kSampleRate); }
+static int64_t sampleOf(double row) { return (int64_t)(row / kRowsPerSecond * kSampleRate); }
 
 // Returns the loudness of each bar in LUFS: the level after the two filters of ITU-R BS.1770-4.
-std::vector<double> loudnessOfBars() {
+static std::vector<double> loudnessOfBars() {
     static constexpr double kFilters[2][5] = {
         {1.53512485958697, -2.69169618940638, 1.19839281085285, -1.69065929318241, 0.73248077421585},
         {1, -2, 1, -1.99004745483398, 0.99007225036621}};
@@ -51,8 +49,6 @@ std::vector<double> loudnessOfBars() {
     for (double &bar : bars) bar = -0.691 + 10 * std::log10(bar + 1e-20);
     return bars;
 }
-
-} // namespace
 
 // The whole film's curve of loudness, in stretches that rise or fall evenly.
 TEST(Music, FollowsItsCurveOfLoudness) {

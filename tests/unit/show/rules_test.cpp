@@ -10,15 +10,11 @@
 
 using namespace odraz;
 
-namespace {
-
 // Limits that a viewer can follow: the eye moves no faster than a runner or, far away, by no more than a
 // share of the distance to its target in a second. It turns no faster than a head.
 constexpr double kFastest = 6, kFastestTurn = 60, kFastestShare = 0.12; // metres, degrees a second
 constexpr double kRowsPerBeat = kRowsPerBar / 4, kShortestShot = kRowsPerBeat;
 constexpr int kDarkSeconds = 3; // the film opens on black, and fades may pass through black
-
-} // namespace
 
 TEST(Rules, CutsAreOnBeats) {
     EXPECT_EQ(kFilm.shots[0].row, 0);

@@ -8,10 +8,8 @@
 
 using namespace odraz;
 
-namespace {
-
 // Returns the notes that begin on a row of the film.
-std::vector<Note> notesOf(int row) {
+static std::vector<Note> notesOf(int row) {
     auto m = std::make_unique<Mixer>();
     playRow(*m, row);
     std::vector<Note> notes;
@@ -21,47 +19,47 @@ std::vector<Note> notesOf(int row) {
 
 // Returns the shot with which the story begins that is heard on a row. Shots that recall an earlier scene do
 // not interrupt it.
-const Shot &storyAt(int row) {
+static const Shot &storyAt(int row) {
     int i = kFilm.count - 1;
     while (kFilm.shots[i].row > (float)row || kFilm.shots[i].row != kFilm.shots[i].storyRow) --i;
     return kFilm.shots[i];
 }
 
 // Returns the row of the film on which an event is.
-int rowInFilm(EventId event) { return firstRow(kEvents[event].scene) + kEvents[event].row; }
+static int rowInFilm(EventId event) { return firstRow(kEvents[event].scene) + kEvents[event].row; }
 
-int barsOf(int scene) {
+static int barsOf(int scene) {
     int rows = 0;
     for (int row = 0; row < (int)kFilm.endRow; ++row) rows += storyAt(row).scene == scene;
     return rows / 16;
 }
 
 // Returns by how many semitones the music is transposed on a row.
-int upAt(int row) { return row >= rowInFilm(kToneUp) && row < rowInFilm(kWordIsFound) ? 2 : 0; }
+static int upAt(int row) { return row >= rowInFilm(kToneUp) && row < rowInFilm(kWordIsFound) ? 2 : 0; }
 
 // Returns the key of a letter, where D = d'. C is raised over the chord A, C and F in major.
-int keyOf(char letter, char chord) {
+static int keyOf(char letter, char chord) {
     const int steps[] = {57, 58, 60, 62, 64, 65, 67}; // A to G, as capitals
     int key = steps[(letter & 31) - 1] + (letter >= 'a' ? 12 : 0);
     return key + ((letter & 31) == 3 ? chord == 'A' || chord >= 'a' : (letter & 31) == 6 && chord >= 'a');
 }
 
 // Returns whether a key is one of the lowest tones of a chord, which is stacked in thirds.
-bool isIn(char chord, int key, int tones) {
+static bool isIn(char chord, int key, int tones) {
     for (int i = 0; i < tones; ++i)
         if ((key - keyOf("ABCDEFG"[((chord & 31) - 1 + 2 * i) % 7], chord)) % 12 == 0) return true;
     return false;
 }
 
-char chordAt(int row) { return kChords[storyAt(row).scene][(row - (int)storyAt(row).storyRow) / 16]; }
+static char chordAt(int row) { return kChords[storyAt(row).scene][(row - (int)storyAt(row).storyRow) / 16]; }
 
-bool isOneOf(const Note &note, std::initializer_list<InstrumentId> all) {
+static bool isOneOf(const Note &note, std::initializer_list<InstrumentId> all) {
     return std::count(all.begin(), all.end(), note.instrument - kInstruments);
 }
 
 // Returns whether piano or voice play the first `beats` tones of a tune from a row on, each for a beat or
 // longer.
-bool isTune(int row, const char *tune, int beats) {
+static bool isTune(int row, const char *tune, int beats) {
     for (int i = 0; i < beats; ++i) {
         if (tune[i] == '-') continue;
         std::vector<Note> notes = notesOf(row + 4 * i);
@@ -77,27 +75,25 @@ bool isTune(int row, const char *tune, int beats) {
 constexpr int kWhole = 28; // beats of the tune: its last tone, in the eighth bar, may come later
 
 // Returns the rows of the bars from which the whole tune is played.
-std::vector<int> tunes() {
+static std::vector<int> tunes() {
     std::vector<int> rows;
     for (int row = 0; row + 128 <= (int)kFilm.endRow; row += 16)
         if (isTune(row, kTune, kWhole)) rows.push_back(row);
     return rows;
 }
 
-bool agree(int key, int other) {
+static bool agree(int key, int other) {
     return std::set<int>{0, 3, 4, 5, 7, 8, 9}.count(std::abs(key - other) % 12);
 }
 
 // Returns whether tones fit one key: major, or minor, in which the seventh may be raised. Bit 0 is C.
-bool isOneKey(int tones) {
+static bool isOneKey(int tones) {
     for (int tonic = 0; tonic < 12; ++tonic) {
         int above = (tones >> tonic | tones << (12 - tonic)) & 4095;
         if (!(above & ~0b101010110101) || !(above & ~0b110110101101)) return true;
     }
     return false;
 }
-
-} // namespace
 
 // A tone outside the key of its bars sounds wrong. A key lasts four bars at least, and the film passes
 // through four at most. Noise has no tone.

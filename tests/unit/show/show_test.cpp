@@ -8,14 +8,10 @@
 
 using namespace odraz;
 
-namespace {
-
-float medianOf(std::vector<float> values) {
+static float medianOf(std::vector<float> values) {
     std::nth_element(values.begin(), values.begin() + (long)values.size() / 2, values.end());
     return values[values.size() / 2];
 }
-
-} // namespace
 
 // The treatment demands this number of cuts, and these lenses: focal lengths in mm for a picture 24 mm high.
 constexpr int kLeastCuts = 35;

@@ -7,12 +7,10 @@
 using namespace odraz;
 using namespace odraz::radiosity;
 
-namespace {
-
-const Hall &traced() { return *SolvedHall::traced().hall; }
+static const Hall &traced() { return *SolvedHall::traced().hall; }
 
 // Returns the patch of a chart at a point of its plane.
-int patchAt(const Chart &c, Vec3d p) {
+static int patchAt(const Chart &c, Vec3d p) {
     Vec3d q = p - toDouble(c.corner);
     auto along = [&](Vec3 axis, float size, int count) {
         return std::clamp((int)(dot(q, toDouble(axis)) / (double)size * count), 0, count - 1);
@@ -49,15 +47,13 @@ struct PatchRays {
 
 // Returns the direction of a pixel's centre in the hemicube's frame. Each side face looks along x, y, -x or
 // -y.
-Vec3d directionOf(int px, int x, int y) {
+static Vec3d directionOf(int px, int x, int y) {
     double a = (x + 0.5) * 2 / px - 1, b = (y + 0.5) * 2 / px - 1;
     if (y < px) return {a, b, 1};
     int side = (y - px) / (px / 2);
     double up = b - 1 - side, ahead[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}, *f = ahead[side];
     return {f[0] - a * f[1], f[1] + a * f[0], up};
 }
-
-} // namespace
 
 // In the film's hemicubes and in the page's.
 TEST(TracedHall, EveryPixelShowsWhatARayInDoublePrecisionHits) {

@@ -8,31 +8,29 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr Instrument kString = {
     .partials = 8, .level = 0.01f, .tilt = 1, .decay = 20, .release = 2, .room = 0.5f};
 
-std::unique_ptr<Mixer> mixer(RowPlayer player) {
+static std::unique_ptr<Mixer> mixer(RowPlayer player) {
     auto m = std::make_unique<Mixer>();
     m->player = player;
     return m;
 }
 
-void nothing(Mixer &, int) {}
+static void nothing(Mixer &, int) {}
 
 // Plays a note on the first row.
-void once(Mixer &m, int row) {
+static void once(Mixer &m, int row) {
     if (row == 0) playNote(m, {&kString, 60, 1, 1, 1});
 }
 
 // Plays a cluster that grows by 16 notes each row.
-void crowd(Mixer &m, int row) {
+static void crowd(Mixer &m, int row) {
     for (int i = 0; i < kVoicesAtOnce; ++i)
         playNote(m, {&kString, (float)(30 + (row * kVoicesAtOnce + i) % 60), 1 - 0.01f * (float)i, 100, 1});
 }
 
-std::vector<float> rendered(Mixer &m, int blocks) {
+static std::vector<float> rendered(Mixer &m, int blocks) {
     std::vector<float> out((size_t)blocks * 2 * kBlock);
     for (int i = 0; i < blocks; ++i) renderBlock(m, &out[(size_t)i * 2 * kBlock]);
     return out;
@@ -45,13 +43,11 @@ template <class T> long denormals(const T &data) {
 }
 
 // Returns the largest absolute value of some samples.
-float largest(std::span<const float> samples) {
+static float largest(std::span<const float> samples) {
     float most = 0;
     for (float x : samples) most = std::max(most, std::fabs(x));
     return most;
 }
-
-} // namespace
 
 TEST(Mixer, RefusesInvalidNotes) {
     float nan = std::nanf("");

@@ -6,11 +6,7 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr Instrument kBands = {.noise = 0.2f, .stretch = 1.3f, .decay = 1e6f, .spread = 1};
-
-} // namespace
 
 // The bilinear transform of the analogue band-pass g s / (1 + k s + s^2) is a filter with two poles. In
 // double precision, it gives the same samples for the same noise.

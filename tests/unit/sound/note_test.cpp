@@ -6,11 +6,9 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-namespace {
-
 // Renders the left channel of a note, from its start.
-std::vector<double> render(const Instrument &kind, float key, double seconds, float velocity = 1,
-                           float length = 100) {
+static std::vector<double> render(const Instrument &kind, float key, double seconds, float velocity = 1,
+                                  float length = 100) {
     std::vector<double> out;
     for (Float8 x : rendered(*begun({&kind, key, velocity, length, 0}), seconds))
         out.push_back((double)x[0] + (double)x[1] + (double)x[2] + (double)x[3]);
@@ -19,7 +17,7 @@ std::vector<double> render(const Instrument &kind, float key, double seconds, fl
 
 // Returns how many cents a sound is off a frequency, from the drift of its phase between two times (in
 // samples).
-double centsOff(const std::vector<double> &x, size_t from, size_t to, double hertz) {
+static double centsOff(const std::vector<double> &x, size_t from, size_t to, double hertz) {
     auto phaseAt = [&](size_t from) { // in turns
         constexpr size_t kSize = 16384;
         std::complex<double> sum = 0;
@@ -36,9 +34,7 @@ double centsOff(const std::vector<double> &x, size_t from, size_t to, double her
 
 constexpr Instrument kSine = {.partials = 4, .tilt = 60, .decay = 1000};
 
-double db(double ratio) { return 10 * std::log10(ratio + 1e-30); }
-
-} // namespace
+static double db(double ratio) { return 10 * std::log10(ratio + 1e-30); }
 
 TEST(Note, IsInTuneOverEightOctaves) {
     double worst = 0;

@@ -3,10 +3,8 @@
 
 using namespace odraz;
 
-namespace {
-
 // Returns the room's response to an impulse in one lane.
-std::vector<Float8> response(double seconds, int lane) {
+static std::vector<Float8> response(double seconds, int lane) {
     auto room = std::make_unique<Reverb>();
     std::vector<Float8> out;
     for (int block = 0; block < (int)(seconds * kSampleRate / kBlock); ++block) {
@@ -18,7 +16,7 @@ std::vector<Float8> response(double seconds, int lane) {
     return out;
 }
 // Returns that response summed over lanes of both channels.
-std::vector<double> impulse(double seconds) {
+static std::vector<double> impulse(double seconds) {
     std::vector<double> out;
     for (Float8 x : response(seconds, 2))
         out.push_back((double)x[0] - (double)x[1] + (double)x[2] + (double)x[5]);
@@ -26,7 +24,7 @@ std::vector<double> impulse(double seconds) {
 }
 
 // Filters a band around a frequency, by a resonator applied four times.
-std::vector<double> band(std::vector<double> x, double hertz) {
+static std::vector<double> band(std::vector<double> x, double hertz) {
     double r = 1 - M_PI * hertz / 3 / kSampleRate, c = 2 * r * std::cos(2 * M_PI * hertz / kSampleRate);
     for (int pass = 0; pass < 4; ++pass) {
         double a = 0, b = 0;
@@ -40,7 +38,7 @@ std::vector<double> band(std::vector<double> x, double hertz) {
 
 // Returns the decay time for 60 dB in seconds, from the remaining energy between -5 and -35 dB. Schroeder,
 // 1965.
-double decayTime(const std::vector<double> &x) {
+static double decayTime(const std::vector<double> &x) {
     std::vector<double> rest(x.size() + 1);
     for (size_t i = x.size(); i-- > 0;) rest[i] = rest[i + 1] + x[i] * x[i];
     size_t a = 0, b = 0;
@@ -50,15 +48,13 @@ double decayTime(const std::vector<double> &x) {
 }
 
 // Returns the decay time at a frequency, kDecayHigh .. kDecay, for which a mean line's low-pass is designed.
-double designed(double hertz) {
+static double designed(double hertz) {
     double length = 2650, log2gain = -9.96578 * length / kSampleRate / (double)kDecay,
            ratio = (double)(kDecay / kDecayHigh), pole = log2gain * 0.173287 * (1 - ratio * ratio),
            w = 2 * M_PI * hertz / kSampleRate,
            filter = (1 - pole) / std::sqrt(1 - 2 * pole * std::cos(w) + pole * pole);
     return -9.96578 * length / kSampleRate / (log2gain + std::log2(filter));
 }
-
-} // namespace
 
 TEST(Reverb, DecaysAsDesigned) {
     std::vector<double> response = impulse(6);

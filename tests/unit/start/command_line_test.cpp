@@ -6,12 +6,10 @@
 
 using namespace odraz;
 
-namespace {
-
-std::string theLine; // in UTF-8, as after the conversion by Windows
+static std::string theLine; // in UTF-8, as after the conversion by Windows
 
 // Returns the arguments, each followed by a '|'.
-std::string split(const std::string &line) {
+static std::string split(const std::string &line) {
     theLine = line;
     Arguments &a = arguments();
     a = {};
@@ -21,8 +19,6 @@ std::string split(const std::string &line) {
     for (int i = 0; i < a.count; ++i) all += a.values[i] + std::string("|");
     return all;
 }
-
-} // namespace
 
 void windows::begin() {}
 const WCHAR *GetCommandLineW() { return nullptr; }

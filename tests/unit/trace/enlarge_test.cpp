@@ -5,8 +5,6 @@
 
 using namespace odraz;
 
-namespace {
-
 constexpr size_t kMargin = 8;
 
 struct Pixels {
@@ -23,14 +21,14 @@ struct Pixels {
     bool operator==(const Pixels &b) const { return bytes == b.bytes; }
 };
 
-Pixels made(Pixels from, int width, int height, int threads = 1) {
+static Pixels made(Pixels from, int width, int height, int threads = 1) {
     Threads pool(threads);
     Pixels to(width, height);
     enlarge(from.rgba(), from.width, from.height, to.rgba(), width, height, pool.workers);
     return to;
 }
 
-Pixels noisy(int width, int height, unsigned seed = 1) {
+static Pixels noisy(int width, int height, unsigned seed = 1) {
     std::mt19937 random(seed);
     Pixels p(width, height, 255);
     for (uint8_t *v = p.rgba(), *end = v + width * height * 4; v < end; ++v) *v = (uint8_t)(random() & 255);
@@ -41,18 +39,18 @@ struct Tap {
     int first;
     double t;
 };
-Tap tapOf(int i, int from, int to) {
+static Tap tapOf(int i, int from, int to) {
     double x = std::clamp((i + 0.5) * from / to - 0.5, 1., from - 3.);
     return {(int)x, x - (int)x};
 }
-double cubic(const double (&p)[4], double t) {
+static double cubic(const double (&p)[4], double t) {
     double v =
         p[1] + t / 2 *
                    (p[2] - p[0] +
                     t * (2 * p[0] - 5 * p[1] + 4 * p[2] - p[3] + t * (3 * (p[1] - p[2]) + p[3] - p[0])));
     return std::clamp(v, std::min(p[1], p[2]), std::max(p[1], p[2]));
 }
-double exact(const Pixels &from, int width, int height, int x, int y, int c) {
+static double exact(const Pixels &from, int width, int height, int x, int y, int c) {
     Tap px = tapOf(x, from.width, width), py = tapOf(y, from.height, height);
     double column[4];
     for (int j = 0; j < 4; ++j) {
@@ -69,8 +67,6 @@ struct Sizes {
 const Sizes kSizes[] = {{4, 4, 8, 8},          {5, 6, 9, 7},           {640, 360, 1280, 720},
                         {656, 369, 1365, 768}, {1264, 711, 1280, 720}, {8, 300, 8, 301},
                         {333, 5, 2560, 40},    {31, 17, 97, 64},       {1280, 720, 1280, 720}};
-
-} // namespace
 
 // Weights are in 64ths, and rows are rounded to bytes. Noise of full contrast shows the largest errors.
 TEST(Enlarge, IsTheCubic) {

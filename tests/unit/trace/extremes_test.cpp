@@ -8,17 +8,13 @@
 
 using namespace odraz;
 
-namespace {
+static Vec3 lane(const Vec3x8 &v) { return {v.x[0], v.y[0], v.z[0]}; }
 
-Vec3 lane(const Vec3x8 &v) { return {v.x[0], v.y[0], v.z[0]}; }
-
-Material plain(float diffuse) {
+static Material plain(float diffuse) {
     Material m = matte({1, 1, 1});
     m.diffuse = diffuse;
     return m;
 }
-
-} // namespace
 
 // Rays start one to a million radii away and pass at every distance from the middle, most of them near the
 // edge. A ray counts as misjudged if the oracle, which gets the same floats, disagrees and half a unit in the

@@ -7,8 +7,6 @@
 
 using namespace odraz;
 
-namespace {
-
 struct Canvas {
     HeapArena memory;
     Frame frame;
@@ -36,8 +34,6 @@ struct Canvas {
     }
 };
 
-} // namespace
-
 TEST(ToneMapping, RisesFromBlackToWhiteWithoutClipping) {
     float before = -1;
     for (float x = 0; x < 50; x = x * 1.05f + 0.001f) {
@@ -60,8 +56,6 @@ TEST(Srgb, FollowsTheStandard) {
     }
 }
 
-namespace {
-
 // The developed values of some radiances, each of which fills one row of pixels.
 struct Developed {
     static constexpr int kWidth = 512;
@@ -83,10 +77,10 @@ struct Developed {
 };
 
 // Returns the exact value, computed from the definition.
-double exact(float radiance) { return 255 * (double)encodeSrgb(filmic(broadcast(radiance)))[0]; }
+static double exact(float radiance) { return 255 * (double)encodeSrgb(filmic(broadcast(radiance)))[0]; }
 
 // The noise of a flat picture: the shown values minus their mean, for `seed` and colour `c`.
-std::vector<double> noiseOf(uint32_t seed, int c) {
+static std::vector<double> noiseOf(uint32_t seed, int c) {
     Developed d(std::vector<float>(256, 0.2f), 1, seed);
     std::vector<double> noise;
     double mean = 0;
@@ -96,13 +90,11 @@ std::vector<double> noiseOf(uint32_t seed, int c) {
     return noise;
 }
 
-double correlation(const std::vector<double> &a, const std::vector<double> &b) {
+static double correlation(const std::vector<double> &a, const std::vector<double> &b) {
     double ab = 0, aa = 0, bb = 0;
     for (size_t i = 0; i < a.size(); ++i) ab += a[i] * b[i], aa += a[i] * a[i], bb += b[i] * b[i];
     return ab / std::sqrt(aa * bb);
 }
-
-} // namespace
 
 // A pixel that is brighter than all its neighbours gets the value of the brightest neighbour; lines, corners
 // and pairs stay. The test tries every pixel of a picture of odd size, including the edges, where there are

@@ -9,8 +9,6 @@
 
 using namespace odraz;
 
-namespace {
-
 struct Glaring {
     HeapArena memory;
     Frame frame;
@@ -49,8 +47,6 @@ struct Glaring {
 
 const std::pair<int, int> kGlareSizes[] = {{1, 1},  {2, 3},    {17, 9},    {64, 1},
                                            {1, 64}, {333, 97}, {320, 180}, {1280, 720}};
-
-} // namespace
 
 TEST(Glare, LeavesAnEvenPictureAsItIs) {
     for (auto [width, height] : kGlareSizes) {

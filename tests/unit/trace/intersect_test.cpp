@@ -11,14 +11,12 @@
 
 using namespace odraz;
 
-namespace {
+static Ray8 ray(Vec3 o, Vec3 d) { return {broadcast(o), broadcast(normalize(d))}; }
 
-Ray8 ray(Vec3 o, Vec3 d) { return {broadcast(o), broadcast(normalize(d))}; }
-
-float hit(const Shape &s, Vec3 o, Vec3 d) { return distance(s, ray(o, d))[0]; }
+static float hit(const Shape &s, Vec3 o, Vec3 d) { return distance(s, ray(o, d))[0]; }
 
 // Returns the solid shapes in turn: both of their sides are hit and stop light.
-ShapeKind solid(int i) {
+static ShapeKind solid(int i) {
     std::vector<ShapeKind> kinds;
     for (const ShapeTraits &traits : kShapeTraits)
         if (traits.solid && traits.bounded) kinds.push_back(traits.kind);
@@ -26,13 +24,11 @@ ShapeKind solid(int i) {
 }
 
 // Returns the distance to the nearest shape, by brute force.
-Float8 nearestOf(const Scene &scene, const Ray8 &r) {
+static Float8 nearestOf(const Scene &scene, const Ray8 &r) {
     Float8 nearest = broadcast(kInfinity);
     for (int s = 0; s < scene.shapeCount; ++s) nearest = min(nearest, distance(scene.shapes[s], r));
     return nearest;
 }
-
-} // namespace
 
 TEST(Plane, IsHitFromBothSidesAndNotAlong) {
     Shape s = plane({0, 1, 0}, 0);

@@ -5,8 +5,6 @@
 
 using namespace odraz;
 
-namespace {
-
 struct Sheet {
     Chart chart = {};
     std::vector<float> texels, patches;
@@ -37,8 +35,6 @@ struct Sheet {
         return {(int)patch[0], (float)clear[0]};
     }
 };
-
-} // namespace
 
 TEST(Lightmap, IsBilinearBetweenCorners) {
     Sheet sheet([](int i, int j) { return (float)(10 * i + j); });

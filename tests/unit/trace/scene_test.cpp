@@ -5,15 +5,13 @@
 
 using namespace odraz;
 
-namespace {
-
-const Shape &put(Scene &scene, ShapeKind kind, Vec3 centre) {
+static const Shape &put(Scene &scene, ShapeKind kind, Vec3 centre) {
     return *scene.add(shapeOf(kind, centre, {1, 1, 1}));
 }
 
-float meet(const Shape &s, Vec3 o, Vec3 d) { return distance(s, {broadcast(o), broadcast(normalize(d))})[0]; }
-
-} // namespace
+static float meet(const Shape &s, Vec3 o, Vec3 d) {
+    return distance(s, {broadcast(o), broadcast(normalize(d))})[0];
+}
 
 TEST(Shapes, HaveTheirTraits) {
     for (const ShapeTraits &traits : kShapeTraits) {

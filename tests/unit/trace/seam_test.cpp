@@ -5,8 +5,6 @@
 
 using namespace odraz;
 
-namespace {
-
 // The size and position of a room, the distance of its light, and the tangent of the light's elevation.
 struct Pose {
     float size, away, far, height;
@@ -38,8 +36,6 @@ template <class Which> int count(RayTracer &g, const Pose &p, Which &&which) {
     }
     return count;
 }
-
-} // namespace
 
 // A floor and a wall at its end. The sun and a bright sky are behind the wall.
 TEST(Seam, OfFloorAndWallLetsNoLightIn) {

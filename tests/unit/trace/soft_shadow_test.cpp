@@ -3,8 +3,6 @@
 
 using namespace odraz;
 
-namespace {
-
 // A ball at height 2 over the plane y = 0, and a lamp above it.
 struct Eclipse {
     std::unique_ptr<Scene> scene = std::make_unique<Scene>();
@@ -30,7 +28,7 @@ struct Eclipse {
 
 // Returns the share of a lamp that a ball hides from (x, 0, 0), by rays to points spread evenly over the
 // lamp's disc.
-double hiddenByRays(float x, float radius, float lamp, double height = 2) {
+static double hiddenByRays(float x, float radius, float lamp, double height = 2) {
     Vec3 p = {x, 0, 0}, axis = normalize(Vec3{0, 10, 0} - p), u = normalize(cross(axis, Vec3{0, 0, 1})),
          v = cross(axis, u);
     int hidden = 0, all = 0;
@@ -47,8 +45,6 @@ double hiddenByRays(float x, float radius, float lamp, double height = 2) {
         }
     return (double)hidden / all;
 }
-
-} // namespace
 
 TEST(SoftShadow, HidesWhatTheDiscsShare) {
     for (auto [radius, lamp] : {std::pair{0.5f, 0.5f}, {1, 0.1f}, {0.5f, 2}, {0.2f, 3}, {1, 0.01f}}) {

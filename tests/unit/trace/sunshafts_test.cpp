@@ -7,9 +7,7 @@
 
 using namespace odraz;
 
-namespace {
-
-Sunshafts shaftsBy(Vec3 sun) {
+static Sunshafts shaftsBy(Vec3 sun) {
     Sunshafts s = {};
     s.sun = normalize(sun);
     s.room = {{-4, 0, -9}, {4, 6, 9}};
@@ -21,7 +19,7 @@ Sunshafts shaftsBy(Vec3 sun) {
     return s;
 }
 
-bool lit(const Sunshafts &s, Vec3 p) {
+static bool lit(const Sunshafts &s, Vec3 p) {
     const Bounds &r = s.room;
     if (p.x < r.lo.x || p.x > r.hi.x || p.y < r.lo.y || p.y > r.hi.y || p.z < r.lo.z || p.z > r.hi.z)
         return false;
@@ -39,7 +37,7 @@ bool lit(const Sunshafts &s, Vec3 p) {
 }
 
 // Expects a result between the sums for the thinnest and the thickest dust.
-void expectSum(const Sunshafts &s, Vec3 o, Vec3 towards, float hit) {
+static void expectSum(const Sunshafts &s, Vec3 o, Vec3 towards, float hit) {
     Vec3 d = normalize(towards);
     constexpr int kSteps = 20000;
     double sum = 0, end = std::fmin(hit, 60.f);
@@ -51,8 +49,6 @@ void expectSum(const Sunshafts &s, Vec3 o, Vec3 towards, float hit) {
     EXPECT_GE(got, (sum * 0.4 - 0.02) * phase) << o.x << ' ' << o.y << ' ' << o.z;
     EXPECT_LE(got, (sum * 1.6 + 0.02) * phase) << d.x << ' ' << d.y << ' ' << d.z;
 }
-
-} // namespace
 
 TEST(Sunshafts, AreAsLongAsTheyAreLit) {
     Dice dice(1);

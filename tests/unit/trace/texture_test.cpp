@@ -6,14 +6,12 @@
 
 using namespace odraz;
 
-namespace {
-
-float noiseAt(double x, double y, double z) {
+static float noiseAt(double x, double y, double z) {
     return noise({broadcast((float)x), broadcast((float)y), broadcast((float)z)})[0];
 }
 
 // Returns the noise in double precision, computed corner by corner.
-double plainNoise(double x, double y, double z) {
+static double plainNoise(double x, double y, double z) {
     double cell[3] = {std::floor(x), std::floor(y), std::floor(z)},
            f[3] = {x - cell[0], y - cell[1], z - cell[2]}, sum = 0;
     auto fade = [](double t) { return t * t * t * (t * (t * 6 - 15) + 10); };
@@ -52,8 +50,6 @@ template <class ColourAt> Vec3d meanColourAt(Dice &dice, int packets, ColourAt c
     }
     return sum / (8. * packets);
 }
-
-} // namespace
 
 TEST(Noise, AgreesWithThePlainImplementation) {
     Dice dice(3);

@@ -6,27 +6,23 @@
 
 using namespace odraz;
 
-namespace {
-
 // Materials with one property each.
-Material clearGlass(float ior) { return {.ior = ior}; }
-Material mirror(float reflect) { return {.reflect = reflect}; }
-Material glowing(Rgb radiance) { return {.emit = radiance}; }
+static Material clearGlass(float ior) { return {.ior = ior}; }
+static Material mirror(float reflect) { return {.reflect = reflect}; }
+static Material glowing(Rgb radiance) { return {.emit = radiance}; }
 
-Material shiny(Rgb diffuse, float specular, float exponent) {
+static Material shiny(Rgb diffuse, float specular, float exponent) {
     Material m = matte(diffuse);
     m.specular = specular;
     m.exponent = exponent;
     return m;
 }
 
-void expectNear(Rgb c, Rgb expected, float off) {
+static void expectNear(Rgb c, Rgb expected, float off) {
     EXPECT_NEAR(c.x, expected.x, off);
     EXPECT_NEAR(c.y, expected.y, off);
     EXPECT_NEAR(c.z, expected.z, off);
 }
-
-} // namespace
 
 TEST(Phong, LightsAPlaneByDistanceAndAngle) {
     RayTracer g;

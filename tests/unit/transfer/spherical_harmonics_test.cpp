@@ -8,10 +8,8 @@
 
 using namespace odraz;
 
-namespace {
-
 // Returns directions all over the sphere, including poles and axes.
-std::vector<Vec3> directions() {
+static std::vector<Vec3> directions() {
     std::vector<Vec3> all = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     Dice dice(7);
     for (int i = 0; i < 1000; ++i) {
@@ -23,7 +21,7 @@ std::vector<Vec3> directions() {
 
 // Evaluates a function by the recurrence of the associated Legendre functions (Press et al., "Numerical
 // Recipes", 6.8), in double.
-double byRecurrence(int l, int m, Vec3 d) {
+static double byRecurrence(int l, int m, Vec3 d) {
     int order = std::abs(m);
     double z = (double)d.y, sine = std::sqrt(std::fmax(0, 1 - z * z)), pmm = 1;
     for (int i = 1; i <= order; ++i) pmm *= -(2 * i - 1) * sine;
@@ -39,7 +37,7 @@ double byRecurrence(int l, int m, Vec3 d) {
     return M_SQRT2 * k * p * (m > 0 ? std::cos(order * around) : std::sin(order * around));
 }
 
-std::array<float, kSh> at(Vec3 d) {
+static std::array<float, kSh> at(Vec3 d) {
     Float8 y[kSh];
     evaluate(broadcast(d), y);
     std::array<float, kSh> all;
@@ -47,14 +45,12 @@ std::array<float, kSh> at(Vec3 d) {
     return all;
 }
 
-double value(const float *f, Vec3 d) {
+static double value(const float *f, Vec3 d) {
     double sum = 0;
     std::array<float, kSh> y = at(d);
     for (size_t k = 0; k < kSh; ++k) sum += (double)f[k] * (double)y[k];
     return sum;
 }
-
-} // namespace
 
 TEST(SphericalHarmonics, AgreeWithTheRecurrence) {
     double worst = 0;

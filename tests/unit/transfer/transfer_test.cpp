@@ -9,11 +9,9 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-namespace {
+static Workers serial = serialWorkers();
 
-Workers serial = serialWorkers();
-
-SolvedHall &solved() {
+static SolvedHall &solved() {
     static SolvedHall hall(kHallSettings, kDrawnHemicubes, headlessGl(), serial);
     return hall;
 }
@@ -30,8 +28,6 @@ struct Floor {
         return all;
     }
 };
-
-} // namespace
 
 // Tests the sky, its clouds and the sun at every hour. The error is below one per cent and comes from bands
 // above the fourth, and from the glow near the sun, which counts as part of the sun although it is wide. It

@@ -15,8 +15,6 @@ using namespace odraz;
 using namespace odraz::maker;
 using common::readWhole;
 
-namespace {
-
 constexpr char kFile[] = R"(// A scene.
 
 TRACK(kDoor)
@@ -42,7 +40,7 @@ END
 )";
 const Events kRows = {{"kLamp", 20}};
 
-size_t indexOf(const KeyFile &file, const std::string &name) {
+static size_t indexOf(const KeyFile &file, const std::string &name) {
     for (size_t i = 0; i < file.tables().size(); ++i)
         if (file.tables()[i].name == name) return i;
     ADD_FAILURE() << name;
@@ -50,7 +48,7 @@ size_t indexOf(const KeyFile &file, const std::string &name) {
 }
 
 using Change = std::function<void(std::vector<KeyNumbers> &)>;
-std::string with(const std::string &name, const Change &change) {
+static std::string with(const std::string &name, const Change &change) {
     KeyFile file("one.keys", kFile, kRows);
     size_t i = indexOf(file, name);
     std::vector<KeyNumbers> keys = file.tables()[i].keys;
@@ -60,13 +58,13 @@ std::string with(const std::string &name, const Change &change) {
     EXPECT_EQ(KeyFile("one.keys", text, kRows).tables()[i].keys, keys) << text;
     return text;
 }
-std::string replaced(const std::string &from, const std::string &to) {
+static std::string replaced(const std::string &from, const std::string &to) {
     std::string text = kFile;
     size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     return text.replace(at, from.size(), to);
 }
-std::string problemOf(const std::string &text) {
+static std::string problemOf(const std::string &text) {
     return thrown([&] { KeyFile("one.keys", text, kRows); });
 }
 
@@ -98,8 +96,6 @@ struct Fixture : testing::Test {
     bool holds(const std::string &text) const { return readWhole(file).find(text) != std::string::npos; }
 };
 using KeyTablesTest = Fixture;
-
-} // namespace
 
 TEST(KeyFile, HasTablesByNameAndKind) {
     KeyFile file("one.keys", kFile, kRows);

@@ -9,11 +9,10 @@
 using namespace odraz;
 using namespace odraz::maker;
 
-namespace {
+static int64_t nanosecondsNow() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
-int64_t nanosecondsNow() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
-
-const Quality &kDraft = kQualities[(int)QualityName::Draft], &kBest = kQualities[(int)QualityName::Film];
+static const Quality &kDraft = kQualities[(int)QualityName::Draft],
+                     &kBest = kQualities[(int)QualityName::Film];
 
 // The film without its hall, with a panel over its pictures
 struct FilmWithPanel : LoadedFilm {
@@ -29,8 +28,6 @@ struct FilmWithPanel : LoadedFilm {
         return std::accumulate(all.begin(), all.end(), (size_t)0);
     }
 };
-
-} // namespace
 
 // --- The map of samples ---
 
@@ -179,8 +176,6 @@ TEST(Panel, DrawsOnPicturesOfAllSizes) {
 
 // --- Keys and the mouse ---
 
-namespace {
-
 struct Host {
     Panel panel{1280, 720, 25, nanosecondsNow};
     double time = 30;
@@ -198,8 +193,6 @@ struct Host {
     double x(double seconds) const { return panel.timeLine().xOf(seconds); }
     double y() const { return panel.timeLine().area.y + 5; }
 };
-
-} // namespace
 
 TEST(Panel, StepsByPictureBarAndEvent) {
     Host h;

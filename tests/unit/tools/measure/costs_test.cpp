@@ -7,12 +7,10 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-namespace {
-
 constexpr char kHead[] = "seconds,gap,level,width,height,serial,parallel\n";
 
 // The rows of a moment, whose costs are multiples of `unit` millions.
-std::string momentAt(double seconds, int unit) {
+static std::string momentAt(double seconds, int unit) {
     std::string rows;
     auto add = [&](const char *gap, const char *level, const char *size, int serial, int parallel) {
         rows += std::to_string(seconds) + "," + gap + "," + level + "," + size + "," +
@@ -30,7 +28,9 @@ std::string momentAt(double seconds, int unit) {
     return rows;
 }
 // One moment of the shot that ends at 148 s, and two of the last shot.
-PictureCosts sample() { return PictureCosts(kHead + momentAt(144, 7) + momentAt(150, 1) + momentAt(158, 2)); }
+static PictureCosts sample() {
+    return PictureCosts(kHead + momentAt(144, 7) + momentAt(150, 1) + momentAt(158, 2));
+}
 constexpr double kSmall = 640 * 360, kLarge = 1280 * 720;
 
 TEST(PictureCosts, AreTheCountedOnes) {
@@ -113,5 +113,3 @@ TEST(PictureCosts, EveryMomentOfTheFilmIsCounted) {
         for (double gap : {2, 4, 6}) EXPECT_GT(costs.of({s, 1.5f, kLarge, gap}).parallel, 1e6);
     }
 }
-
-} // namespace

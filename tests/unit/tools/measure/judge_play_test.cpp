@@ -7,14 +7,12 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-namespace {
-
 constexpr char kShownHead[] = "at,time,kind,level,width,height,seconds\n";
 
 // The list of a player that is never late: `rate` pictures a second from one moment to another, each shown
 // from its own time until the next one. One picture in `every` is traced, the others are in-betweens.
-std::vector<ShownPicture> steady(double from, double to, double rate, int every, float level, int width,
-                                 int height) {
+static std::vector<ShownPicture> steady(double from, double to, double rate, int every, float level,
+                                        int width, int height) {
     std::vector<ShownPicture> list;
     // Count from the film's start, so that the same pictures are traced whatever `from` is
     long first = std::max(0l, (long)std::floor(from * rate)), last = (long)std::ceil(to * rate);
@@ -24,7 +22,7 @@ std::vector<ShownPicture> steady(double from, double to, double rate, int every,
     return list;
 }
 
-std::string wrongIn(const std::string &rows) {
+static std::string wrongIn(const std::string &rows) {
     return thrown<common::Refused>([&] { parseShown(kShownHead + rows); });
 }
 
@@ -79,7 +77,7 @@ TEST(Shown, InBetweensHaveTheirGap) {
     EXPECT_NEAR(madeFrom(list, 1).gap(), 9, 1e-6);
 }
 
-SeenErrors seenOf(Viewer &viewer, const std::vector<ShownPicture> &list, double from, double to) {
+static SeenErrors seenOf(Viewer &viewer, const std::vector<ShownPicture> &list, double from, double to) {
     SeenErrors seen;
     viewer.compare(list, from, to, seen);
     return seen;
@@ -146,5 +144,3 @@ TEST(Viewer, ErrorsDoNotDependOnKeptPictures) {
     EXPECT_EQ(a.srgb, b.srgb);
     EXPECT_EQ(a.flip, b.flip);
 }
-
-} // namespace

@@ -11,16 +11,14 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-namespace {
-
 // Costs that differ much between scenes, and grow with quality as the tracer's costs do.
-PictureCost cost(const PictureKind &p) {
+static PictureCost cost(const PictureKind &p) {
     double unit = 1 + std::fmod(std::floor(p.seconds / 16) * 2.7, 4);
     if (p.gap) return {3e6, 250 * p.pixels * unit};
     return {3e6, 300 * p.pixels * unit * std::pow(p.level < 1 ? 3 : 2, 1 - p.level)};
 }
 constexpr double kFrom = 10, kTo = 55;
-std::vector<ShownPicture> played(double giga) {
+static std::vector<ShownPicture> played(double giga) {
     return simulate(cost, {giga * 1e9, 4, 1280, 720}, kFrom, kTo);
 }
 
@@ -52,7 +50,7 @@ TEST(Simulated, ThePageListsAreWellFormed) {
 
 // The number of in-betweens by gap (in sixtieths of a second), if all cadences but `cadence` have a high
 // penalty.
-std::map<long, int> charged(Governor::Cadence cadence, double from, double to) {
+static std::map<long, int> charged(Governor::Cadence cadence, double from, double to) {
     std::map<long, int> gaps;
     CostOf counting = [&](const PictureKind &p) {
         if (p.gap) ++gaps[std::lround(p.gap)];
@@ -169,5 +167,3 @@ TEST(Simulated, TheSummaryBeginsLater) {
     EXPECT_LT(later[0].shown, all[1].shown);
     EXPECT_EQ(later[1].shown, all[2].shown);
 }
-
-} // namespace

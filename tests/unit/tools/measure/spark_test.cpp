@@ -8,14 +8,12 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-namespace {
-
 struct ThreePictures {
     Grey before, now, after;
 };
 
 // Bars, discs and a checker over a slope, with noise, moving by a pixel per picture.
-ThreePictures drawn(uint32_t seed) {
+static ThreePictures drawn(uint32_t seed) {
     auto at = [&](int shift) {
         Grey g = {200, 120, std::vector<uint8_t>(200 * 120)};
         Dice dice(seed + (uint32_t)shift * 100003u);
@@ -38,7 +36,7 @@ struct Tally {
 
 // Plants sparks of one to three adjacent pixels, 40 to 200 levels above their surroundings, one in every
 // field of 20 x 20 pixels.
-void plant(const ThreePictures &clean, Dice &dice, Tally &tally) {
+static void plant(const ThreePictures &clean, Dice &dice, Tally &tally) {
     Grey now = clean.now;
     std::vector<Spark> planted;
     for (int top = 0; top + 20 <= now.height; top += 20)
@@ -64,8 +62,6 @@ void plant(const ThreePictures &clean, Dice &dice, Tally &tally) {
     for (const Spark &s : sparks)
         tally.others += std::none_of(planted.begin(), planted.end(), [&](auto &p) { return near(s, p); });
 }
-
-} // namespace
 
 TEST(Sparks, PlantedInDrawingsAreFoundAndNothingElse) {
     Dice dice(7);
