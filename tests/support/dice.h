@@ -3,8 +3,6 @@
 
 #include "base/vec3.h"
 
-#include <random>
-
 namespace odraz {
 
 // Sets vector k of eight.

@@ -3,9 +3,6 @@
 
 #include "trace/scene/lightmap.h"
 
-#include <string>
-#include <vector>
-
 struct ExportedPage {
     int width = 0, height = 0;
     std::vector<float> hdr;   // three values a texel, the top row first

@@ -5,7 +5,6 @@
 #include "tools/support/heap_arena.h"
 
 #include <cstdlib>
-#include <gtest/gtest.h>
 
 inline const odraz::Gl &headlessGl() {
     static odraz::Gl gl;

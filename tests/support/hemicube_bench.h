@@ -5,9 +5,6 @@
 #include "tests/support/model_bench.h"
 #include "tests/support/single_hemicube.h"
 
-#include <set>
-#include <vector>
-
 namespace odraz {
 
 struct HemicubeBench : ModelBench {

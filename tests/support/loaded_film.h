@@ -5,8 +5,6 @@
 #include "tests/support/threads.h"
 #include "tools/support/heap_arena.h"
 
-#include <gtest/gtest.h>
-
 namespace odraz {
 
 struct LoadedFilm {

@@ -4,9 +4,6 @@
 #include "radiosity/visible.h"
 #include "tools/support/heap_arena.h"
 
-#include <gtest/gtest.h>
-#include <memory>
-
 namespace odraz {
 
 struct ModelBench {

@@ -6,8 +6,6 @@
 #include "tools/radiosity/reference/obstacles.h"
 #include "tools/radiosity/reference/sampler.h"
 
-#include <functional>
-
 namespace odraz {
 
 // A model's facets as obstacles for rays. Windows are no obstacles.

@@ -4,10 +4,6 @@
 #include "tests/support/dice.h"
 #include "tools/radiosity/transfer/check.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
-
 namespace odraz::radiosity {
 
 struct Quad {

@@ -5,8 +5,6 @@
 #include "trace/picture/frame.h"
 #include "trace/quality.h"
 
-#include <vector>
-
 namespace odraz {
 
 inline const Quality &named(QualityName name) { return kQualities[(int)name]; }

@@ -3,10 +3,6 @@
 
 #include "trace/scene/scene.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <memory>
-
 namespace odraz {
 
 inline std::unique_ptr<Scene> emptyScene() {

@@ -3,8 +3,6 @@
 
 #include "show/show.h"
 
-#include <cmath>
-
 namespace odraz {
 
 // Returns the row at which a shot ends.

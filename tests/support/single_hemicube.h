@@ -4,8 +4,6 @@
 #include "radiosity/form_factor.h"
 #include "tests/support/headless_gl.h"
 
-#include <vector>
-
 namespace odraz {
 
 struct SingleHemicube {

@@ -5,8 +5,6 @@
 #include "base/parallel.h"
 
 #include <atomic>
-#include <thread>
-#include <vector>
 
 namespace odraz {
 

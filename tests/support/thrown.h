@@ -2,7 +2,6 @@
 #pragma once
 
 #include <stdexcept>
-#include <string>
 
 // Returns the text of the Error that `code` throws; an empty string if it throws none.
 template <class Error = std::runtime_error, class Code> std::string thrown(Code code) {

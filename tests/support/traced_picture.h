@@ -10,9 +10,6 @@
 #include "trace/picture/development.h"
 #include "trace/picture/tracer.h"
 
-#include <gtest/gtest.h>
-#include <vector>
-
 namespace odraz {
 
 constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};

@@ -4,9 +4,6 @@
 #include "tests/support/shapes.h"
 #include "trace/shade/whitted.h"
 
-#include <numeric>
-#include <vector>
-
 namespace odraz {
 
 // Twelve bounces, and no cutoff for faint rays.

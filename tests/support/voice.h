@@ -3,9 +3,6 @@
 
 #include "sound/note.h"
 
-#include <memory>
-#include <vector>
-
 namespace odraz {
 
 inline std::unique_ptr<Voice> begun(const Note &note, uint32_t seed = 7) {

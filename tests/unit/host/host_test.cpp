@@ -7,8 +7,6 @@
 
 #include <cpuid.h>
 #include <fcntl.h>
-#include <filesystem>
-#include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -1,8 +1,6 @@
 // Tests how pictures are shown in a window, with an OpenGL that only records blits.
 #include "host/window.h"
 
-#include <utility>
-
 // Defined here instead of by the system's window
 namespace odraz {
 struct WindowState {

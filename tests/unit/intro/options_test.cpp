@@ -1,7 +1,5 @@
 #include "options.h"
 
-#include <sstream>
-
 using namespace odraz;
 
 static bool parse(std::vector<const char *> args, Options &o, Message &wrong) {

@@ -3,7 +3,6 @@
 #include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 
-#include <filesystem>
 #include <fstream>
 #include <unistd.h>
 

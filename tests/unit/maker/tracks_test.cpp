@@ -3,8 +3,6 @@
 #include "tools/common/folders.h"
 #include "tools/common/whole_file.h"
 
-#include <filesystem>
-
 using namespace odraz;
 using namespace odraz::maker;
 

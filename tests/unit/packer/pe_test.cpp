@@ -2,8 +2,6 @@
 #include "packer/write/packed_file.h"
 #include "tests/support/pe_rules.h"
 
-#include <filesystem>
-
 using namespace pack;
 
 // A page of code, then a page of data that begins with the slots of the imports.

@@ -2,8 +2,6 @@
 // test advances.
 #include "tools/measure/play/simulated_player.h"
 
-#include <array>
-
 using namespace odraz;
 
 // A scene: the seconds that a picture of each quality and an in-between take on one core.

@@ -5,8 +5,6 @@
 #include "tests/support/loaded_film.h"
 #include "tests/support/pictures.h"
 
-#include <utility>
-
 using namespace odraz;
 
 constexpr int kWidth = 320, kHeight = 180;

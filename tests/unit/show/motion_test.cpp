@@ -3,8 +3,6 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/small_film.h"
 
-#include <array>
-
 using namespace odraz;
 
 constexpr int kRate = 15, kPixels = 160 * 90; // pictures a second, and their size

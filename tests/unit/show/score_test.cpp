@@ -4,8 +4,6 @@
 #include "show/tune.h"
 #include "tests/support/shots.h"
 
-#include <set>
-
 using namespace odraz;
 
 // Returns the notes that begin on a row of the film.

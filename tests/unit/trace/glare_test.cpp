@@ -5,8 +5,6 @@
 #include "trace/picture/development.h"
 #include "trace/picture/glare.h"
 
-#include <numeric>
-
 using namespace odraz;
 
 struct Glaring {

@@ -7,8 +7,6 @@
 #include "tools/support/vec3d.h"
 #include "trace/rays/beam.h"
 
-#include <set>
-
 using namespace odraz;
 
 static Ray8 ray(Vec3 o, Vec3 d) { return {broadcast(o), broadcast(normalize(d))}; }

@@ -4,8 +4,6 @@
 
 #include "tests/support/dice.h"
 
-#include <array>
-
 using namespace odraz;
 
 // Returns directions all over the sphere, including poles and axes.

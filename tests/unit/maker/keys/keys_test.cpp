@@ -9,7 +9,6 @@
 #include "timeline/keys.h"
 
 #include <cstdlib>
-#include <filesystem>
 
 using namespace odraz;
 using namespace odraz::maker;

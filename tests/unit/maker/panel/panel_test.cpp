@@ -4,7 +4,6 @@
 #include "tests/support/pictures.h"
 
 #include <chrono>
-#include <numeric>
 
 using namespace odraz;
 using namespace odraz::maker;

@@ -6,7 +6,6 @@
 #include "tools/common/command_line.h"
 
 #include <map>
-#include <utility>
 
 using namespace odraz;
 using namespace odraz::measure;
