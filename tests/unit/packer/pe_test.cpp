@@ -1,5 +1,4 @@
-#include "packer/model/model_parameters.h"
-#include "packer/write/packed_file.h"
+#include "tests/support/packed.h"
 #include "tests/support/pe_rules.h"
 
 using namespace pack;
@@ -43,38 +42,18 @@ TEST(Pe, PacksFilesThatWindowsAcceptsAndThatReadBack) {
     Program p = example();
     p.codeSize = 0x1000;
     p.early = kNothingEarly;
-    Workspace workspace;
-    Encoded encoded = encode(p.bytes, p.layout(), defaultParameters(), workspace);
-    Bytes file = kPe.write(p, defaultParameters(), encoded.payload, {});
+    Bytes file = expectReadBack(kPe, p);
     EXPECT_EQ(brokenPeRule(file), "");
     EXPECT_EQ(peImports(file),
               "kernel32.dll: GetProcAddress LoadLibraryA LoadLibraryA GetProcAddress VirtualAlloc "
               "VirtualFree VirtualProtect GetStdHandle WriteFile ExitProcess");
     EXPECT_EQ(file.size() % 512, 0u);
     // All bytes are used but the zeros before the check at the end
-    size_t used = usedSize(kPe, defaultParameters(), encoded.payload);
+    size_t used = makePacked(kPe, p, defaultParameters(), "").used;
     EXPECT_LT(file.size() - used, 512u);
     EXPECT_EQ(Bytes(file.begin() + (long)used - 4, file.end() - 4), Bytes(file.size() - used, 0));
     EXPECT_LE(overhead(kPe, defaultParameters()), 3584u);
-    EXPECT_EQ(decodeWithStub(kPe, file), p.bytes);
-    Program back = readPacked(kPe, file);
-    EXPECT_EQ(back.bytes, p.bytes);
-    EXPECT_EQ(back.slots[0], p.slots[0]);
-    EXPECT_EQ(back.slots[1], p.slots[1]);
-    EXPECT_EQ(back.entry, p.entry);
-    EXPECT_EQ(kPe.writePlain(back), kPe.writePlain(p));
-    Bytes named = kPe.write(p, defaultParameters(), encoded.payload, "plain-one");
-    EXPECT_NE(std::string(named.begin(), named.end()).find("use plain-one instead"), std::string::npos);
-    EXPECT_EQ(readPacked(kPe, named).bytes, p.bytes);
-    // Damage is found everywhere, even in bytes that only the loader reads
-    for (size_t at = 0; at < file.size(); at += at < 800 ? 1 : 7) {
-        Bytes damaged = file;
-        damaged[at] ^= 16;
-        EXPECT_THROW(readPacked(kPe, damaged), common::Refused) << at;
-    }
-    for (size_t size = 0; size < file.size(); size += 97)
-        EXPECT_THROW(readPacked(kPe, Bytes(file.begin(), file.begin() + (long)size)), common::Refused)
-            << size;
+    EXPECT_EQ(kPe.writePlain(readPacked(kPe, file)), kPe.writePlain(p));
 }
 
 // The shipped program, if it has been built: it is next to the folder of this test.
