@@ -2,6 +2,7 @@
 #pragma once
 
 #include "intro.h"
+#include "tests/support/headless_gl.h"
 #include "tests/support/threads.h"
 #include "tools/support/heap_arena.h"
 
@@ -23,5 +24,11 @@ struct LoadedFilm {
         EXPECT_STREQ(load(intro, settings, memory.arena, threads.workers, kDrawnHemicubes, gl), nullptr);
     }
 };
+
+// The film at 160x90, with its hall if it has one. All tests of a program share it.
+inline Intro &smallFilm() {
+    static LoadedFilm loaded(1, 160, 90, false, needsHall(0, duration()) ? &headlessGl() : nullptr);
+    return *loaded.intro;
+}
 
 } // namespace odraz

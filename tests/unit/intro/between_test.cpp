@@ -2,7 +2,6 @@
 // number of threads.
 #include "inside.h"
 #include "show/materials.h"
-#include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
 #include "tests/support/pictures.h"
 #include "tests/support/sanitized.h"

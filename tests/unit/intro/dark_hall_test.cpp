@@ -1,6 +1,5 @@
 // Tests the film where the light of the hall cannot be solved: scenes in the hall are black, and all others
 // are as they should be.
-#include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
 #include "tests/support/pictures.h"
 

@@ -1,7 +1,6 @@
 // Tests the whole film, four pictures a second, in draft and in film. No value is NaN, infinite or negative.
 // No picture is black, except in a fade and on the last beat, and none equals the one before.
 #include "inside.h"
-#include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
 #include "tests/support/pictures.h"
 

@@ -1,8 +1,8 @@
 // Tests the film's hall: its light over the day, and bounces. (traced_hall_test compares its hemicubes with
 // rays.)
 #include "show/materials.h"
+#include "tests/support/hemicube_bench.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/single_hemicube.h"
 #include "tests/support/solved_hall.h"
 #include "tests/support/traced_ray.h"
 

@@ -1,7 +1,7 @@
 // Checks how the film's pictures change over time: the climax moves most, and light does not flicker.
 #include "inside.h"
+#include "tests/support/loaded_film.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/small_film.h"
 
 using namespace odraz;
 

@@ -2,9 +2,9 @@
 // and glass.
 #include "inside.h"
 #include "show/point_of_light.h"
+#include "tests/support/loaded_film.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shots.h"
-#include "tests/support/small_film.h"
 #include "tests/support/traced_picture.h"
 
 using namespace odraz;

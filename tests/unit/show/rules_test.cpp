@@ -2,11 +2,11 @@
 // shots and neither jump nor run into shapes, events are within their scenes, and no picture has a NaN.
 #include "inside.h"
 #include "show/events.h"
+#include "tests/support/loaded_film.h"
 #include "tests/support/pictures.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shots.h"
-#include "tests/support/small_film.h"
 
 using namespace odraz;
 

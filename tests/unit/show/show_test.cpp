@@ -1,10 +1,10 @@
 // Checks this film's treatment: its cuts, camera motion, levels and balls. rules_test.cpp has the rules for
 // any film.
 #include "inside.h"
+#include "tests/support/loaded_film.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shots.h"
-#include "tests/support/small_film.h"
 
 using namespace odraz;
 
