@@ -149,14 +149,14 @@ static Summary seen(const std::vector<Decision> &all, double from, double to) {
 TEST(Governor, SettlesSoonAndNeverSwings) {
     for (int cores = 1; cores <= 16; ++cores)
         for (unsigned seed = 0; seed <= 10; ++seed) {
+            SCOPED_TRACE(testing::Message() << cores << ' ' << seed);
             bool noise = seed > 0;
             auto all = played({(double)cores, noise ? 0.3 : 0, seed}, 30);
-            EXPECT_LE(seen(all, 0, 1).changes, 1) << cores << ' ' << seed;
+            EXPECT_LE(seen(all, 0, 1).changes, 1);
             Summary then = seen(all, noise ? 1 : 1.5, 30);
-            EXPECT_LE(then.changes, noise) << cores << ' ' << seed; // two cadences may be equally good
-            EXPECT_TRUE(then.changes || then.most - then.least < (noise ? 0.6f : 0.03f))
-                << cores << ' ' << seed;
-            EXPECT_TRUE(noise || cores < 3 || !then.drops) << cores;
+            EXPECT_LE(then.changes, noise); // two cadences may be equally good
+            EXPECT_TRUE(then.changes || then.most - then.least < (noise ? 0.6f : 0.03f));
+            EXPECT_TRUE(noise || cores < 3 || !then.drops);
         }
 }
 
@@ -172,16 +172,14 @@ TEST(Governor, ChangesItsCadenceAtMostTwiceWhereCostsJump) {
                         if (sameScene) s.id = 0;
                         return s;
                     });
-                    for (int step = 0; step < 6; ++step) {
-                        Summary whole = seen(all, step * 5, step * 5 + 5),
-                                then = seen(all, step * 5 + 1.5, step * 5 + 5);
-                        EXPECT_LE(whole.changes, 2) << cores << ' ' << seed << ' ' << step;
-                        EXPECT_LE(then.changes, noise > 0 || cores < 1.15)
-                            << cores << ' ' << seed << ' ' << step;
-                        if (noise == 0 && cores >= 6.5) {
-                            EXPECT_LT(then.most - then.least, 0.1f) << cores << ' ' << step;
-                            EXPECT_EQ(then.drops, 0) << cores << ' ' << step;
-                        }
+                    for (int from = 0; from < 30; from += 5) {
+                        SCOPED_TRACE(testing::Message() << cores << ' ' << seed << ' ' << from);
+                        Summary then = seen(all, from + 1.5, from + 5);
+                        EXPECT_LE(seen(all, from, from + 5).changes, 2);
+                        EXPECT_LE(then.changes, noise > 0 || cores < 1.15);
+                        if (noise > 0 || cores < 6.5) continue;
+                        EXPECT_LT(then.most - then.least, 0.1f);
+                        EXPECT_EQ(then.drops, 0);
                     }
                 }
 }
@@ -190,12 +188,13 @@ TEST(Governor, ChangesItsCadenceAtMostTwiceWhereCostsJump) {
 TEST(Governor, ForgetsAHiccup) {
     for (bool between : {false, true})
         for (int cores = 2; cores <= 16; ++cores) {
+            SCOPED_TRACE(cores);
             auto all = played({.cores = (double)cores, .hiccupAt = 5, .hiccupInBetween = between}, 15);
-            Summary before = seen(all, 2, 5), later = seen(all, 7.2, 15), all15 = seen(all, 2, 15);
-            EXPECT_LE(all15.changes, 0) << cores << between;
-            EXPECT_LT(all15.most - before.most, 0.5f) << cores << between;
-            EXPECT_NEAR(later.least, before.least, 0.05f) << cores << between;
-            EXPECT_NEAR(later.most, before.most, 0.05f) << cores << between;
+            Summary before = seen(all, 2, 5), later = seen(all, 7.2, 15), whole = seen(all, 2, 15);
+            EXPECT_EQ(whole.changes, 0);
+            EXPECT_LT(whole.most - before.most, 0.5f);
+            EXPECT_NEAR(later.least, before.least, 0.05f);
+            EXPECT_NEAR(later.most, before.most, 0.05f);
         }
 }
 
@@ -233,18 +232,16 @@ TEST(Governor, KeepsTimeInDraftAndDropsPicturesWhereAllIsTooMuch) {
 
 TEST(Governor, MixesQualities) {
     Governor g;
-    auto thresholdAt = [&](float level) { return g.coarseness = level, g.quality().threshold; };
-    for (auto [level, name] :
-         {std::pair{0.f, QualityName::Film}, {1, QualityName::Play}, {2, QualityName::Draft}})
-        EXPECT_FLOAT_EQ(thresholdAt(level), kQualities[(int)name].threshold) << level;
-    for (float level = 0; level < 1.99f; level += 0.01f)
-        EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
-    // A blend takes all its other settings from a named quality
-    for (auto [level, like] :
-         {std::pair{0.99f, QualityName::Film}, {1, QualityName::Play}, {2, QualityName::Draft}}) {
-        g.coarseness = level;
-        EXPECT_EQ(g.quality().smallest, kQualities[(int)like].smallest) << level;
+    auto at = [&](float level) { return g.coarseness = level, g.quality(); };
+    for (auto name : {QualityName::Film, QualityName::Play, QualityName::Draft}) {
+        float level = (float)QualityName::Film - (float)name;
+        EXPECT_FLOAT_EQ(at(level).threshold, kQualities[(int)name].threshold) << level;
+        EXPECT_EQ(at(level).smallest, kQualities[(int)name].smallest) << level;
     }
+    for (float level = 0; level < 1.99f; level += 0.01f)
+        EXPECT_LT(at(level).threshold, at(level + 0.01f).threshold) << level;
+    // A blend takes all its other settings from a named quality
+    EXPECT_EQ(at(0.99f).smallest, kQualities[(int)QualityName::Film].smallest);
 }
 
 // --- Pixels ---
@@ -254,10 +251,11 @@ TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
         auto all = playedInPairs(withScreen(cores), 20);
         Summary then = seen(all, 2, 20);
         const Decision &last = all.back();
-        EXPECT_EQ(then.drops, 0) << cores;
-        EXPECT_TRUE(then.cadences[Governor::kPairs]) << cores;
-        EXPECT_TRUE(cores > 1.5 || last.size.width < 1280) << cores;
-        EXPECT_TRUE(cores < 3 || last.size.width == 1280) << cores;
+        SCOPED_TRACE(cores);
+        EXPECT_EQ(then.drops, 0);
+        EXPECT_TRUE(then.cadences[Governor::kPairs]);
+        EXPECT_TRUE(cores > 1.5 || last.size.width < 1280);
+        EXPECT_TRUE(cores < 3 || last.size.width == 1280);
         EXPECT_GE(last.size.width, Pace{}.leastWidth);
         EXPECT_NEAR(last.size.height, last.size.width * 9 / 16., 0.5);
     }

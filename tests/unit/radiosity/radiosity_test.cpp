@@ -52,6 +52,17 @@ struct TestRoom : ModelBench {
                       c.at((float)i * c.width / (float)c.across, (float)j * c.height / (float)c.down));
     }
     bool visible(int texel) const { return model->texels[texel].visible; }
+    // Returns the red light of all texels if the first lamp has this power.
+    std::vector<float> relit(float power) const {
+        size_t texels = (size_t)model->texelCount, stride = texels + 8;
+        std::vector<float> planes(3 * stride, 1);
+        float *out[3] = {&planes[0], &planes[stride], &planes[2 * stride]};
+        LightVector light = {};
+        light.bounced[0] = light.direct[0] = {power, power, power};
+        relight(*r, *model, light, out);
+        planes.resize(texels);
+        return planes;
+    }
 };
 
 // Returns the form factor from a point to a parallel rectangle a x b at distance c, with one corner straight
@@ -215,16 +226,11 @@ TEST(Solve, ColourBleeds) {
 TEST(Extremes, LampsFromAMillionthToAMillion) {
     TestRoom room({0, 2.5f, 1});
     ASSERT_TRUE(room.solve());
-    std::vector<float> planes[3];
-    for (auto &p : planes) p.resize((size_t)room.model->texelCount + 8);
-    float *out[3] = {planes[0].data(), planes[1].data(), planes[2].data()};
     for (float power : {1e-6f, 1.f, 1e6f}) {
-        LightVector light = {};
-        light.bounced[0] = light.direct[0] = {power, power, power};
-        relight(*room.r, *room.model, light, out);
+        std::vector<float> red = room.relit(power);
         for (int i = 0; i < room.model->texelCount; ++i) {
             float exact = (room.r->bounced[0][0][i] + room.r->direct[0][i]) * power;
-            ASSERT_NEAR(out[0][i], exact, exact * 1e-5f) << power;
+            ASSERT_NEAR(red[(size_t)i], exact, exact * 1e-5f) << power;
         }
     }
 }
@@ -284,12 +290,7 @@ TEST(Extremes, ARoomWithoutLightIsBlack) {
     TestRoom room({0, 2, 0});
     room.r->bases.lampCount = 0; // no light basis at all
     ASSERT_TRUE(room.solve());
-    std::vector<float> plane((size_t)room.model->texelCount + 8, 1);
-    float *out[3] = {plane.data(), plane.data(), plane.data()};
-    LightVector light = {};
-    light.bounced[0] = light.direct[0] = {1, 1, 1};
-    relight(*room.r, *room.model, light, out);
-    for (int i = 0; i < room.model->texelCount; ++i) ASSERT_EQ(plane[(size_t)i], 0) << i;
+    for (float red : room.relit(1)) ASSERT_EQ(red, 0);
 }
 
 TEST(Extremes, FailsWithoutMemoryOrTime) {

@@ -117,14 +117,20 @@ TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
             smoothsEdges(bright, name, 0.1); // 3 x 3 samples would give up to 0.15
 }
 
-// Steep edges of shadows on one surface have no stairs, not even in `draft`.
-TEST(AdaptiveFaults, EdgesOfShadowsHaveNoStairs) {
+// Returns a wall in the shadow of a box behind the viewer.
+static std::unique_ptr<Scene> shadowOf(const Shape &box) {
     auto s = emptyScene();
     s->add(matte({1, 1, 1}));
     s->add(rect({0, 0, -10}, {1, 0, 0}, {0, 1, 0}, 100, 100));
-    s->add(box({-20, 0, 20}, {20, 40, 1}, 0)); // behind the viewer
+    s->add(box);
     s->add(Light{{0, 0, 50}, {3600, 3600, 3600}});
     s->finish();
+    return s;
+}
+
+// Steep edges of shadows on one surface have no stairs, not even in `draft`.
+TEST(AdaptiveFaults, EdgesOfShadowsHaveNoStairs) {
+    auto s = shadowOf(box({-20, 0, 20}, {20, 40, 1}, 0));
     auto look = [&](QualityName name) {
         return traced(*s, {0, {0, 0, 0}, {0, 0, -10}, 4, 36}, named(name), 160, 90);
     };
@@ -136,12 +142,7 @@ TEST(AdaptiveFaults, EdgesOfShadowsHaveNoStairs) {
 // where one square finds it, its neighbours follow it along their sides.
 TEST(AdaptiveFaults, StripsOfShadowAreNotDashed) {
     auto rows = [](float pixels, float roll, QualityName name) {
-        auto s = emptyScene();
-        s->add(matte({1, 1, 1}));
-        s->add(rect({0, 0, -10}, {1, 0, 0}, {0, 1, 0}, 100, 100));
-        s->add(box({0.7f, 0, 20}, {0.0089f * pixels, 50, 0.01f}, 0)); // behind the viewer
-        s->add(Light{{0, 0, 50}, {3600, 3600, 3600}});
-        s->finish();
+        auto s = shadowOf(box({0.7f, 0, 20}, {0.0089f * pixels, 50, 0.01f}, 0));
         TracedPicture p = traced(*s, {0, {0, 0, 0}, {0, 0, -10}, roll, 36}, named(name), 320, 180);
         int found = 0;
         for (int y = 0; y < 180; ++y) {
@@ -161,7 +162,7 @@ TEST(AdaptiveFaults, StripsOfShadowAreNotDashed) {
 // A camera moves by fractions of a pixel through 64 positions. A bright point blinks in a position if its
 // brightest pixel is below half of its maximum. If it blinks in one of sixteen, a viewer sees it sparkle.
 constexpr int kSparkles = 64 / 16;
-static int blinks(QualityName quality, const std::function<void(Scene &)> &pose) {
+static int blinks(QualityName quality, void (*pose)(Scene &)) {
     auto s = emptyScene();
     pose(*s);
     s->finish();
@@ -178,38 +179,37 @@ static int blinks(QualityName quality, const std::function<void(Scene &)> &pose)
     return (int)std::count_if(bright.begin(), bright.end(), [&](int b) { return 2 * b < most; });
 }
 
-// The dim highlight of a ball of six pixels is found wherever it lies between the corners of squares. (In
-// draft it blinks in 15 positions, so it sparkles, which is a fault.)
-TEST(AdaptiveFaults, HighlightsOfSmallBallsDoNotBlinkInPlay) {
+// Small bright things are found wherever they lie between the corners of squares. (If they light only one
+// pixel, this pixel is dimmed as a spark. The dim highlight blinks in 15 positions in draft, so it sparkles,
+// which is a fault.)
+TEST(AdaptiveFaults, SmallThingsDoNotBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    auto pose = [](Scene &s) {
-        s.add(sphere({0, 0, 0}, 0.22f, s.add(Material{.specular = 0.8f, .exponent = 90})));
-        s.add(Light{{60, 50, 100}, {4e4f, 4e4f, 4e4f}});
-    };
-    EXPECT_LE(blinks(QualityName::Draft, pose), 4 * kSparkles);
-    EXPECT_LE(blinks(QualityName::Play, pose), kSparkles);
-}
-
-// The image of a lamp in a small ball, less than a pixel wide, is found in every position. (If it lights only
-// one pixel, this pixel is dimmed as a spark.)
-TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    auto pose = [](Scene &s) {
-        s.add(sphere({0, 0, 0}, 0.5f, s.add(Material{.reflect = 0.8f})));
-        s.add(sphere({3, 2, 5}, 0.35f, s.add(Material{.emit = {60, 60, 60}})));
-    };
-    for (QualityName name : {QualityName::Draft, QualityName::Play}) EXPECT_LE(blinks(name, pose), kSparkles);
-}
-
-// A ball of two pixels is found in every position, also next to an edge, which alone splits the squares
-// there. (If the ball lights only one pixel, this pixel is dimmed, as above.)
-TEST(AdaptiveFaults, TinyBallsNearEdgesDoNotBlink) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    auto pose = [](Scene &s) {
-        s.add(box({-2, 0, -1}, {2, 4, 0.5f}, s.add(Material{.emit = {0.05f, 0.05f, 0.05f}})));
-        s.add(sphere({0.05f, 0, 0}, 0.025f, s.add(Material{.emit = {0.6f, 0.6f, 0.6f}})));
-    };
-    for (QualityName name : {QualityName::Draft, QualityName::Play}) EXPECT_LE(blinks(name, pose), kSparkles);
+    const struct {
+        const char *what;
+        void (*pose)(Scene &s);
+        int mostInDraft;
+    } kCases[] = {{"the dim highlight of a ball of six pixels",
+                   [](Scene &s) {
+                       s.add(sphere({0, 0, 0}, 0.22f, s.add(Material{.specular = 0.8f, .exponent = 90})));
+                       s.add(Light{{60, 50, 100}, {4e4f, 4e4f, 4e4f}});
+                   },
+                   4 * kSparkles},
+                  {"the image of a lamp in a ball, less than a pixel wide",
+                   [](Scene &s) {
+                       s.add(sphere({0, 0, 0}, 0.5f, s.add(Material{.reflect = 0.8f})));
+                       s.add(sphere({3, 2, 5}, 0.35f, s.add(Material{.emit = {60, 60, 60}})));
+                   },
+                   kSparkles},
+                  {"a ball of two pixels next to an edge, which alone splits the squares there",
+                   [](Scene &s) {
+                       s.add(box({-2, 0, -1}, {2, 4, 0.5f}, s.add(Material{.emit = {0.05f, 0.05f, 0.05f}})));
+                       s.add(sphere({0.05f, 0, 0}, 0.025f, s.add(Material{.emit = {0.6f, 0.6f, 0.6f}})));
+                   },
+                   kSparkles}};
+    for (auto &[what, pose, mostInDraft] : kCases) {
+        EXPECT_LE(blinks(QualityName::Draft, pose), mostInDraft) << what;
+        EXPECT_LE(blinks(QualityName::Play, pose), kSparkles) << what;
+    }
 }
 
 // A pixel on the edge of a lamp shows the share that the lamp covers, as if the lamp were just white, however
@@ -325,10 +325,9 @@ static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName n
 TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (bool wall : {false, true}) {
-        auto s = emptyScene();
-        int tube = s->add(Material{.emit = {0.9f, 0.9f, 0.9f}}), silver = s->add(Material{.reflect = 1});
+        auto s = shining({0.9f, 0.9f, 0.9f}, cylinder({1, 0.5f, 8}, wall ? 0.02f : 0.09f, 0.5f, 0));
+        int silver = s->add(Material{.reflect = 1});
         s->add(wall ? rect({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 3, 3, silver) : sphere({0, 0, 0}, 1, silver));
-        s->add(cylinder({1, 0.5f, 8}, wall ? 0.02f : 0.09f, 0.5f, tube));
         s->finish();
         for (QualityName name : {QualityName::Draft, QualityName::Play})
             expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 16}, name, 0.15, wall ? 0.35 : 0.46);
@@ -338,10 +337,8 @@ TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
 // The image of a small lamp behind a ball of glass is never lost between the corners of squares.
 TEST(AdaptiveFaults, KeepsTheLightOfLampsInGlass) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    auto s = emptyScene();
-    int lamp = s->add(Material{.emit = {0.9f, 0.9f, 0.9f}});
+    auto s = shining({0.9f, 0.9f, 0.9f}, sphere({-1.6f, 0.7f, -3}, 0.06f, 0));
     s->add(sphere({0, 0, 0}, 1, s->add(Material{.ior = 1.5f})));
-    s->add(sphere({-1.6f, 0.7f, -3}, 0.06f, lamp));
     s->finish();
     expectLightKept(*s, {0, {0, 0, 6}, {0, 0, 0}, 0, 24}, QualityName::Draft, 0.05);
 }

@@ -47,8 +47,14 @@ TEST(Simulated, ThePageListsAreWellFormed) {
     }
 }
 
-// The number of in-betweens by gap (in sixtieths of a second), if all cadences but `cadence` have a high
-// penalty.
+// Returns a pace at which all cadences but one have a high penalty.
+static Pace paceFor(Governor::Cadence cadence) {
+    Pace pace;
+    for (int c = 0; c < kCadences; ++c) pace.penalty[c] = c == cadence ? 0 : 99;
+    return pace;
+}
+
+// The number of in-betweens by gap (in sixtieths of a second), if the film is played in a cadence.
 static std::map<long, int> charged(Governor::Cadence cadence, double from, double to) {
     std::map<long, int> gaps;
     CostOf counting = [&](const PictureKind &p) {
@@ -57,11 +63,7 @@ static std::map<long, int> charged(Governor::Cadence cadence, double from, doubl
     };
     SimulatedMachine machine = {20e9, 4, 1280, 720};
     machine.tracingWaits = machine.carryingWaits = machine.touching = 0;
-    machine.paceOf = [=](int) {
-        Pace pace;
-        for (int c = 1; c < kCadences; ++c) pace.penalty[c] = c == cadence ? 0 : 99;
-        return pace;
-    };
+    machine.paceOf = [=](int) { return paceFor(cadence); };
     std::vector<ShownPicture> list = simulate(counting, machine, from, to);
     std::map<long, int> made = std::exchange(gaps, {});
     summary(list, counting, machine);
@@ -114,11 +116,7 @@ TEST(Simulated, CoresShareWhatIsParallel) {
 TEST(Simulated, PixelsWaitForMemory) {
     SimulatedMachine machine = {20e9, 4, 1280, 720};
     CostOf nothing = [](const PictureKind &) { return PictureCost{0, 0}; };
-    machine.paceOf = [](int) { // pairs
-        Pace pace;
-        for (int c = 0; c < kCadences; ++c) pace.penalty[c] = c == Governor::kPairs ? 0 : 99;
-        return pace;
-    };
+    machine.paceOf = [](int) { return paceFor(Governor::kPairs); };
     machine.presenting = 0;
     std::vector<ShownPicture> list = simulate(nothing, machine, 2, 4);
     ASSERT_GT(list.size(), 100u);
