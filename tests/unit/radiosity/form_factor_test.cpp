@@ -1,5 +1,6 @@
 // Compares form factors from hemicubes with closed forms.
 #include "tests/support/hemicube_bench.h"
+#include "tests/support/room.h"
 #include "tests/support/sanitized.h"
 
 using namespace odraz;
@@ -128,21 +129,14 @@ TEST(FormFactor, CoaxialDiscs) {
     EXPECT_NEAR(sum / area, exact, 0.003 * exact);
 }
 
-// From a point to a parallel rectangle, at a corner and far to the side; the integrand of Howell, C-11.
+// From a point to a parallel rectangle, at a corner and far to the side.
 TEST(FormFactor, FromAPointToARectangle) {
-    auto corner = [](double a, double b) {
-        double ra = std::sqrt(1 + a * a), rb = std::sqrt(1 + b * b);
-        return (a / ra * std::atan(b / ra) + b / rb * std::atan(a / rb)) / (2 * M_PI);
-    };
     for (int px : {64, 128}) {
         HemicubeBench b;
         b.model->addRect({0, 1, 0}, {1.5f, 0, 0}, {0, 0, 1}, 0, 2); // facing down at height 1
         b.open(px, 1);
         for (double x : {0., 0.75, -1.}) {
-            auto along = [&](double z) {
-                return corner(1.5 - x, z) - (x > 0 ? -corner(x, z) : corner(-x, z));
-            };
-            double exact = along(1 - 0.25) + along(0.25), sum = 0;
+            double exact = parallelFormFactor(x, 0.25, 0, 1.5, 0, 1, 1), sum = 0;
             for (uint32_t turn = 0; turn < 32; ++turn) {
                 float got = b.row(hemicubeEye({(float)x, 0, 0.25f}, {0, 1, 0}, turn))[0];
                 sum += std::pow((double)got / exact - 1, 2);

@@ -65,22 +65,6 @@ struct TestRoom : ModelBench {
     }
 };
 
-// Returns the form factor from a point to a parallel rectangle a x b at distance c, with one corner straight
-// above the point.
-static double cornerFormFactor(double a, double b, double c) {
-    double A = a / c, B = b / c, ra = std::sqrt(1 + A * A), rb = std::sqrt(1 + B * B);
-    return (A / ra * std::atan(B / ra) + B / rb * std::atan(A / rb)) / (2 * M_PI);
-}
-// Returns the form factor from the point (x, z) on a plane to the rectangle [x0, x1] x [z0, z1] at height c
-// above it.
-static double parallelFormFactor(double x, double z, double x0, double x1, double z0, double z1, double c) {
-    auto corner = [&](double u, double v) {
-        double sign = (u < 0) != (v < 0) ? -1 : 1;
-        return sign * cornerFormFactor(std::fabs(u), std::fabs(v), c);
-    };
-    return corner(x1 - x, z1 - z) - corner(x0 - x, z1 - z) - corner(x1 - x, z0 - z) + corner(x0 - x, z0 - z);
-}
-
 TEST(Direct, ARectangularLampIsItsFormFactor) {
     for (float height : {0.1f, 0.5f, 2.5f}) {
         TestRoom room(0);

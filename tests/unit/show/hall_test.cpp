@@ -1,16 +1,16 @@
 // Tests the film's hall: its light over the day, and bounces. (traced_hall_test compares its hemicubes with
 // rays.)
 #include "show/materials.h"
+#include "tests/support/film_hall.h"
 #include "tests/support/hemicube_bench.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/solved_hall.h"
 #include "tests/support/traced_ray.h"
 
 using namespace odraz;
 
 constexpr Vec3 kEye = {0, 1.6f, 3};
 
-static SolvedHall &solved() { return SolvedHall::drawn(); }
+static FilmHall &solved() { return FilmHall::drawn(); }
 // Returns a scene with the lit hall.
 static std::unique_ptr<Scene> posed(const HallLight &light) {
     auto scene = emptyScene();
@@ -21,7 +21,7 @@ static std::unique_ptr<Scene> posed(const HallLight &light) {
 // The hall fits the memory of a room, with a reserve but without waste. With all its lights on, it is below
 // the limits of a scene.
 TEST(Hall, FitsAndWastesNothing) {
-    SolvedHall &s = solved();
+    FilmHall &s = solved();
     double used = (double)s.memory.arena.used / (double)s.memory.arena.size;
     EXPECT_LT(used, 0.8);
     EXPECT_GT(used, 0.6);
@@ -33,7 +33,7 @@ TEST(Hall, FitsAndWastesNothing) {
 // The hall is closed: for every patch, the form factors of the film's hemicube, with windows and lamps, sum
 // to 1.
 TEST(Hall, IsClosed) {
-    SolvedHall &s = solved();
+    FilmHall &s = solved();
     const Model &m = s.hall->model;
     SingleHemicube hemicube(kHallSettings.px);
     for (int i = 0; i < m.patchCount; i += kSanitized ? 7 : 1) {

@@ -1,13 +1,14 @@
 // Tests the hall as the page solves it, by hemicubes that rays fill, at the film's settings: against rays in
 // double precision, against path tracing, and against the hall that OpenGL draws.
+#include "tests/support/film_hall.h"
 #include "tests/support/model_rays.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/solved_hall.h"
+#include "tools/measure/reference/hall_paths.h"
 
 using namespace odraz;
 using namespace odraz::radiosity;
 
-static const Hall &traced() { return *SolvedHall::traced().hall; }
+static const Hall &traced() { return *FilmHall::traced().hall; }
 
 // Returns the patch of a chart at a point of its plane.
 static int patchAt(const Chart &c, Vec3d p) {
@@ -25,14 +26,10 @@ struct PatchRays {
     const Model &model;
     ModelRays rays{model};
 
-    int at(Vec3d from, Vec3d d, Vec3d *where = nullptr) const {
+    int at(Vec3d from, Vec3d d) const {
         Obstacles::Hit hit = rays.obstacles.nearest(from, d);
         if (hit.back) return -1;
-        if (hit.met()) {
-            Vec3d p = from + d * hit.t;
-            if (where) *where = p;
-            return patchAt(model.charts[rays.chartOf[(size_t)hit.number]], p);
-        }
+        if (hit.met()) return patchAt(model.charts[rays.chartOf[(size_t)hit.number]], from + d * hit.t);
         for (int i = 0; i < model.chartCount; ++i) {
             const Chart &c = model.charts[i];
             double t = dot(toDouble(c.corner) - from, toDouble(c.n)) / dot(d, toDouble(c.n));
@@ -88,55 +85,26 @@ TEST(TracedHall, EveryPixelShowsWhatARayInDoublePrecisionHits) {
     }
 }
 
-// Paths in double precision start from patches and collect the same direct light on patches.
-TEST(TracedHall, IndirectLightAgreesWithPathTracing) {
+// Paths in double precision find the same light, for all lights of the film.
+TEST(TracedHall, ItsLightAgreesWithPathTracing) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    const Hall &hall = traced();
-    const Model &m = hall.model;
-    const System &system = hall.radiosity.system;
-    LightVector noon = lightVector({kNoon, {}, {}, 0});
-    auto light = [&](const float *row) {
-        double sum = 0;
-        for (int k = 0; k < kHallBases.count(); ++k) sum += (double)(row[3 * k + 1] * noon.bounced[k].y);
-        return sum;
-    };
-    PatchRays rays{m};
-    double byPaths = 0, solved = 0, square = 0, noise = 0;
-    int compared = 0;
-    for (int i = 7; i < m.patchCount; i += m.patchCount / 150) {
-        const Patch &p = m.patches[i];
-        if (p.share < 1 || m.charts[p.chart].open) continue;
-        constexpr int kPaths = 4096;
-        Sampler sampler((uint64_t)i);
-        double sum = 0, squares = 0;
-        for (int k = 0; k < kPaths; ++k) {
-            double weight = 1, path = 0;
-            Vec3d at = toDouble(p.p), n = toDouble(p.n);
-            while (weight > 1e-3) {
-                int patch = rays.at(at + n * 1e-5, byCosine(n, inCell(sampler, 0, 1)), &at);
-                if (patch < 0) break;
-                n = toDouble(m.patches[patch].n);
-                weight *= (double)m.patches[patch].reflects.y; // a window's is 0
-                path += weight * light(system.direct + (size_t)(patch * system.columns));
-            }
-            sum += path, squares += path * path;
-        }
-        sum /= kPaths;
-        noise += (squares / kPaths - sum * sum) / kPaths;
-        double indirect = light(system.indirect + (size_t)(i * system.columns));
-        byPaths += sum, solved += indirect;
-        square += (sum - indirect) * (sum - indirect);
-        ++compared;
+    const FilmHall &solved = FilmHall::traced();
+    std::vector<measure::HallTexel> texels = measure::placeTexels(traced(), 200);
+    Workers workers = serialWorkers();
+    for (const measure::LightOfHall &light : measure::lightsOf(traced())) {
+        auto paths = measure::tracedLight(traced(), *solved.scene, light, texels, 16, workers),
+             found = measure::solvedLight(traced(), light, texels, paths.drawn);
+        MeshErrors reflected = errorsOf(found.reflected, paths.reflected, paths.reflectedNoise2),
+                   all = errorsOf(found.all, paths.all, paths.noise2); // percent
+        EXPECT_NEAR(reflected.bias, 0, 3) << light.name;
+        EXPECT_LT(reflected.rms, light.name == "the point" ? 25 : 12) << light.name;
+        EXPECT_LT(all.rms, 8) << light.name;
     }
-    double mean = byPaths / compared, rms = std::sqrt(std::max(square - noise, 0.) / compared) / mean;
-    // Three standard errors of the mean, by the differences of the patches
-    EXPECT_NEAR(solved / byPaths, 1, 3 * std::sqrt(square) / compared / mean);
-    EXPECT_LT(rms, 0.08); // a patch gathers at one point, paths go on from anywhere on it
 }
 
 // The film and the page show the same hall.
 TEST(TracedHall, IsTheDrawnHall) {
-    const Hall &a = *SolvedHall::drawn().hall, &b = traced();
+    const Hall &a = *FilmHall::drawn().hall, &b = traced();
     ASSERT_EQ(a.model.texelCount, b.model.texelCount);
     for (int k = 0; k < kHallBases.count(); ++k) {
         double square = 0, difference = 0;

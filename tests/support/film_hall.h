@@ -6,23 +6,23 @@
 
 namespace odraz {
 
-struct SolvedHall {
+struct FilmHall {
     HeapArena memory{kRoomBytes + sizeof(Hall)};
     Workers workers = serialWorkers();
+    std::unique_ptr<Scene> scene = emptyScene();
     Hall *hall = memory.arena.allocate<Hall>(1);
 
-    explicit SolvedHall(const HemicubeMethod &method, const Gl *gl) {
-        auto scene = emptyScene();
+    explicit FilmHall(const HemicubeMethod &method, const Gl *gl) {
         prepareHall(*hall, *scene);
         EXPECT_STREQ(solveRoom(*hall, *scene, hallSettings(*hall), {method, gl, memory.arena, workers, {}}),
                      nullptr);
     }
-    static SolvedHall &drawn() {
-        static SolvedHall hall(kDrawnHemicubes, &headlessGl());
+    static FilmHall &drawn() {
+        static FilmHall hall(kDrawnHemicubes, &headlessGl());
         return hall;
     }
-    static SolvedHall &traced() {
-        static SolvedHall hall(kTracedHemicubes, nullptr);
+    static FilmHall &traced() {
+        static FilmHall hall(kTracedHemicubes, nullptr);
         return hall;
     }
 };
