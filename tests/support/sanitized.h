@@ -1,16 +1,12 @@
 // Sanitizers make tests five times as slow, and find misused memory, not wrong figures. So with them sweeps
-// test fewer cases.
+// test fewer cases, and a FIGURES_TEST, which only checks figures of code that other tests run too, is
+// skipped.
 #pragma once
 
-namespace odraz {
-
 #ifdef __SANITIZE_ADDRESS__
+#define FIGURES_TEST(suite, name) TEST(suite, DISABLED_##name)
 constexpr bool kSanitized = true;
 #else
+#define FIGURES_TEST TEST
 constexpr bool kSanitized = false;
 #endif
-
-// The GTEST_SKIP() message of tests that only check figures of code which other tests run too.
-constexpr const char *kFiguresAlone = "it checks figures, which sanitizers do not change";
-
-} // namespace odraz

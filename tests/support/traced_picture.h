@@ -76,13 +76,9 @@ inline TracedPicture traced(int scene, float row, const CameraKey &camera, const
 }
 
 inline double decibels(const TracedPicture &a, const TracedPicture &b) {
-    double squares = 0;
-    size_t bytes = (size_t)a.frame.width * (size_t)a.frame.height * 4;
-    for (size_t i = 0; i < bytes; ++i) {
-        double d = a.frame.rgba[i] - b.frame.rgba[i];
-        squares += d * d;
-    }
-    return pictures::psnr(squares, bytes / 4 * 3);
+    auto bytes = [](const Frame &f) { return bytesOf({f.width, f.height, f.rgba}); };
+    return pictures::psnr(pictures::squares(bytes(a.frame), bytes(b.frame)),
+                          (size_t)(a.frame.width * a.frame.height * 3));
 }
 
 } // namespace odraz

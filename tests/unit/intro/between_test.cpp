@@ -53,8 +53,7 @@ static double decibels(const Intro &intro, const std::vector<float> &a, const st
 
 // A picture of `play` and an in-between take about as long as two drafts, so they must not look worse: their
 // mean squared error is at most half a dB above a draft's (in the credits), or too small to see.
-TEST(Between, PairsAreNearerToTheTruthThanDrafts) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Between, PairsAreNearerToTheTruthThanDrafts) {
     // (Not on beats, on which light changes at once)
     for (double seconds : {10.3, 22.3, 45.3, 54.3, 74.3, 90.3, 106.3, 138.3, 153.3}) {
         auto truth = traced(film(), seconds, named(QualityName::Reference));
@@ -111,8 +110,7 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
 
 // At any fraction of a wider gap the squared error is at most twice a draft's, or too small to see. Twice
 // the error is not visible in a picture that is shown for a sixtieth of a second.
-TEST(Between, IsNearAtEveryFraction) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Between, IsNearAtEveryFraction) {
     for (double seconds : {20., 44., 98., 150.}) {
         auto truth = traced(film(), seconds, named(QualityName::Reference));
         double draft = decibels(film(), truth, traced(film(), seconds, named(QualityName::Draft)));

@@ -257,7 +257,7 @@ TEST(Estimates, AreNearTheMeasuredSize) {
         uint32_t contexts;
     } kCases[] = {{{count, 0, count}, 4}, {{count, 0, 0}, 12}, {{count, 1500, 5000}, 16}};
     for (auto [layout, contexts] : kCases) {
-        if (odraz::kSanitized && contexts != 4) continue;
+        if (kSanitized && contexts != 4) continue;
         Bytes filtered = filter(b, layout);
         ModelParameters parameters = smallParameters(20);
         parameters.contexts = contexts;

@@ -147,8 +147,7 @@ TEST(FormFactor, FromAPointToARectangle) {
 }
 
 // The error falls with the number of pixels: at most one per cent at 64.
-TEST(FormFactor, OfUnitSquaresFallsWithResolution) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(FormFactor, OfUnitSquaresFallsWithResolution) {
     for (const Squares &squares : kSquares) {
         double coarse = rmsError(squares, 8, 8), middle = rmsError(squares, 64, 8);
         EXPECT_LT(coarse, 0.1);

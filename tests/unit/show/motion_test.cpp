@@ -2,6 +2,8 @@
 #include "inside.h"
 #include "tests/support/loaded_film.h"
 #include "tests/support/sanitized.h"
+#include "tools/common/statistics.h"
+#include "tools/picture/psnr.h"
 
 using namespace odraz;
 
@@ -16,11 +18,6 @@ struct Pictures {
 static const Pictures &measured() {
     static const Pictures all = [] {
         Pictures p;
-        std::array<double, 256> linear;
-        for (int i = 0; i < 256; ++i) {
-            double x = i / 255.;
-            linear[(size_t)i] = x < 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-        }
         std::vector<double> before;
         for (int n = 0; n < duration() * kRate; ++n) {
             Picture now = picture(smallFilm(), 0, (double)n / kRate, kQualities[(int)QualityName::Draft]);
@@ -28,7 +25,8 @@ static const Pictures &measured() {
             double light = 0, change = 0;
             for (int i = 0; i < kPixels; ++i) {
                 const uint8_t *c = now.rgba + 4 * i;
-                light += 0.2126 * linear[c[0]] + 0.7152 * linear[c[1]] + 0.0722 * linear[c[2]];
+                auto linear = [=](int k) { return pictures::linearOfSrgb(c[k]); };
+                light += 0.2126 * linear(0) + 0.7152 * linear(1) + 0.0722 * linear(2);
                 luma.push_back(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
                 if (n) change += std::fabs(luma.back() - before[(size_t)i]);
             }
@@ -42,10 +40,8 @@ static const Pictures &measured() {
 }
 
 static double medianChange(double from, double to) {
-    std::vector<double> part(measured().changes.begin() + (long)(from * kRate) + 1,
-                             measured().changes.begin() + (long)(to * kRate));
-    std::nth_element(part.begin(), part.begin() + (long)part.size() / 2, part.end());
-    return part[part.size() / 2];
+    auto begin = measured().changes.begin();
+    return common::median(std::vector(begin + (long)(from * kRate) + 1, begin + (long)(to * kRate)));
 }
 
 // Returns how often the values rise or fall by a tenth or more, of a fiftieth of white at least.
@@ -66,14 +62,12 @@ static int swings(const double *values, int count) {
 }
 
 // What swings more often tires the eye; three flashes a second are the limit of WCAG 2.3.1.
-TEST(Motion, LightRisesAndFallsAtMostThreeTimesASecond) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Motion, LightRisesAndFallsAtMostThreeTimesASecond) {
     const std::vector<double> &light = measured().light;
     for (int n = 0; n + kRate < (int)light.size(); n += kRate / 5)
         EXPECT_LE(swings(&light[(size_t)n], kRate + 1), 3) << "from " << (double)n / kRate << " s";
 }
 
-TEST(Motion, TheClimaxMovesMost) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Motion, TheClimaxMovesMost) {
     EXPECT_GE(medianChange(kClimaxFrom, kClimaxTo), 1.5 * medianChange(kBeforeFrom, kClimaxFrom));
 }

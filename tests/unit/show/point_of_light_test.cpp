@@ -33,8 +33,7 @@ static long pixelsAt(double seconds) {
     return std::count_if(red.begin(), red.end(), [&](float r) { return r * scene.exposure > kBright; });
 }
 
-TEST(PointOfLight, IsSeenInEveryShot) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(PointOfLight, IsSeenInEveryShot) {
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &s = kFilm.shots[i];
         for (int k = 0; k < kMoments; ++k) {

@@ -5,13 +5,9 @@
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shots.h"
+#include "tools/common/statistics.h"
 
 using namespace odraz;
-
-static float medianOf(std::vector<float> values) {
-    std::nth_element(values.begin(), values.begin() + (long)values.size() / 2, values.end());
-    return values[values.size() / 2];
-}
 
 // The treatment demands this number of cuts, and these lenses: focal lengths in mm for a picture 24 mm high.
 constexpr int kLeastCuts = 35;
@@ -96,8 +92,7 @@ TEST(Film, CamerasMoveEvenly) {
 
 // Levels fit the treatment: no picture is too dark or too bright, hardly any pixel is clipped, and colours
 // are moderate.
-TEST(Film, LevelsFitTheTreatment) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Film, LevelsFitTheTreatment) {
     for (int scene = 0; scene < kSceneCount; ++scene) {
         double least = 255, most = 0, clipped = 0;
         std::vector<float> medians;
@@ -121,10 +116,10 @@ TEST(Film, LevelsFitTheTreatment) {
             level /= p.width * p.height;
             least = std::fmin(least, level), most = std::fmax(most, level);
             clipped = std::fmax(clipped, 100. * white / (p.width * p.height));
-            if (saturations.size() > 1000) medians.push_back(medianOf(saturations));
+            if (saturations.size() > 1000) medians.push_back(common::median(saturations));
         }
         ASSERT_FALSE(medians.empty());
-        double saturation = medianOf(medians);
+        double saturation = common::median(medians);
         SCOPED_TRACE(kScenes[scene].name);
         bool black = scene == kPoint || scene == kCredits; // the scene is mostly black
         EXPECT_GE(least, black ? 1 : 7);

@@ -86,8 +86,7 @@ TEST(TracedHall, EveryPixelShowsWhatARayInDoublePrecisionHits) {
 }
 
 // Paths in double precision find the same light, for all lights of the film.
-TEST(TracedHall, ItsLightAgreesWithPathTracing) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(TracedHall, ItsLightAgreesWithPathTracing) {
     const FilmHall &solved = FilmHall::traced();
     std::vector<measure::HallTexel> texels = measure::placeTexels(traced(), 200);
     Workers workers = serialWorkers();

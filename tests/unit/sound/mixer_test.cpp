@@ -167,8 +167,7 @@ TEST(Mixer, SeeksToTheSameSound) {
     }
 }
 
-TEST(Mixer, HasVoicesEnoughForTheFilm) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Mixer, HasVoicesEnoughForTheFilm) {
     auto m = mixer(playRow);
     int most = 0;
     for (int block = 0; block < 164 * 200; ++block) {

@@ -6,8 +6,7 @@ using namespace odraz;
 
 // Flicker is an error that changes: if a camera moves by a quarter of a pixel per picture, the error changes
 // by less than a level of 255, the least step of a screen, and less than one pixel per picture jumps.
-TEST(AdaptiveFaults, DoesNotFlicker) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(AdaptiveFaults, DoesNotFlicker) {
     constexpr int kWidth = 320, kHeight = 180, kPictures = 8;
     auto scene = posed(kTable, 70);
     std::vector<std::vector<int>> errors;
@@ -36,8 +35,7 @@ TEST(AdaptiveFaults, DoesNotFlicker) {
 
 // Where squares meet, the picture must be as smooth as inside them. A viewer does not notice the grid if
 // second differences there are less than a quarter larger than inside.
-TEST(AdaptiveFaults, ShowsNoSquares) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(AdaptiveFaults, ShowsNoSquares) {
     TracedPicture p = traced(kTable, 100, kTableView, named(QualityName::Play), 640, 360),
                   truth = traced(kTable, 100, kTableView, named(QualityName::Reference), 640, 360);
     auto bends = [](const TracedPicture &q, int phase) {
@@ -107,8 +105,7 @@ static void smoothsEdges(float bright, QualityName name, double mostOff) {
         EXPECT_LT(std::sqrt(squares / edges), mostOff) << named(name).name << " " << degrees;
     }
 }
-TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
     smoothsEdges(1, QualityName::Film, 0.05);
     // An intensity of 0.05 is 15 of 255 in the picture: stairs of whole pixels would be seen
     const float dim = 0.7f * 0.05f * 0.05f / (1 - 0.05f * 0.05f);
@@ -182,8 +179,7 @@ static int blinks(QualityName quality, void (*pose)(Scene &)) {
 // Small bright things are found wherever they lie between the corners of squares. (If they light only one
 // pixel, this pixel is dimmed as a spark. The dim highlight blinks in 15 positions in draft, so it sparkles,
 // which is a fault.)
-TEST(AdaptiveFaults, SmallThingsDoNotBlink) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(AdaptiveFaults, SmallThingsDoNotBlink) {
     const struct {
         const char *what;
         void (*pose)(Scene &s);
@@ -322,8 +318,7 @@ static void expectLightKept(Scene &scene, const CameraKey &camera, QualityName n
 
 // The image of a tube in a mirroring ball or wall, a pixel wide or less, has no long gaps. (It has dashes: in
 // single pictures it loses up to 45 % of its light in the ball and 32 % in the wall, which is a fault.)
-TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
     for (bool wall : {false, true}) {
         auto s = shining({0.9f, 0.9f, 0.9f}, cylinder({1, 0.5f, 8}, wall ? 0.02f : 0.09f, 0.5f, 0));
         int silver = s->add(Material{.reflect = 1});
@@ -335,8 +330,7 @@ TEST(AdaptiveFaults, KeepsTheLightOfThinTubesInMirrors) {
 }
 
 // The image of a small lamp behind a ball of glass is never lost between the corners of squares.
-TEST(AdaptiveFaults, KeepsTheLightOfLampsInGlass) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(AdaptiveFaults, KeepsTheLightOfLampsInGlass) {
     auto s = shining({0.9f, 0.9f, 0.9f}, sphere({-1.6f, 0.7f, -3}, 0.06f, 0));
     s->add(sphere({0, 0, 0}, 1, s->add(Material{.ior = 1.5f})));
     s->finish();
@@ -344,8 +338,7 @@ TEST(AdaptiveFaults, KeepsTheLightOfLampsInGlass) {
 }
 
 // A highlight that is smaller than a square is never lost either.
-TEST(AdaptiveFaults, KeepsTheLightOfSmallHighlights) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(AdaptiveFaults, KeepsTheLightOfSmallHighlights) {
     for (float x : {0.f, 0.1f, 0.2f, 0.3f, 0.4f}) {
         auto s = emptyScene();
         s->add(sphere({0, 0, 0}, 1, s->add(Material{.specular = 1, .exponent = 2500})));

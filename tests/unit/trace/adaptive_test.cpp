@@ -9,8 +9,7 @@
 using namespace odraz;
 using namespace odraz::measure;
 
-TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
     TracedPicture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 640, 360);
     auto of = [&](QualityName name) {
         TracedPicture p = traced(kTable, 100, kTableView, named(name), 640, 360);
@@ -25,8 +24,7 @@ TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
 }
 
 // The governor's steps between qualities are small, and each saves samples and costs accuracy.
-TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
     TracedPicture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);
     double samples = 1e30, quality = 1e30;
     for (int i = 2; i <= 40; ++i) { // starts at level 0.1, because only `film` has some features
@@ -49,8 +47,7 @@ TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
 
 // Veins seen through glass are thinner than a coarse square, but no block of them may be missing. A viewer
 // does not notice one wrong pixel of two hundred along veins that are a pixel wide.
-TEST(Adaptive, ShowsTexturesInGlassAndMirrors) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Adaptive, ShowsTexturesInGlassAndMirrors) {
     CameraKey close = {0, {-0.62f, 0.8f, 2.7f}, {-0.8f, 0.5f, 0.6f}, 0, 36};
     TracedPicture reference = traced(kPoint, 72, close, named(QualityName::Reference), 400, 225);
     TracedPicture play = traced(kPoint, 72, close, named(QualityName::Play), 400, 225);

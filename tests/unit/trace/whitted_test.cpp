@@ -98,8 +98,7 @@ TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
 
 // A light that is too faint for the quality casts no shadow. The shadow fades in with the light's strength,
 // up to the full shadow of lights that matter.
-TEST(Shadow, FadesInWithTheLightThatItTakes) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Shadow, FadesInWithTheLightThatItTakes) {
     Quality coarse = kExact;
     coarse.cutoff = 1 / 24.f;
     float before = 0, most = 0;

@@ -34,8 +34,7 @@ struct Floor {
 // falls into the openings of the windows, where texels are densest. At dawn most light is this glow: there
 // the error is three per cent of a dim light, at sunset one. Half-way between two solved suns it is less than
 // twice as large as on them, but at dawn.
-TEST(Day, IsWithinAFewPerCentOfExactSolutions) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Day, IsWithinAFewPerCentOfExactSolutions) {
     for (const DayError &e : dayErrors({0, 0.625f, 1, 2, 3, 4, 4.625f, 5, 6}, headlessGl(), serial)) {
         EXPECT_LT(e.whole, e.hour == 0 ? 3.5 : e.hour == 0.625f ? 2.2 : e.hour > 4.5f ? 1.2 : 1) << e.hour;
     }

@@ -68,12 +68,12 @@ static std::string problemOf(const std::string &text) {
 }
 
 // A folder of the show's layout, with one file.
-struct Fixture : testing::Test {
+struct KeyTablesTest : testing::Test {
     common::TemporaryFolder folder;
     std::string file = folder / "scenes/one.keys";
     KeyTables tables{folder / ""};
 
-    Fixture() {
+    KeyTablesTest() {
         std::filesystem::create_directory(folder / "scenes");
         rewrite(kFile);
     }
@@ -94,7 +94,6 @@ struct Fixture : testing::Test {
     }
     bool holds(const std::string &text) const { return readWhole(file).find(text) != std::string::npos; }
 };
-using KeyTablesTest = Fixture;
 
 TEST(KeyFile, HasTablesByNameAndKind) {
     KeyFile file("one.keys", kFile, kRows);

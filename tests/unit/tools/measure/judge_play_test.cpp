@@ -84,8 +84,7 @@ static SeenErrors seenOf(Viewer &viewer, const std::vector<ShownPicture> &list, 
 }
 
 // The moment is in the flake's flight, where everything moves.
-TEST(Viewer, RanksRatesGapsAndSizes) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+FIGURES_TEST(Viewer, RanksRatesGapsAndSizes) {
     constexpr double kFrom = 49.5, kTo = 49.75; // FLIP is of its third, eighth and 13th sixtieth
     Viewer viewer(320, 180, kFrom, kTo);
     auto seen = [&](double rate, int every, float level, int width) {
