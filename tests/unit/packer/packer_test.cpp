@@ -177,8 +177,7 @@ TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
 TEST(Coder, CountsTheBitsOfEachByte) {
     Bytes b = realCode(8000);
     Encoded e = encode(b, allCode(b), smallParameters(), workspace);
-    double sum = 0;
-    for (float bits : e.bits) sum += bits;
+    double sum = std::accumulate(e.bits.begin(), e.bits.end(), 0.);
     EXPECT_NEAR(sum / 8, (double)e.payload.size(), 8);
     EXPECT_NEAR(measure(filter(b, allCode(b)), allCode(b), smallParameters(), workspace), sum / 8, 1);
 }

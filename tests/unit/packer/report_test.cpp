@@ -16,8 +16,7 @@ static Report example(std::vector<float> bits, const Rooms *rooms = nullptr) {
     std::vector<Stretch> stretches = {{0, 2, ".text", "a.o", "liba.a", "f(int)"},
                                       {2, 1, ".text", "a.o", "liba.a", "(nothing named in .text)"},
                                       {3, 1, ".data", "b.o", "src", "g"}};
-    double all = 0;
-    for (float b : bits) all += b;
+    double all = std::accumulate(bits.begin(), bits.end(), 0.);
     return makeReport(stretches, bits, 100 + (size_t)(all / 8) + 2, 100, rooms);
 }
 

@@ -47,9 +47,7 @@ TEST(DeltaFormFactors, SumToOneAndAreTheIntegralOfTheKernel) {
     for (int px : {4, 16, 64, 128}) {
         std::vector<float> delta((size_t)(3 * px * px));
         deltaFormFactors(px, delta.data());
-        double sum = 0;
-        for (float d : delta) sum += (double)d;
-        EXPECT_NEAR(sum, 1, 1e-6) << px;
+        EXPECT_NEAR(std::accumulate(delta.begin(), delta.end(), 0.), 1, 1e-6) << px;
         // Compare a few pixels with a fine midpoint sum
         for (int k = 0; k < 24; ++k) {
             int row = k * 5 % (3 * px), column = k * 7 % px;

@@ -42,9 +42,7 @@ TEST(Hall, IsClosed) {
         Eye eye = hemicubeEye(p.p, m.charts[p.chart].n, (uint32_t)i);
         double dark;
         std::vector<float> row = hemicube.row(m, eye, &dark);
-        double sum = 0;
-        for (float f : row) sum += (double)f;
-        EXPECT_NEAR(sum + dark, 1, 1e-6);
+        EXPECT_NEAR(std::accumulate(row.begin(), row.end(), dark), 1, 1e-6);
         EXPECT_LT(dark, 1e-6) << "patch " << i << " of chart " << p.chart << " at " << p.p.x << ' ' << p.p.y
                               << ' ' << p.p.z;
     }

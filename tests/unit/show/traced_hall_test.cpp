@@ -1,5 +1,5 @@
-// Tests the hall as the page solves it, by hemicubes that rays fill, at the film's settings: against rays in
-// double precision, against path tracing, and against the hall that OpenGL draws.
+// Tests the hall at the film's settings: the hemicubes of film and page against rays in double precision, and
+// the hall as the page solves it against path tracing and the hall that OpenGL draws.
 #include "tests/support/film_hall.h"
 #include "tests/support/model_rays.h"
 #include "tests/support/sanitized.h"

@@ -15,9 +15,8 @@ struct Canvas {
     }
     float &at(int x, int y) { return frame.plane[0][y * frame.stride + x]; }
     double sum() const {
-        double s = 0;
-        for (float v : planeOf(frame, 0)) s += v;
-        return s;
+        std::vector<float> red = planeOf(frame, 0);
+        return std::accumulate(red.begin(), red.end(), 0.);
     }
     void fill(float radiance) {
         for (float *plane : frame.plane)
