@@ -83,6 +83,7 @@ void poseOdraz(const SceneInput &in, Scene &scene) {
     // Dim the night outside together with the door, or the entrance would outshine the word in front of it
     scene.sky.low = Rgb{0.004f, 0.006f, 0.01f} * min(0.3f + burn, 1.f);
     scene.sky.cover = 0;
+    scene.sky.least = 0; // the darker horizon would make the sky below it negative
 
     scene.addAll(kMaterials);
     scene.add(metal(true, 0.26f));
