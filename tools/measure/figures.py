@@ -37,10 +37,10 @@ def figures(results):
 
     def peers(column):
         """The cells of POV-Ray's best picture, on A and on B."""
-        found = [line[head.index(column)] for head, body in results.tables('povray') if column in head
+        found = [line[head.index(column)] for head, body in results.tables('peers') if column in head
                  for line in body if line[0] == peer]
         if len(found) < 2 or not all(found):
-            raise Failed(f"figures: section povray has no '{peer}' below '{column}' for both scenes")
+            raise Failed(f"figures: section peers has no '{peer}' below '{column}' for both scenes")
         return found
 
     def solved(model):
