@@ -1,6 +1,6 @@
 // Measures the film's music: hits are on time and follow silence, every scene has noise, and nothing clips.
 #include "tests/support/shots.h"
-#include "tools/measure/inspection/hits.h"
+#include "tools/support/hits.h"
 
 #include "show/score.h"
 

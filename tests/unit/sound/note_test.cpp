@@ -1,7 +1,7 @@
 // Tests notes: they are in tune, have no aliases and no clicks, and do not depend on block boundaries.
 #include "show/score.h"
 #include "tests/support/voice.h"
-#include "tools/measure/inspection/recording.h"
+#include "tools/support/recording.h"
 
 using namespace odraz;
 using namespace odraz::measure;

@@ -2,7 +2,7 @@
 
 #include "play/governor.h"
 #include "tools/common/command_line.h"
-#include "tools/measure/inspection/screening.h"
+#include "tools/measure/bench/screening.h"
 
 #include <algorithm>
 #include <cmath>

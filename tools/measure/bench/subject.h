@@ -3,7 +3,7 @@
 #pragma once
 
 #include "inside.h"
-#include "tools/measure/inspection/screening.h"
+#include "tools/measure/bench/screening.h"
 
 #include <functional>
 #include <string>

@@ -1,8 +1,8 @@
 // probe: prints what pictures of the film cost, in instructions, and how far they are from `film`. It counts
 // only if tools/measure/play/costs has built it.
 #include "tools/common/text.h"
+#include "tools/measure/bench/screening.h"
 #include "tools/measure/bench/setting.h"
-#include "tools/measure/inspection/screening.h"
 #include "tools/picture/psnr.h"
 
 #include <algorithm>

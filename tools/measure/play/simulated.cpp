@@ -2,7 +2,7 @@
 
 #include "tools/common/command_line.h"
 #include "tools/common/text.h"
-#include "tools/measure/inspection/screening.h"
+#include "tools/measure/bench/screening.h"
 #include "tools/measure/play/simulated_player.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // that moment. So late and missing pictures count as errors, as coarse ones do.
 #pragma once
 
-#include "tools/measure/inspection/screening.h"
+#include "tools/measure/bench/screening.h"
 #include "tools/measure/play/shown.h"
 #include "tools/picture/flip.h"
 

@@ -1,4 +1,4 @@
-#include "tools/measure/inspection/hits.h"
+#include "tools/support/hits.h"
 
 #include "show/score.h"
 #include "show/show.h"

@@ -1,7 +1,7 @@
 // Measurements of the film's drum hits and of noise in its music.
 #pragma once
 
-#include "tools/measure/inspection/recording.h"
+#include "tools/support/recording.h"
 
 namespace odraz::measure {
 

@@ -1,4 +1,4 @@
-#include "tools/measure/inspection/recording.h"
+#include "tools/support/recording.h"
 
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"

@@ -1,7 +1,7 @@
 // listen: measures the film's music: levels, spectrum, onsets, hits.
 #include "show/show.h"
 #include "tools/common/command_line.h"
-#include "tools/measure/inspection/hits.h"
+#include "tools/support/hits.h"
 
 #include <algorithm>
 #include <cmath>

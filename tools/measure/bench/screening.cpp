@@ -1,4 +1,4 @@
-#include "tools/measure/inspection/screening.h"
+#include "tools/measure/bench/screening.h"
 
 #include "play/governor.h"
 #include "tools/common/text.h"
