@@ -153,7 +153,7 @@ def between(machine):
     costs = {(float(row['seconds']), row['gap'], levels[row['level']]): float(row['serial']) + float(row['parallel'])
              for row in counted}
     moments = machine.run('build/probe --list', noted=False).split()[1::3]
-    found = rows(machine.run('build/probe --errors truths --setting play --setting draft --gap 0 --gap 2 --gap 4 '
+    found = rows(machine.run('build/probe --errors --setting play --setting draft --gap 0 --gap 2 --gap 4 '
                              '--gap 6 ' + ' '.join(f'--at {at}' for at in moments)))
     for scene in dict.fromkeys(row['scene'] for row in found):
         line = {'scene': scene}

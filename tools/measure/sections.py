@@ -113,7 +113,7 @@ SECTIONS = [
             for a twentieth of a second in each shot, but with the page's own player, one worker per core, and pictures
             that cost {ratio} times as much as natively: the PSNR in sRGB (dB) and FLIP. A core of x86-64 has 7 G.''']),
     Section(
-        'scenes', 'The tracer: qualities, knobs, and the parts of a picture', 2.0,
+        'scenes', 'The tracer: qualities, knobs, and the parts of a picture', 2.2,
         sources=['intro/base', 'intro/trace', 'intro/show', 'intro/transfer', 'tools/measure/bench'],
         programs=['tradeoff', 'trace_once'], packages=['valgrind'],
         parts=[

@@ -2,7 +2,7 @@
 import math
 
 import counting
-from machine import at_once, say
+from machine import at_once
 from parts import markdown, rows
 
 SCENES = 'A', 'table', 'flake', 'hall', 'credits'
@@ -18,7 +18,7 @@ KNOBS = [*SETTINGS, 'play,grid=2', *(name for name in TITLES if name[:5] == 'lev
         ('smallest', ('4,again=0.12',)), ('coarse', (4, 8, 32)), ('threshold', (0.01, 0.02, 0.08)),
         ('markThreshold', (0, 0.1)),
         ('edge', (0.03, 0.12, 0.2, 0.4)), ('outline', (0.06,)), ('markWeight', (0.1,)), ('depth', (2, 3)),
-        ('cutoff', ('1/10', '1/160')))
+        ('cutoff', (0.1, 0.00625)))
     for value in values)]
 
 
@@ -26,17 +26,8 @@ def title(setting):
     return TITLES.get(setting, setting.replace('play,', '').replace('=', ' '))
 
 
-def references(machine):
-    """Makes a folder with the reference pictures. They take longest and are not timed, so all processors trace them."""
-    (machine.work / 'references').mkdir()
-    say('tracing 256 samples a pixel')
-    at_once(lambda scene: machine.run(f'build/tradeoff --references references --setting draft --rounds 1 '
-                                      f'--scene {scene}', noted=False), SCENES)
-    return 'references'
-
-
-def measured(machine, scenes, settings, more):
-    command = ['build/tradeoff', *more.split()]
+def measured(machine, scenes, settings, width=1280):
+    command = ['build/tradeoff', '--width', width]
     command += [word for scene in scenes for word in ('--scene', scene)]
     command += [word for setting in settings for word in ('--setting', setting)]
     # The CSV has blanks in place of the commas of a setting
@@ -56,7 +47,7 @@ def counts(machine):
 
 def qualities(machine):
     """A table for each quantity."""
-    found = measured(machine, SCENES, SETTINGS, f'--references {machine.once(references)}')
+    found = measured(machine, SCENES, SETTINGS)
 
     def by_scene(head, value):
         cells = {(row['setting'], row['scene']): row[value] for row in found}
@@ -74,7 +65,7 @@ def parts_of_pictures(machine):
 
 def knobs(machine):
     counted = {setting: count for scene, setting, count in counting.pictures(machine, ['A'], KNOBS, SMALL)}
-    for row in measured(machine, ['A'], KNOBS, f'--references {machine.once(references)}'):
+    for row in measured(machine, ['A'], KNOBS):
         yield {**row, 'setting': title(row['setting']), 'instructions': millions(counted[row['setting']])}
 
 
@@ -109,7 +100,7 @@ def povray_rows(machine, scene):
 def our_rows(machine, scene):
     small = f'{PEER[scene] // 4}x{PEER[scene] * 9 // 64}'
     counted = {setting: count for _, setting, count in counting.pictures(machine, [scene], PEER_SETTINGS, small)}
-    for row in measured(machine, [scene], PEER_SETTINGS, f'--width {PEER[scene]}'):
+    for row in measured(machine, [scene], PEER_SETTINGS, PEER[scene]):
         yield {**row, 'setting': 'odraz ' + title(row['setting']), 'ms': row['cpu_ms'],
                'count': millions(counted[row['setting']])}
 

@@ -76,24 +76,10 @@ void posePeerA(Scene &scene) {
 
 namespace {
 
-struct Turn {
-    double m[3][3];
-};
-
-Vec3d times(Vec3d p, const Turn &t) {
-    Vec3d q = {};
-    for (size_t j = 0; j < 3; ++j)
-        for (size_t i = 0; i < 3; ++i) q[j] += p[i] * t.m[i][j];
-    return q;
-}
-
-// A rotation of row vectors about a unit axis.
-Turn rotation(Vec3d axis, double angle) {
-    double c = std::cos(angle), s = std::sin(angle), t = 1 - c;
-    auto [x, y, z] = axis;
-    return {{{x * x + c * (1 - x * x), x * y * t + z * s, x * z * t - y * s},
-             {x * y * t - z * s, y * y + c * (1 - y * y), y * z * t + x * s},
-             {x * z * t + y * s, y * z * t - x * s, z * z + c * (1 - z * z)}}};
+// Turns a point about a unit axis (Rodrigues).
+Vec3d turned(Vec3d p, Vec3d axis, double angle) {
+    double c = std::cos(angle);
+    return p * c + cross(axis, p) * std::sin(angle) + axis * (dot(axis, p) * (1 - c));
 }
 
 struct Flake {
@@ -107,10 +93,9 @@ struct Flake {
         if (level == 0) return;
         auto [x, y, z] = direction;
         double across = std::hypot(x, y);
-        Turn turn = {{{1, 0, 0}, {0, z < 0 ? -1. : 1., 0}, {0, 0, z < 0 ? -1. : 1.}}};
-        if (std::fabs(z) < 1 - 1e-12) turn = rotation({-y / across, x / across, 0}, std::acos(z));
+        Vec3d axis = across > 1e-6 ? Vec3d{-y / across, x / across, 0} : Vec3d{1, 0, 0};
         for (Vec3d child : children) {
-            Vec3d to = times(child, turn);
+            Vec3d to = turned(child, axis, std::atan2(across, z));
             grow(level - 1, centre + to * radius * 4 / 3, to, radius / 3);
         }
     }
@@ -122,12 +107,10 @@ void posePeerB(Scene &scene, int level) {
     Material ground = plain({1, 0.75f, 0.33f}, 0.8f, 0, 0, 1);
     scene.add(plane({0, -0.5f, 0}, scene.add(ground)));
     Flake flake = {scene, {}, scene.add(plain({1, 0.9f, 0.7f}, 0.5f, 0.5f, 0.3f, 16))};
-    double d = std::sqrt(0.5);
-    Turn tilt = rotation({d, -d, 0}, std::asin(2 / std::sqrt(6.)));
+    double d = std::sqrt(0.5), tilt = std::asin(2 / std::sqrt(6.));
     const Vec3d triad[3] = {{d, d, 0}, {d, 0, -d}, {0, d, -d}};
-    for (int n = 0; n < 3; ++n)
-        for (int i = 0; i < 3; ++i)
-            flake.children[3 * n + i] = times(times(triad[i], tilt), rotation({0, 0, 1}, n * 2 * M_PI / 3));
+    for (int i = 0; i < 9; ++i)
+        flake.children[i] = turned(turned(triad[i % 3], {d, -d, 0}, tilt), {0, 0, 1}, i / 3 * 2 * M_PI / 3);
     flake.grow(level, {}, {0, 0, 1}, 0.5);
     for (Vec3 at : {Vec3{4, 2, -3}, Vec3{1, 4, 4}, Vec3{-3, 5, -1}})
         scene.add(light(at, {0.57735f, 0.57735f, 0.57735f}, kMiddleB));

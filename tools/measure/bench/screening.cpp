@@ -2,11 +2,9 @@
 
 #include "play/governor.h"
 #include "tools/common/text.h"
-#include "tools/common/whole_file.h"
 #include "trace/picture/development.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace odraz::measure {
 
@@ -21,16 +19,6 @@ std::vector<uint8_t> rgbOf(const Picture &p) {
     std::vector<uint8_t> rgb((size_t)p.width * (size_t)p.height * 3);
     for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = p.rgba[i / 3 * 4 + i % 3];
     return rgb;
-}
-
-std::vector<uint8_t> kept(const std::string &file, const std::function<std::vector<uint8_t>()> &make) {
-    if (std::error_code none; !file.empty() && std::filesystem::exists(file, none)) {
-        std::string bytes = common::readWhole(file);
-        return {bytes.begin(), bytes.end()};
-    }
-    std::vector<uint8_t> made = make();
-    if (!file.empty()) common::writeWhole(file, {(const char *)made.data(), made.size()});
-    return made;
 }
 
 Quality qualityOf(float level) {

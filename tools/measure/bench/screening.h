@@ -6,7 +6,6 @@
 #include "tools/support/heap_arena.h"
 #include "tools/support/machine.h"
 
-#include <functional>
 #include <vector>
 
 namespace odraz::measure {
@@ -21,10 +20,6 @@ struct MeasuredFilm {
 
 // The red, green and blue bytes of a picture, 3 a pixel.
 std::vector<uint8_t> rgbOf(const Picture &picture);
-
-// Returns the bytes of `file`. If there is no such file, or its name is empty, calls make() and writes them
-// to it.
-std::vector<uint8_t> kept(const std::string &file, const std::function<std::vector<uint8_t>()> &make);
 
 // The quality of a level, as the governor blends it: 0 film, 1 play, 2 draft.
 Quality qualityOf(float level);

@@ -4,64 +4,47 @@
 #include "tools/common/command_line.h"
 #include "tools/measure/bench/screening.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <bit>
 #include <vector>
 
 namespace odraz::measure {
 
 namespace {
 
-// Parses a number or a quotient of two numbers
-float number(const std::string &knob, const std::string &text) {
-    char *end = nullptr;
-    float value = std::strtof(text.c_str(), &end);
-    if (*end == '/') value /= std::strtof(end + 1, &end);
-    if (text.empty() || *end) throw common::Refused(knob + " needs a number, not '" + text + "'");
-    return value;
-}
-
 struct Knob {
     const char *name;
     int *whole; // either this or `real` is null
     float *real;
-    std::vector<float> values; // the allowed values of `whole`; `real` may have any that is not negative
+    common::Range range;
 };
 
-std::vector<float> upTo(int most) {
-    std::vector<float> all;
-    for (int k = 0; k <= most; ++k) all.push_back((float)k);
-    return all;
-}
-
 std::vector<Knob> knobsOf(Quality &q) {
+    constexpr common::Range kAny = {0, 1e6};
     return {
-        {"grid", &q.grid, nullptr, upTo(16)},
-        {"coarse", &q.coarse, nullptr, {4, 8, 16, 32}},
+        {"grid", &q.grid, nullptr, {0, 16}},
+        {"coarse", &q.coarse, nullptr, {4, 32}},
         {"smallest", &q.smallest, nullptr, {4, 8}},
-        {"depth", &q.depth, nullptr, upTo(kMaxDepth)},
-        {"threshold", nullptr, &q.threshold, {}},
-        {"markThreshold", nullptr, &q.markThreshold, {}},
-        {"edge", nullptr, &q.edge, {}},
-        {"outline", nullptr, &q.outline, {}},
-        {"again", nullptr, &q.again, {}},
-        {"textureEdge", nullptr, &q.textureEdge, {}},
-        {"markWeight", nullptr, &q.markWeight, {}},
-        {"cutoff", nullptr, &q.cutoff, {}},
+        {"depth", &q.depth, nullptr, {0, kMaxDepth}},
+        {"threshold", nullptr, &q.threshold, kAny},
+        {"markThreshold", nullptr, &q.markThreshold, kAny},
+        {"edge", nullptr, &q.edge, kAny},
+        {"outline", nullptr, &q.outline, kAny},
+        {"again", nullptr, &q.again, kAny},
+        {"textureEdge", nullptr, &q.textureEdge, kAny},
+        {"markWeight", nullptr, &q.markWeight, kAny},
+        {"cutoff", nullptr, &q.cutoff, kAny},
     };
 }
 
-void turn(Quality &q, const std::string &knob, float value) {
+void turn(Quality &q, const std::string &knob, const std::string &text) {
     const std::vector<Knob> knobs = knobsOf(q);
     const Knob &k = common::named(knobs, knob, "knob", [](const Knob &k) { return k.name; });
-    if (k.whole ? std::find(k.values.begin(), k.values.end(), value) == k.values.end()
-                : !(value >= 0 && std::isfinite(value)))
-        throw common::Refused(knob + " cannot have this value: see intro/trace/quality.h");
-    if (k.whole)
-        *k.whole = (int)value;
+    double value = common::numberOf(knob, text, k.range);
+    if (k.real)
+        *k.real = (float)value;
     else
-        *k.real = value;
+        *k.whole = (int)value;
+    if (k.whole && *k.whole != value) throw common::Refused(knob + " needs a whole number");
 }
 
 // A quality by its name, or the governor's quality at a level
@@ -85,11 +68,14 @@ Quality settingOf(const std::string &words) {
         if (equals == std::string::npos)
             throw common::Refused("cannot use '" + change + "': write KNOB=VALUE");
         std::string knob = change.substr(0, equals);
-        turn(setting, knob, number(knob, change.substr(equals + 1)));
+        turn(setting, knob, change.substr(equals + 1));
         comma = next;
     }
-    if (!setting.grid && !(setting.smallest && setting.coarse))
-        throw common::Refused("a setting without a grid needs coarse and smallest");
+    for (int size : {setting.coarse, setting.smallest})
+        common::need(!size || std::has_single_bit((unsigned)size),
+                     "coarse and smallest must be powers of two");
+    common::need(setting.grid || (setting.smallest && setting.coarse),
+                 "a setting without a grid needs coarse and smallest");
     return setting;
 }
 

@@ -1,5 +1,5 @@
 // Settings of the tracer as text: a quality ("play"), a quality with changed knobs
-// ("draft,threshold=0.02,cutoff=1/64"), or a level of the governor between two qualities ("level=1.5").
+// ("draft,threshold=0.02,cutoff=0.015"), or a level of the governor between two qualities ("level=1.5").
 // Blanks may replace commas.
 #pragma once
 

@@ -37,12 +37,13 @@ View poseSubject(const SubjectName &subject, const IntroSettings &settings, cons
 }
 
 Subject::Subject(const SubjectName &what, int width, int height)
-    : settings{width, height}, workers(serialWorkers()), film(settings, workers, what.hall),
+    : settings{width, height}, workers(allProcessors()), film(settings, workers, what.hall),
       view(poseSubject(what, settings, film.intro->film)) {}
 
 double Subject::trace(const Quality &quality) {
+    Workers one = serialWorkers();
     double began = common::processorSeconds();
-    traceFrame(film.intro->tracer, workers, *film.intro->film.scene, view, quality, film.intro->frame);
+    traceFrame(film.intro->tracer, one, *film.intro->film.scene, view, quality, film.intro->frame);
     return (common::processorSeconds() - began) * 1e3;
 }
 
@@ -67,7 +68,7 @@ std::vector<uint8_t> Subject::picture() const {
 std::vector<uint8_t> Subject::reference() {
     Quality q = kQualities[(int)QualityName::Reference];
     q.grid = 16;
-    trace(q);
+    traceFrame(film.intro->tracer, workers, *film.intro->film.scene, view, q, film.intro->frame);
     return picture();
 }
 

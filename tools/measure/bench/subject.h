@@ -38,7 +38,7 @@ public:
     double samplesPerPixel() const;
     // The traced picture as eight-bit sRGB, clamped at 1, without the film curve: 3 bytes a pixel.
     std::vector<uint8_t> picture() const;
-    // Traces a picture with 256 samples in every pixel, box-filtered, in the same format.
+    // Traces a picture with 256 samples in every pixel, on all processors, box-filtered, in the same format.
     std::vector<uint8_t> reference();
 
 private:

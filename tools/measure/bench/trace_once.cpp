@@ -23,7 +23,7 @@ namespace {
 
 constexpr char kSceneHelp[] = "A, or another scene of tradeoff",
                kSettingHelp[] =
-                   "a quality, or a quality with changed knobs: draft,threshold=0.02,cutoff=1/64",
+                   "a quality, or a quality with changed knobs: draft,threshold=0.02,cutoff=0.015",
                kKeptHelp[] = "the file that `pose` wrote";
 
 // The head of the file; the arena follows.

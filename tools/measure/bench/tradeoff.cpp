@@ -17,7 +17,6 @@ namespace {
 struct TradeoffOptions {
     std::vector<std::string> scenes, settings; // empty: all scenes; draft, play and film
     int width = 1280, rounds = 3;
-    std::string references;
 };
 
 // Traces a scene and prints a row for each setting. Each round tries all settings, so that a disturbance of
@@ -25,9 +24,7 @@ struct TradeoffOptions {
 void measure(const std::string &scene, const TradeoffOptions &o) {
     int height = o.width * 9 / 16;
     Subject subject(findSubject(scene), o.width, height);
-    std::string file = o.references + "/" + scene + "-" + std::to_string(o.width);
-    std::vector<uint8_t> reference =
-        kept(o.references.empty() ? "" : file, [&] { return subject.reference(); });
+    std::vector<uint8_t> reference = subject.reference();
     pictures::SeenPicture seenReference = pictures::see(reference, o.width, height);
     std::vector<std::vector<double>> times(o.settings.size());
     for (int round = 1; round <= o.rounds; ++round)
@@ -53,12 +50,10 @@ int run(common::CommandLine &line) {
     line.option("--scene", "NAME", o.scenes, "trace this scene (default: all)");
     line.option(
         "--setting", "WORDS", o.settings,
-        "use this setting: play, level=1.5 or draft,threshold=0.02,cutoff=1/64 (default: draft, play, "
+        "use this setting: play, level=1.5 or draft,threshold=0.02,cutoff=0.015 (default: draft, play, "
         "film)");
     line.option("--width", "PIXELS", o.width, {64, 3840}, "width of the pictures, a multiple of 16");
     line.option("--rounds", "N", o.rounds, {1, 99}, "print the median time of N rounds");
-    line.option("--references", "FOLDER", o.references,
-                "keep the reference pictures there, for other runs of the same commit");
     line.parse();
     o.width = o.width / 16 * 16;
     if (o.settings.empty()) o.settings = {"draft", "play", "film"};

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 // Instructions so far. The code of tools/measure/play/counting_as uses the first 16 counters in turn: each
 // addition to a single counter would have to wait for the one before
@@ -66,16 +65,13 @@ struct ProbeOptions {
     std::vector<int> gaps;
     std::vector<std::string> settings;
     IntroSettings size = {};
-    std::string truths;
-    bool list = false;
+    bool errors = false, list = false;
 };
 
 // Makes pictures of a moment and prints their rows.
-void probe(Intro &intro, double seconds, const std::vector<Kind> &kinds, const std::string &folder) {
+void probe(Intro &intro, double seconds, const std::vector<Kind> &kinds, bool errors) {
     std::vector<uint8_t> truth; // the film's picture, in sRGB
-    if (!folder.empty())
-        truth = kept(common::format("%s/%.4f-%dx%d.rgb", folder.c_str(), seconds, intro.width, intro.height),
-                     [&] { return rgbOf(picture(intro, 0, seconds, kQualities[(int)QualityName::Film])); });
+    if (errors) truth = rgbOf(picture(intro, 0, seconds, kQualities[(int)QualityName::Film]));
     for (const auto &[gap, name, quality] : kinds) {
         for (int i = 0; gap && i < 2; ++i) picture(intro, i, seconds + kSixtieth * gap * (i - 0.5), quality);
         parallel = 0;
@@ -83,8 +79,7 @@ void probe(Intro &intro, double seconds, const std::vector<Kind> &kinds, const s
         Picture made = gap ? between(intro, 0, 1) : picture(intro, 0, seconds, quality);
         std::printf("%g,%d,%s,%d,%d,%.0f,%.0f", seconds, gap, name.c_str(), intro.width, intro.height,
                     (double)(counted() - before - parallel) / 1e3, (double)parallel / 1e3);
-        if (!folder.empty())
-            std::printf(",%s,%.2f", sceneName(sceneAt(seconds)), pictures::psnr(rgbOf(made), truth));
+        if (errors) std::printf(",%s,%.2f", sceneName(sceneAt(seconds)), pictures::psnr(rgbOf(made), truth));
         std::puts("");
         std::fflush(stdout);
     }
@@ -121,8 +116,7 @@ int run(common::CommandLine &line) {
         "probe in-betweens of pictures N sixtieths of a second apart; 0, the default: traced pictures; "
         "repeatable");
     sizeOption(line, "--size", o.size, "the size of the pictures that are probed (default 1280x720)");
-    line.option("--errors", "FOLDER", o.truths,
-                "add the scene and the sRGB PSNR to `film`. FOLDER keeps `film`, and is for one commit");
+    line.flag("--errors", o.errors, "add the scene and the sRGB PSNR to `film`");
     line.flag("--list", o.list, "only print the moments to count in every shot");
     line.parse();
     if (o.list) {
@@ -131,7 +125,6 @@ int run(common::CommandLine &line) {
     }
     if (!o.gaps.empty() && o.settings.empty()) throw common::Refused("--gap needs --setting");
     if (o.at.empty()) o.at = moments();
-    if (!o.truths.empty()) std::filesystem::create_directories(o.truths);
     std::vector<Kind> kinds;
     if (o.gaps.empty()) o.gaps = {0};
     for (std::string &words : o.settings) std::replace(words.begin(), words.end(), ',', ' '); // as tradeoff
@@ -140,16 +133,15 @@ int run(common::CommandLine &line) {
     if (!o.size.width && !kinds.empty()) o.size = {1280, 720};
     std::vector<IntroSettings> sizes = {{480, 270}, {1280, 720}};
     if (o.size.width) sizes = {o.size};
-    std::printf("seconds,gap,level,width,height,serial,parallel%s\n",
-                o.truths.empty() ? "" : ",scene,srgb_db");
+    std::printf("seconds,gap,level,width,height,serial,parallel%s\n", o.errors ? ",scene,srgb_db" : "");
     Workers workers = oneWorker();
     for (IntroSettings size : sizes) {
         size.pairs = true;
         MeasuredFilm film(size, workers, true);
         for (double seconds : o.at)
-            probe(*film.intro, seconds, kinds.empty() ? countedKinds(size.width == 1280) : kinds, o.truths);
+            probe(*film.intro, seconds, kinds.empty() ? countedKinds(size.width == 1280) : kinds, o.errors);
     }
-    if (!counted() && o.truths.empty())
+    if (!counted() && !o.errors)
         throw std::runtime_error("this build does not count: run tools/measure/play/costs");
     return 0;
 }
