@@ -35,14 +35,6 @@ def figures(results):
     packed, linked = '`odraz`: packed', '`odraz-safe`: linked and stripped'
     peer = 'POV-Ray +AM2 +A0.1 +R3'
 
-    def peers(column):
-        """The cells of POV-Ray's best picture, on A and on B."""
-        found = [line[head.index(column)] for head, body in results.tables('peers') if column in head
-                 for line in body if line[0] == peer]
-        if len(found) < 2 or not all(found):
-            raise Failed(f"figures: section peers has no '{peer}' below '{column}' for both scenes")
-        return found
-
     def solved(model):
         return (f"{rounded(cell('radiosity', 'odraz, s', model), 1)} s, "
                 f"{rounded(cell('radiosity', 'rms, %', model), 1)} %")
@@ -50,7 +42,7 @@ def figures(results):
     first = results.column('page', 's from the click to the first picture')
     loads = [f"{name.title().replace('kit', 'Kit')} {number(opens[name]) + number(first[name]):.1f} s"
              for name in opens]
-    flips, times = peers('mean FLIP'), [f'{number(text):.2g}' for text in peers('times at equal FLIP')]
+    flips, times = (results.cells('peers', column, peer, 2) for column in ('mean FLIP', 'times at equal FLIP'))
     return f'''\
 - **Size:** {rounded(cell('size', 'Linux', packed))} bytes of 65,536, for Windows \
 {rounded(cell('size', 'Windows', packed))} used, packed from {rounded(cell('size', 'Linux', linked))}: code to \
@@ -63,8 +55,8 @@ picture after {rounded(cell('start', 'until the first picture', '`odraz`'), 1)} 
 {all_scenes('1920x1080: 128')} at 1920x1080 on sixteen (simulated).
 - **In a browser,** unpacking and first picture: {', '.join(loads)}; {span('page', 'chromium: shown a second')} a \
 second; {page_seen(16)} dB.
-- **Tracing** as exactly as POV-Ray: ten balls (FLIP {flips[0]}) {times[0]} times as fast, 7,381 ({flips[1]}) \
-{times[1]} times.
+- **Tracing** as exactly as POV-Ray: ten balls (FLIP {flips[0]}) {number(times[0]):.2g} times as fast, 7,381 \
+({flips[1]}) {number(times[1]):.2g} times.
 - **Radiosity**, {rounded(cell('radiosity', 'triangles', 'columns'))} triangles joined to \
 {cell('radiosity', 'polygons', 'columns')}: rays {solved('columns')} rms; hemicubes \
 {solved('columns, hemicubes of 100 pixels')} (thesis {cell('radiosity', 'the thesis, s', 'columns')}); vault \

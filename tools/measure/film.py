@@ -31,28 +31,19 @@ def size(machine):
 
 # --- It starts, and plays ---
 
-def first_picture(printed):
-    return float(re.search(r'^first picture after (.*) s$', printed, re.M)[1])
-
-
-def seen_first(machine, command):
-    """Runs a program. Returns its Took, and the seconds until its window was visible."""
-    began = time.monotonic()
-
-    def look():
+def start(machine):
+    def look(began):
         machine.run('timeout 60 sh -c "until xdotool search --onlyvisible --name ^odraz$; do sleep 0.01; done"', False)
         return time.monotonic() - began
-    with ThreadPoolExecutor() as threads:
-        seen = threads.submit(look)
-        return machine.timed(command), seen.result()
 
-
-def start(machine):
     def run(program):
-        # Start in the film's middle, so that the hall is solved first
-        took, seen = seen_first(machine, f'build/{program} --window --from 100 --to 100.3 --stats')
-        return {'': f'`{program}`', 'seen': f'{seen:.2f}', 'first': f'{first_picture(took.printed):.2f}',
-                'mb': f'{took.megabytes:.0f}'}
+        with ThreadPoolExecutor() as threads:
+            looking = threads.submit(look, time.monotonic())
+            # Start in the film's middle, so that the hall is solved first
+            took = machine.timed(f'build/{program} --window --from 100 --to 100.3 --stats')
+            seen = looking.result()
+        first = float(re.search(r'^first picture after (.*) s$', took.printed, re.M)[1])
+        return {'': f'`{program}`', 'seen': f'{seen:.2f}', 'first': f'{first:.2f}', 'mb': f'{took.megabytes:.0f}'}
     with machine.display():
         return [sorted((run(program) for _ in range(3)), key=lambda row: float(row['first']))[1]
                 for program in ('odraz', 'odraz-safe')]
@@ -236,15 +227,11 @@ def page_play(machine):
         for name in BROWSERS:
             printed = machine.run(f'node tools/measure/bench/page.mjs play {name} build/odraz.html {PIECE} {starts}')
             machine.played[name] = played(printed)
-            opened = re.findall(r'^page,(.*)$', printed, re.M)
-            yield dict(zip(('browser', 'opens', 'first', 'before', 'most'), [name, *summary_of(opened)]))
-
-
-def summary_of(lines):
-    """The medians of the starts, and the largest memory."""
-    columns = list(zip(*([float(cell) for cell in line.split(',')] for line in lines)))
-    opens, first, before = map(statistics.median, columns[:3])
-    return f'{opens:.1f}', f'{first:.2f}', f'{before:.0f}', f'{max(columns[3]):.0f}'
+            lines = re.findall(r'^page,(.*)$', printed, re.M)
+            columns = list(zip(*([float(cell) for cell in line.split(',')] for line in lines)))
+            opens, first, before = map(statistics.median, columns[:3])
+            yield {'browser': name, 'opens': f'{opens:.1f}', 'first': f'{first:.2f}', 'before': f'{before:.0f}',
+                   'most': f'{max(columns[3]):.0f}'}
 
 
 def page_scenes(machine):

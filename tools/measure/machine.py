@@ -1,7 +1,7 @@
 """Runs programs and measures their time and memory; builds them; starts a display for them."""
+import argparse
 import ctypes
 import os
-import re
 import shlex
 import subprocess
 import sys
@@ -34,6 +34,14 @@ class Took:
     clock: float  # seconds by the clock
     processor: float  # seconds of all threads, user and system
     megabytes: float  # largest resident set
+
+
+def command_line(name, about, **more):
+    """The command line of a script in tools/measure. It refuses wrong options in one line."""
+    script = f'tools/measure/{name}'
+    line = argparse.ArgumentParser(prog=script, allow_abbrev=False, description=about, **more)
+    line.error = lambda why: (print(f'{script}: {why}: see {script} --help', file=sys.stderr), sys.exit(2))
+    return line
 
 
 class Machine:
@@ -95,11 +103,6 @@ class Machine:
     def run(self, command, noted=True):
         """The output of a command."""
         return self.timed(command, noted).printed
-
-    def errors(self, picture, reference):
-        """The mean FLIP, and the PSNR in linear light and in sRGB, of a picture against a reference, as texts."""
-        printed = self.run(f'build/compare {picture} {reference} --seen --max 255', noted=False)
-        return re.findall(r'[0-9.]+', re.search(r'^mean flip.*', printed, re.M)[0])[:3]
 
     @contextmanager
     def display(self, size='1280x720'):

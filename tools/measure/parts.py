@@ -44,11 +44,6 @@ def matrix(source, corner):
     return part
 
 
-def printed(command):
-    """A part that is the output of a program that prints Markdown."""
-    return lambda machine: machine.run(command).strip()
-
-
 def text_of(part, machine):
     if callable(part):
         return part(machine)

@@ -82,12 +82,16 @@ class Results:
                 return {line[0]: line[at] for line in body if len(line) > at}
         raise Failed(f"figures: section {name} has no '{column}'")
 
+    def cells(self, name, column, row, count=1):
+        """The cells with content below a column, in the rows of all tables that begin with `row`: `count` at least."""
+        found = [line[head.index(column)] for head, body in self.tables(name) if column in head
+                 for line in body if line[0] == row and line[head.index(column):][:1] not in ([], [''])]
+        if len(found) < count:
+            raise Failed(f"figures: section {name} has no '{row}' below '{column}'")
+        return found
+
     def cell(self, name, column, row):
-        for head, body in self.tables(name):
-            for line in body:
-                if column in head and line[0] == row and line[head.index(column):][:1] not in ([], ['']):
-                    return line[head.index(column)]
-        raise Failed(f"figures: section {name} has no '{row}' below '{column}'")
+        return self.cells(name, column, row)[0]
 
 
 def took(text):

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 import film
 import methods
 import tracer
-from parts import matrix, printed, table
+from parts import matrix, table
 
 RADIOSITY = 'libcli11-dev nlohmann-json3-dev libstb-dev libtinyexr-dev libtinygltf-dev zlib1g-dev'.split()
 PICTURES = 'libcli11-dev libstb-dev libtinyexr-dev zlib1g-dev'.split()
@@ -45,10 +45,10 @@ SECTIONS = [
         'film', 'The film, played', 1.0,
         sources=['intro'], programs=['odraz-safe', 'judge_play'], packages=['xvfb'],
         parts=[
-            table(film.film, '''scene; rate = shown a second; traced = pictures traced; between = in-betweens made; shown;
-                missed = sixtieths of a second without a new picture; trace_ms = ms to trace: median; trace_95 = 95 %;
-                between_ms = ms to make an in-between: median; between_95 = 95 %; show_ms = ms to show: median;
-                show_95 = 95 %; samples = samples a traced pixel; width = pixels traced across'''),
+            table(film.film, '''scene; rate = shown a second; traced = pictures traced; between = in-betweens made;
+                shown; missed = sixtieths of a second without a new picture; trace_ms = ms to trace: median;
+                trace_95 = 95 %; between_ms = ms to make an in-between: median; between_95 = 95 %;
+                show_ms = ms to show: median; show_95 = 95 %; samples = samples a traced pixel; width = pixels traced across'''),
             'Over all scenes: {shown} pictures a second were shown, {traced} traced.',
             '''{piece} seconds around every other cut between scenes were played at 1280x720, on a display in memory
             with software OpenGL, which runs on the same cores. The governor is on. Times are by the clock.''']),
@@ -148,10 +148,10 @@ SECTIONS = [
             **B**, a sphereflake of 7,381 balls, has edges in every pixel.''',
             table('build/bench_hits', '''scene; rays; odraz = odraz: M hits a second; embree = Embree; times;
                 millions = M rays; differ = rays that differ'''),
-            '''Closest hits on one thread, at 1280x720, by packets of eight rays in both tracers. First rays share a beam
-            for 16x16 pixels in odraz, and have the flag for coherent rays in Embree 3. Reflections are of packets that
-            all hit something. In Embree balls are its spheres and planes its quads. Rays differ if their distances do
-            by more than a thousandth.''']),
+            '''Closest hits on one thread, at 1280x720, by packets of eight rays in both tracers. First rays share a
+            beam for 16x16 pixels in odraz, and have the flag for coherent rays in Embree 3. Reflections are of packets
+            that all hit something. In Embree balls are its spheres and planes its quads. Rays differ if their distances
+            do by more than a thousandth.''']),
     Section(
         'packers', 'The packer against others, and what search, contexts and memory buy', 1.6,
         sources=['packer', 'tools/measure/bench/bench_pack.cpp'],
@@ -217,7 +217,7 @@ SECTIONS = [
             where lit surfaces meet, reflected light was 12.1 % off at noon and in the evening, in 5 % less time; now
             they are .14 m wide. Half as wide patches everywhere take three times as long. Rays are faster up to 24
             pixels. Both methods have OpenGL's errors here. The program draws its hemicubes, the page traces them.''',
-            printed('build/bench_transfer'),
+            lambda machine: machine.run('build/bench_transfer').strip(),
             methods.posing,
             matrix(methods.environments, 'the vault by environment and bands: rms %, by rows / by clusters'),
             methods.subspaces,

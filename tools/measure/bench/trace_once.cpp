@@ -21,10 +21,7 @@ namespace odraz::measure {
 
 namespace {
 
-constexpr char kSceneHelp[] = "A, or another scene of tradeoff",
-               kSettingHelp[] =
-                   "a quality, or a quality with changed knobs: draft,threshold=0.02,cutoff=0.015",
-               kKeptHelp[] = "the file that `pose` wrote";
+constexpr char kKeptHelp[] = "the file that `pose` wrote";
 
 // The head of the file; the arena follows.
 struct KeptScene {
@@ -52,7 +49,7 @@ int pose(common::CommandLine &line) {
     IntroSettings size = {1280, 720};
     line.about("Poses a scene and keeps it in a file.");
     line.argument("FILE", file, "the file to write");
-    line.argument("SCENE", scene, kSceneHelp);
+    line.argument("SCENE", scene, "A, or another scene of tradeoff");
     sizeOption(line, "--size", size, "the picture's size");
     line.parse();
     SubjectName subject = findSubject(scene);
@@ -97,7 +94,8 @@ int trace(common::CommandLine &line) {
     std::string file, setting;
     line.about("Traces the kept scene.");
     line.argument("FILE", file, kKeptHelp);
-    line.argument("SETTING", setting, kSettingHelp);
+    line.argument("SETTING", setting,
+                  "a quality, or a quality with changed knobs: draft,threshold=0.02,cutoff=0.015");
     line.parse();
     Quality quality = settingOf(setting);
     ReopenedScene from(file);

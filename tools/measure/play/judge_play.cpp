@@ -26,7 +26,7 @@ struct JudgeOptions {
     double length = 0.5; // seconds of a window
     double page = 0;     // cost of a picture on the page relative to the native film; 0: not the page
     double since = 0;    // first second of the summary
-    bool simulates = false, onlyList = false, onlySummary = false;
+    bool simulates = false, onlySummary = false;
 };
 
 common::CommandLine::Read numbersTo(std::vector<double> &to, const std::string &option, common::Range range) {
@@ -46,7 +46,6 @@ void check(const common::CommandLine &line, JudgeOptions &o) {
     needs("--simulate", !machine && o.onlySummary, "a list and --summary");
     needs("--since", o.onlySummary, "--summary");
     needs("--page", machine, "--machine");
-    needs("--list", machine, "--machine");
     needs("--crops", o.at.size() == 1, "a single --at");
     needs("--corner", line.has("--crops"), "--crops");
     pictures::formatNamed(o.crops, pictures::Format::Jpeg); // refuses other formats
@@ -54,8 +53,7 @@ void check(const common::CommandLine &line, JudgeOptions &o) {
     bool several = o.screens.size() > 1;
     if (several && !machine) line.refuse("several screens need --machine");
     if (several && !o.judged.width && !o.onlySummary) line.refuse("several screens need --judged");
-    for (const char *option : {"--list", "--pictures"})
-        needs(option, o.screens.size() * o.machines.size() <= 1, "a single machine and screen");
+    needs("--pictures", o.screens.size() * o.machines.size() <= 1, "a single machine and screen");
     needs("--scene", o.at.empty(), "the scene's own windows: leave out --at");
     if (!o.judged.width) o.judged = sizeFrom("--screen", o.screens[0]);
     if (o.scenes.empty() && o.at.empty())
@@ -65,8 +63,7 @@ void check(const common::CommandLine &line, JudgeOptions &o) {
 JudgeOptions read(common::CommandLine &line) {
     JudgeOptions o;
     line.about("Compares the picture on the screen at every sixtieth of a second with the film's picture of "
-               "that\nmoment in `film` quality: mean FLIP, and PSNR in linear light and in sRGB, in dB. "
-               "Prints a CSV.");
+               "that\nmoment in `film` quality: mean FLIP, and PSNR in sRGB, in dB. Prints a CSV.");
     line.argument("LIST", o.list, "the list of shown pictures that odraz-debug --shown wrote", false);
     line.option("--screen", "WxH", o.screens, "size of the screen (default 1280x720); with --machine");
     sizeOption(line, "--judged", o.judged,
@@ -75,7 +72,6 @@ JudgeOptions read(common::CommandLine &line) {
     line.option("--length", "S", o.length, {1 / 60., 10}, "length of a window, in the middle of each shot");
     line.option("--at", "S", numbersTo(o.at, "--at", {0, duration() - 1 / 60.}),
                 "compare a window that begins at this moment; repeatable");
-    line.flag("--list", o.onlyList, "only print the list of pictures");
     line.flag("--summary", o.onlySummary, "only print what was shown, by scene");
     line.option("--since", "S", o.since, {0, duration()}, "begin the summary at this second");
     line.flag("--simulate", o.simulates,
@@ -157,8 +153,8 @@ std::vector<std::vector<Span>> windowsOf(const JudgeOptions &o) {
 }
 
 void printRow(const JudgedPlayer &player, const char *scene, const SeenErrors &s) {
-    std::printf("%s%s,%d,%d,%.4f,%.2f,%.2f\n", player.name.c_str(), scene, s.sixtieths, s.fresh, s.meanFlip(),
-                s.linearPsnr(), s.srgbPsnr());
+    std::printf("%s%s,%d,%d,%.4f,%.2f\n", player.name.c_str(), scene, s.sixtieths, s.fresh, s.meanFlip(),
+                s.srgbPsnr());
     std::fflush(stdout);
 }
 
@@ -197,10 +193,6 @@ int run(common::CommandLine &line) {
         for (const Span &w : row) first = std::min(first, w.from), last = std::max(last, w.to);
     CostOf costs = countedCosts();
     std::vector<JudgedPlayer> players = playersOf(asked, costs);
-    if (asked.onlyList) {
-        std::fputs(printShown(players[0].list).c_str(), stdout);
-        return 0;
-    }
     std::string head = asked.simulates ? "player," : asked.machines.empty() ? "" : "screen,machine,";
     if (asked.onlySummary) {
         std::puts((head + kSummaryHead).c_str());
@@ -218,7 +210,7 @@ int run(common::CommandLine &line) {
     if (!asked.pictures.empty()) std::filesystem::create_directories(asked.pictures);
     Viewer viewer(judged.width, judged.height, first, last);
     std::vector<std::vector<uint8_t>> screens(players.size() + 1); // what each player shows, and the film
-    std::puts((head + "scene,sixtieths,fresh,flip,linear_db,srgb_db").c_str());
+    std::puts((head + "scene,sixtieths,fresh,flip,srgb_db").c_str());
     for (const auto &row : rows) {
         // Compare all players in a window before the next one, since they share the film's pictures
         for (const Span &window : row)

@@ -11,11 +11,7 @@
 
 namespace odraz::measure {
 
-namespace {
-
-constexpr char kHead[] = "at,time,kind,level,width,height,seconds";
-
-} // namespace
+static constexpr char kHead[] = "at,time,kind,level,width,height,seconds";
 
 void forRows(const std::string &csv, const std::string &head,
              const std::function<void(const std::string &line)> &row) {

@@ -23,7 +23,7 @@ PictureCost costWith(const CostOf &costOf, const SimulatedMachine &machine, cons
     PictureCost cost = costOf({s.time, s.level, pixels, gap});
     cost.parallel += pixels * ((gap > 0 ? machine.carryingWaits : machine.tracingWaits) +
                                (madeBefore <= kSlots) * machine.touching);
-    if (s.width < machine.width) cost.parallel += machine.enlarging * machine.width * machine.height;
+    if (s.width < machine.width) cost.parallel += kEnlarging * machine.width * machine.height;
     return cost;
 }
 double presenting(const SimulatedMachine &machine) {

@@ -33,7 +33,6 @@ struct SimulatedMachine {
     int cores;
     int width, height;               // pixels of its screen
     double presenting = kPresenting; // instructions per pixel of the screen
-    double enlarging = kEnlarging;   // instructions per pixel of the screen
     // Instructions per pixel of a picture
     double tracingWaits = kTracingWaits, carryingWaits = kCarryingWaits, touching = kTouching;
     std::function<Pace(int scene)> paceOf = odraz::paceOf;

@@ -22,9 +22,6 @@ bool same(const ShownPicture &a, const ShownPicture &b) {
 
 } // namespace
 
-double SeenErrors::linearPsnr() const {
-    return std::min(kMostPsnr, pictures::psnr(linear, (size_t)sixtieths));
-}
 double SeenErrors::srgbPsnr() const { return std::min(kMostPsnr, pictures::psnr(srgb, (size_t)sixtieths)); }
 
 static IntroSettings inPairs(int width, int height) {
@@ -94,7 +91,6 @@ void Viewer::compare(const std::vector<ShownPicture> &list, double begin, double
         }
         Truth &kept = truths.at(n);
         const std::vector<uint8_t> &truth = kept.rgb;
-        errors.linear += pictures::linearSquares(truth, shown) / (double)truth.size();
         errors.srgb += pictures::squares(truth, shown) / (double)truth.size();
         if ((n - first) % kFlipStep == std::min(kFlipFirst, last - first - 1)) {
             if (kept.perceived.lightness.empty()) kept.perceived = pictures::see(truth, width, height);

@@ -18,15 +18,14 @@ struct SeenErrors {
     int fresh = 0; // sixtieths with a new picture
     int flips = 0; // sixtieths whose FLIP is in `flip`: every fifth one
     double flip = 0;
-    double linear = 0, srgb = 0; // mean squared difference of each picture, 0 .. 255^2
+    double srgb = 0; // mean squared difference of each picture, 0 .. 255^2
 
     void add(const SeenErrors &more) {
         sixtieths += more.sixtieths, fresh += more.fresh, flips += more.flips;
-        flip += more.flip, linear += more.linear, srgb += more.srgb;
+        flip += more.flip, srgb += more.srgb;
     }
     double meanFlip() const { return flip / std::max(1, flips); }
-    double linearPsnr() const; // dB, at most kMostPsnr
-    double srgbPsnr() const;
+    double srgbPsnr() const; // dB, at most kMostPsnr
 };
 inline constexpr double kMostPsnr = 99; // for equal pictures
 
