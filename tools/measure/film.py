@@ -12,7 +12,8 @@ from parts import rows
 
 STATISTICS = '''scene traced between shown missed trace_ms trace_95 between_ms between_95 show_ms show_95 samples
     width'''.split()
-PIECE, SETTLED = 10, 1  # seconds of a played piece; of these, until the player has settled
+PIECE, PAGE_PIECE = 10, 6  # seconds of a played piece, and of one in a browser
+SETTLED = 1  # seconds until the player has settled
 
 
 def size(machine):
@@ -58,12 +59,12 @@ def played(printed):
     return scenes
 
 
-def around_cuts(machine):
+def around_cuts(machine, length=PIECE):
     """The starts of pieces that show all scenes: a piece is played around every other cut between scenes."""
     scenes = rows(machine.run('build/judge_play --machine 16 --summary', noted=False))
     cuts = list(accumulate(float(scene['seconds']) for scene in scenes))
-    begins = [int(cut - PIECE / 2) for cut in cuts[:-1:2]]
-    return begins + ([math.ceil(max(cuts[-2], cuts[-1] - PIECE - 1))] if len(cuts) % 2 else [])
+    begins = [int(cut - length / 2) for cut in cuts[:-1:2]]
+    return begins + ([math.ceil(max(cuts[-2], cuts[-1] - length - 1))] if len(cuts) % 2 else [])
 
 
 def film(machine):
@@ -221,11 +222,12 @@ def page_times(machine):
 
 def page_play(machine):
     """Yields rows about the start; keeps the rows of the scenes for page_scenes()."""
-    machine.facts['piece'], machine.played = PIECE, {}
-    starts = ' '.join(map(str, around_cuts(machine)))
+    machine.facts['piece'], machine.played = PAGE_PIECE, {}
+    starts = ' '.join(map(str, around_cuts(machine, PAGE_PIECE)))
     with machine.display('1280x800'):
         for name in BROWSERS:
-            printed = machine.run(f'node tools/measure/bench/page.mjs play {name} build/odraz.html {PIECE} {starts}')
+            printed = machine.run(
+                f'node tools/measure/bench/page.mjs play {name} build/odraz.html {PAGE_PIECE} {starts}')
             machine.played[name] = played(printed)
             lines = re.findall(r'^page,(.*)$', printed, re.M)
             columns = list(zip(*([float(cell) for cell in line.split(',')] for line in lines)))

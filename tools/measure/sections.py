@@ -42,13 +42,14 @@ SECTIONS = [
             first instruction of the program runs. The packed film decodes itself while the bar grows, and frees the
             decoder's memory before the first picture.''']),
     Section(
-        'film', 'The film, played', 1.0,
+        'film', 'The film, played', 1.1,
         sources=['intro'], programs=['odraz-safe', 'judge_play'], packages=['xvfb'],
         parts=[
             table(film.film, '''scene; rate = shown a second; traced = pictures traced; between = in-betweens made;
                 shown; missed = sixtieths of a second without a new picture; trace_ms = ms to trace: median;
                 trace_95 = 95 %; between_ms = ms to make an in-between: median; between_95 = 95 %;
-                show_ms = ms to show: median; show_95 = 95 %; samples = samples a traced pixel; width = pixels traced across'''),
+                show_ms = ms to show: median; show_95 = 95 %; samples = samples a traced pixel;
+                width = pixels traced across'''),
             'Over all scenes: {shown} pictures a second were shown, {traced} traced.',
             '''{piece} seconds around every other cut between scenes were played at 1280x720, on a display in memory
             with software OpenGL, which runs on the same cores. The governor is on. Times are by the clock.''']),
@@ -79,7 +80,7 @@ SECTIONS = [
             new memory slows the first pictures. The level is 0 for `film`, 1 for `play`, 2 for `draft`; beyond it, each
             step gives up 35 % of the width. The simulated machine is as fast in each second as this one was.''']),
     Section(
-        'between', 'In-betweens against traced pictures', 0.6,
+        'between', 'In-betweens against traced pictures', 0.4,
         sources=['intro/trace', 'intro/show', 'tools/measure/play/costs.csv'], programs=['probe'],
         parts=[
             table(film.between, '''scene; play = play, dB; draft = draft; b2 = in-between at a gap of 2; b4 = 4; b6 = 6;
@@ -88,7 +89,7 @@ SECTIONS = [
             means over moments six seconds apart. In-betweens are half-way between two pictures of `play`, whose gap is
             in sixtieths of a second. "What a viewer sees" has in-betweens at the gaps that the player chooses.''']),
     Section(
-        'page', 'The film as a page', 4.2,
+        'page', 'The film as a page', 5.6,
         sources=['intro', 'packer/model', 'packer/web', 'tests/programs/web/browser.mjs',
                  'tools/measure/bench/page.mjs', 'tools/measure/play/costs.csv'],
         programs=['odraz.html', 'odraz-safe', 'judge_play'], targets=['film_web'],
@@ -176,7 +177,7 @@ SECTIONS = [
             changes, a short search adapts them. "Search" starts from contexts of two to four neighbouring fields each,
             since the contexts that ship are already the result of a search.''']),
     Section(
-        'radiosity', "Radiosity: whole solutions of the thesis's sizes", 2.3,
+        'radiosity', "Radiosity: whole solutions of the thesis's sizes", 2.2,
         sources=['intro/radiosity', 'tools/radiosity', 'tools/measure/reference/radiosity_errors.cpp'],
         programs=['radiosity', 'radiosity_errors'], packages=[*RADIOSITY, 'valgrind'],
         parts=[
@@ -193,7 +194,7 @@ SECTIONS = [
             with errors have the median time of three runs. Errors are against path tracing, at points spread by area;
             the noise of path tracing is subtracted from the rms.''']),
     Section(
-        'hall', "The hall's light, against path tracing; and the transfer of any model", 4.0,
+        'hall', "The hall's light, against path tracing; and the transfer of any model", 2.9,
         sources=['intro/radiosity', 'intro/transfer', 'intro/show/daylight.cpp', 'intro/show/hall.h',
                  'intro/show/hall.cpp', 'intro/show/hall_model.cpp', 'tools/radiosity',
                  'tools/measure/bench/bench_transfer.cpp', 'tools/measure/reference'],
@@ -229,7 +230,7 @@ SECTIONS = [
             '''The hall of columns, {columns}, with a glossy floor and four lamps, on software OpenGL, while a sky turns
             that lights all bands. No sky is seen from the closed hall, but the work is the same.''']),
     Section(
-        'proofs', 'What tests find, against closed forms and references', 0.6,
+        'proofs', 'What tests find, against closed forms and references', 0.2,
         sources=['intro/base', 'intro/trace', 'intro/sound', 'intro/radiosity', 'intro/transfer',
                  'intro/show/hall.h', 'intro/show/hall.cpp', 'intro/show/hall_model.cpp', 'tools/measure/reference',
                  *(f'tests/unit/{room}' for room in methods.TESTS)],
