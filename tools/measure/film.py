@@ -2,6 +2,7 @@
 import json
 import math
 import re
+import shutil
 import statistics
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -12,8 +13,7 @@ from parts import rows
 
 STATISTICS = '''scene traced between shown missed trace_ms trace_95 between_ms between_95 show_ms show_95 samples
     width'''.split()
-PIECE, PAGE_PIECE = 10, 6  # seconds of a played piece, and of one in a browser
-SETTLED = 1  # seconds until the player has settled
+PIECE, PAGE_PIECE, SETTLED = 10, 6, 1  # seconds of a played piece, in a browser; until the player has settled
 
 
 def size(machine):
@@ -88,19 +88,14 @@ def play_command(screen, machines, length):
     return f'build/judge_play --screen {screen} --length {length} {machines}'
 
 
-def count_costs(machine):
-    """Counts the costs of pictures for the simulated players, unless --built."""
-    if not machine.built:
-        machine.run('tools/measure/play/costs')
-    return ''
-
-
 def cell_of(row):
     return f"{float(row['srgb_db']):.1f} {float(row['flip']):.3f}".replace(' 0.', ' .')
 
 
 def play(machine):
     """Cells: PSNR, FLIP, and the number of pictures shown in a second of the scene."""
+    if not machine.built:
+        machine.run('tools/measure/play/costs')  # of pictures, for the simulated players
     cells = []
     for screen, (machines, length) in MACHINES.items():
         command = play_command(screen, machines, length)
@@ -135,6 +130,14 @@ def seen_plot(machine):
         svg.append(f'<text x="{x + 8:.0f}" y="{y + 4:.0f}" fill="{colour}">{screen}</text>')
     (machine.page.parent / 'play.svg').write_text('\n'.join(svg + ['</svg>', '']))
     return '![PSNR of all scenes against instructions a second, for three screens](play.svg)'
+
+
+def crops(machine):
+    """Makes play.jpg: a part of one picture, on two machines and in `film`."""
+    machine.run('build/judge_play --machine 16 --machine 128 --at 20.5 --length 0.017 --crops play.jpg '
+                '--corner 420x330')
+    shutil.copy(machine.work / 'play.jpg', machine.page.parent)
+    return '![a part of one picture, three times](play.jpg)'
 
 
 def between(machine):

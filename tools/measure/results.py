@@ -92,8 +92,3 @@ class Results:
 
     def cell(self, name, column, row):
         return self.cells(name, column, row)[0]
-
-
-def took(text):
-    found = re.search(r', took ([0-9.]+ s)\.', text)
-    return found[1] if found else ''
