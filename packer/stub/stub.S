@@ -3,7 +3,7 @@
 //
 // It is part of every packed file, so it is written in assembler: 2.5 KB, half of what g++ -Os makes of the C++.
 // It does the same as decoder.h, model.h and x86.h and uses their names. The packer runs both versions before it writes
-// a file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.h.
+// a file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.cpp.
 // Other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
 //
 // Registers while decoding: rbx points to the payload header, rbp into the model's memory, r8 to the slots, r12 to the
@@ -20,7 +20,7 @@ start:
     lea ebx, [rip + payload_header]
 
     // The headers are not checked yet, so compute the file's beginning from the address of this code
-    lea edi, [rip + start - FRONT]
+    lea edi, [rip + start - sizeof_Front]
     check_file
 damaged: // the texts are here because a truncated file still has this part; each text has 23 bytes
     call refuse
@@ -30,21 +30,17 @@ no_memory:
     .ascii "not enough free memory\n"
 refuse:
     pop rsi
-    push 23
-    pop rdx
-    push 1 // write
-    pop rax
-    push 2
-    pop rdi
+    SET_SMALL(rdx, 23)
+    SET_SMALL(rax, 1) // write
+    SET_SMALL(rdi, 2)
     syscall
-    push 60 // exit
-    pop rax
+    SET_SMALL(rax, 60) // exit
     dec edi // 1
     syscall
 
 get_memory:
     xor edi, edi
-    mov esi, [rbx + MEMORY]
+    mov esi, [rbx + header_memory]
     map_memory
     js no_memory
     push rax // for munmap
@@ -52,35 +48,32 @@ get_memory:
     large_pages
 
     // Decode. Decoding overwrites the slots of the imports, so save them before and restore them afterwards
-    mov edi, [rbx + IMPORTS]
+    mov edi, [rbx + header_imports]
     push [rdi]
     push [rdi + 8]
-    mov r12d, [rbx + IMAGE]
+    mov r12d, [rbx + header_image]
     call decode
-    mov edi, [rbx + IMPORTS]
+    mov edi, [rbx + header_imports]
     pop [rdi + 8]
     pop [rdi]
 
-    mov esi, [rbx + READ_ONLY]
+    mov esi, [rbx + header_readOnly]
     call protect
     pop rdi
-    mov esi, [rbx + MEMORY]
-    push 11 // munmap
-    pop rax
+    mov esi, [rbx + header_memory]
+    SET_SMALL(rax, 11) // munmap
     syscall
     pop rsi
     pop rdx
-    mov eax, [rbx + ENTRY]
+    mov eax, [rbx + header_entry]
     jmp rax
 
 // Makes esi bytes of the image R-X. The kernel refuses on systems where written memory must not become executable
 // (SELinux, systemd's MemoryDenyWriteExecute).
 protect:
-    mov edi, [rbx + IMAGE]
-    push 5 // read, execute
-    pop rdx
-    push 10 // mprotect
-    pop rax
+    mov edi, [rbx + header_image]
+    SET_SMALL(rdx, 5) // read, execute
+    SET_SMALL(rax, 10) // mprotect
     syscall
     test eax, eax
     jns 1f

@@ -1,11 +1,9 @@
 // The decoders of stub.S, stub_windows.S and stub_loader.S as functions: the packer runs them on packed
-// files. This header also checks that the assembler's numbers in stub_numbers.h equal the numbers of C++.
+// files.
 #pragma once
 
 #include "packer/stub/loader_format.h"
 #include "packer/stub/pe_format.h"
-
-#include <bit>
 
 namespace pack {
 
@@ -20,18 +18,5 @@ extern "C" const uint32_t kStubMemory; // bytes of the model before the slots
 inline uint32_t stubMemory(const ModelParameters &parameters, uint32_t size) {
     return kStubMemory + (uint32_t)memoryAfterModel(parameters, size);
 }
-
-namespace stub {
-
-constexpr int64_t bits(float value) { return std::bit_cast<uint32_t>(value); }
-
-enum Number : int64_t {
-#define STUB_NUMBER(name, value, meaning) name = value,
-#include "packer/stub/stub_numbers.h"
-};
-#define STUB_NUMBER(name, value, meaning) static_assert((int64_t)(value) == (int64_t)(meaning), #name);
-#include "packer/stub/stub_numbers.h"
-
-} // namespace stub
 
 } // namespace pack

@@ -4,69 +4,67 @@ decode:
     // Expand the opcodes, then initialise the weights, which follow in memory
     lea rdi, [rbp + OPCODES]
     lea rsi, [rip + runs]
-    push runs_end - runs
-    pop rdx
+    SET_SMALL(rdx, runs_end - runs)
 1:  lodsb
     mov ecx, eax
-    and al, (1 << CLASS_BITS) - 1
-    shr cl, CLASS_BITS
+    and al, (1 << kClassBits) - 1
+    shr cl, kClassBits
 2:  stosb
     dec cl
     jne 2b
     dec edx
     jne 1b
-    mov ecx, PHASES * SETS + ALL_ROWS * ROW / 4
-    mov eax, FIRST_WEIGHT_BITS
+    mov ecx, kPhases * kSets + ALL_ROWS * ROW / 4
+    mov eax, kFirstWeight
     rep stosd
 
     inc dword ptr [rbp + RANGE] // 1
-    mov eax, [rbx + MEMORY]
-    sub eax, [rbx + SIZE]
-    sub eax, [rbx + SIZE]
-    lea r13, [rbp + rax + FIELDS - CODED_BYTE * FUTURE]
-    movzx eax, byte ptr [rbx + CONTEXTS]
-    imul eax, eax, CODE_MASK + DATA_MASK
-    lea r14, [rbx + rax + MASKS + (CODE_MASK + DATA_MASK) * (SETS - 1)]
+    mov eax, [rbx + header_memory]
+    sub eax, [rbx + header_size]
+    sub eax, [rbx + header_size]
+    lea r13, [rbp + rax + FIELDS - sizeof_CodedByte * kFuture]
+    movzx eax, byte ptr [rbx + header_contexts]
+    imul eax, eax, kCodeMask + kDataMask
+    lea r14, [rbx + rax + sizeof_PayloadHeader + (kCodeMask + kDataMask) * (kSets - 1)]
 
     xor eax, eax
 next_byte: // eax = offset of the byte in the image
 #ifndef NOTHING_IS_EARLY
-    test eax, EARLY_STEP - 1
+    test eax, kEarlyStep - 1
     jne 1f
-    mov esi, [rbx + EARLY]
+    mov esi, [rbx + header_early]
     cmp eax, esi
     jb 1f
     // Call the early part: (stack at the program's start, bytes done, bytes in all)
     call protect
     lea rdi, [rsp + 48] // six values were pushed since then
     mov esi, [rbp + POSITION]
-    mov edx, [rbx + SIZE]
-    mov eax, [rbx + EARLY_ENTRY]
+    mov edx, [rbx + header_size]
+    mov eax, [rbx + header_earlyEntry]
     call rax
 1:
 #endif
     // Compute the fields
     lea rdi, [rbp + FIELDS]
     mov eax, [rbp + LEFT]
-    shl eax, PHASE_BITS
+    shl eax, kPhaseBits
     or eax, [rbp + PHASE]
     stosd
     mov edx, [rbp + POSITION]
     mov eax, edx
-    and eax, COLUMNS - 1
+    and eax, kColumns - 1
     stosd
-    push 1 + FIELD_BYTE1 - FIELD_BYTE5
-    pop rcx
-    lea rsi, [r13 - CODED_BYTE * (1 + FIELD_BYTE1 - FIELD_BYTE5)]
+    SET_SMALL(rcx, 1 + kByte1 - kByte5)
+    lea rsi, [r13 - sizeof_CodedByte * (1 + kByte1 - kByte5)]
 1:  lodsw
     movzx eax, al
     stosd
     loop 1b
     mov eax, ecx
-1:  cmp byte ptr [r13 + rax * CODED_BYTE + CODED_MARKS], cl
+1:  cmp byte ptr [r13 + rax * sizeof_CodedByte + coded_marks], cl
     js 2f
     inc eax
-    cmp al, FAR_MARK
+    cmp al, kFarMark
     jne 1b
 2:  stosd
 
@@ -79,29 +77,29 @@ next_byte: // eax = offset of the byte in the image
     mov [rbp + FLIP], al
     loop 1f // four bytes
     mov byte ptr [rbp + FLIP], 0x80
-    lea rax, [r13 + CODED_BYTE * (1 - 128)]
+    lea rax, [r13 + sizeof_CodedByte * (1 - 128)]
     jmp 2f
 1:  mov ecx, [r12 - 3]
     bswap ecx
     mov cl, 0
-    cmp ecx, [rbx + SIZE]
+    cmp ecx, [rbx + header_size]
     jae 2f
     sub ecx, edx
     movsxd rax, ecx
-    lea rax, [r13 + rax * CODED_BYTE]
+    lea rax, [r13 + rax * sizeof_CodedByte]
 2:  mov [rbp + BLOCK], rax
 
     // Compute the hashes of the byte: beginByte()
-    lea rsi, [rbx + MASKS]
-    movzx ecx, byte ptr [rbx + CONTEXTS]
-    add ecx, SETS - 1
-    sub edx, [rbx + CODE_BEGIN]
-    cmp edx, [rbx + CODE_SIZE]
+    lea rsi, [rbx + sizeof_PayloadHeader]
+    movzx ecx, byte ptr [rbx + header_contexts]
+    add ecx, kSets - 1
+    sub edx, [rbx + header_codeBegin]
+    cmp edx, [rbx + header_codeSize]
     sbb r8d, r8d
     inc r8d // 1 in data, 0 in code
     mov [rbp + TYPE], r8d
     je 1f
-    lea rsi, [rsi + rcx * CODE_MASK]
+    lea rsi, [rsi + rcx * kCodeMask]
 1:  lea rdi, [rbp + HASHES]
 hash_next:
     xor eax, eax
@@ -110,37 +108,35 @@ hash_next:
     jne 1f
     mov ah, [rsi]
     inc rsi
-    shl eax, CODE_SHIFT
+    shl eax, kCodeShift
 1:  xchg r9d, eax
     lea eax, [rcx + r8]
-    mov edx, [rbp + PARSER_STATE]
+    mov edx, [rbp + FIELD(kParserState)]
 1:  call mix_in
     bsf edx, r9d
     je 2f
     btr r9d, edx
-    mov edx, [rbp + rdx * 4 + FIELDS + 4 * FIELD_COLUMN]
+    mov edx, [rbp + rdx * 4 + FIELD(kColumn)]
     jmp 1b
 2:  stosd
     loop hash_next
 
     lea r8, [rbp + SLOTS]
-    push 1
-    pop r11
-    push NIBBLE_SLOTS
-    pop rax
-next_bit: // eax = the step; NIBBLE_SLOTS or more: a nibble begins
-    cmp al, NIBBLE_SLOTS
+    SET_SMALL(r11, 1)
+    SET_SMALL(rax, kNibbleSlots)
+next_bit: // eax = the step; kNibbleSlots or more: a nibble begins
+    cmp al, kNibbleSlots
     jb 2f
     // Compute the nibble's hashes, and prefetch its slots
-    movzx r10d, byte ptr [rbx + CONTEXTS]
+    movzx r10d, byte ptr [rbx + header_contexts]
     lea rdi, [rbp + HASHES]
 1:  mov eax, [rdi]
     mov edx, r11d
     call mix_in
     stosd
-    mov cl, [rbx + SLOT_SHIFT]
+    mov cl, [rbx + header_slotShift]
     shr eax, cl
-    lea rax, [r8 + rax * SLOT]
+    lea rax, [r8 + rax * sizeof_Slot]
     and ax, -WAYS_SIZE
     push WAYS_SIZE / 64
     pop rcx
@@ -153,58 +149,57 @@ next_bit: // eax = the step; NIBBLE_SLOTS or more: a nibble begins
     xor al, 16
     shl eax, AFTER_BITS
     mov [rbp + AFTER], eax
-    push 1
-    pop rax
+    SET_SMALL(rax, 1)
 2:  mov [rbp + STEP], eax
 
     // Predict: find the counters
-    movzx r10d, byte ptr [rbx + CONTEXTS]
+    movzx r10d, byte ptr [rbx + header_contexts]
     lea rsi, [rbp + HASHES]
     lea rdi, [rbp + COUNTERS]
     lea r9, [rbp + BYTE_SLOTS]
-    imul eax, [rbp + PHASE], PHASE_SHARED
+    imul eax, [rbp + PHASE], kPhaseCounters * sizeof_Counter
     lea r15, [rbp + rax + HISTORIES]
 find:
     lodsd
     mov edx, eax // the low half is the check
-    mov cl, [rbx + SLOT_SHIFT]
+    mov cl, [rbx + header_slotShift]
     shr eax, cl
     xor eax, [rbp + STEP]
-    lea rax, [r8 + rax * SLOT]
-    and ax, ~(WAYS_SIZE - SLOT * NIBBLE_SLOTS)
+    lea rax, [r8 + rax * sizeof_Slot]
+    and ax, ~(WAYS_SIZE - sizeof_Slot * kNibbleSlots)
     push rsi
     mov rsi, rax
-    mov ch, WAYS
-1:  cmp [rax + SLOT_CHECK], dx
+    mov ch, kWays
+1:  cmp [rax + slot_check], dx
     je 2f
     mov cl, [rsi]
     cmp [rax], cl
     cmovb rsi, rax
-    sub rax, -SLOT * NIBBLE_SLOTS
+    sub rax, -sizeof_Slot * kNibbleSlots
     dec ch
     jne 1b
     mov rax, rsi
-    shl rdx, 8 * SLOT_CHECK
+    shl rdx, 8 * slot_check
     mov [rax], rdx // its other fields become 0
 2:  pop rsi
     stosq // a slot begins with its counter
     mov rcx, rax
-    movzx eax, byte ptr [rcx + SLOT_HISTORY]
-    lea rax, [r15 + rax * COUNTER]
+    movzx eax, byte ptr [rcx + slot_history]
+    lea rax, [r15 + rax * sizeof_Counter]
     stosq
     cmp r11d, 1
     jne 3f
     mov [r9], rcx
 3:  mov rcx, [r9]
     add r9, 8
-    movzx eax, byte ptr [rcx + SLOT_LAST_BYTE]
+    movzx eax, byte ptr [rcx + slot_lastByte]
     shl eax, AFTER_BITS - 8
     add eax, [rbp + AFTER]
     add rax, r15
     mov ecx, [rbp + STEP]
-    lea rax, [rax + rcx * COUNTER + AFTER_LAST]
+    lea rax, [rax + rcx * sizeof_Counter + kHistories * sizeof_Counter]
     stosq
-    add r15, SHARED
+    add r15, kSharedCounters * sizeof_Counter
     dec r10d
     jne find
     push rdi // address for the pointer to the correction
@@ -214,9 +209,9 @@ find:
     lodsd
     mov edx, r11d
     call mix_in
-    shr eax, HASH_BITS - CORRECTION_ROW_BITS - CORRECTION_BITS // a row has 32 counters; eax = index of the first
-    and al, 0x100 - (1 << CORRECTION_BITS)
-    lea rax, [rbp + rax * COUNTER + CORRECTIONS]
+    shr eax, 32 - kCorrectionRowBits - kCorrectionBits // a row has 32 counters; eax = index of the first
+    and al, 0x100 - (1 << kCorrectionBits)
+    lea rax, [rbp + rax * sizeof_Counter + CORRECTIONS]
     prefetcht0 [rax]
     prefetcht0 [rax + 64]
     push rax
@@ -231,16 +226,14 @@ find:
     xor cl, 7
     shl edx, cl
     add edx, edx // its low byte is the first target after a zero
-    push 1
-    pop rsi
+    SET_SMALL(rsi, 1)
     shl esi, cl // the number of targets after a zero, and after a one
-    push 2
-    pop r15
+    SET_SMALL(r15, 2)
 1:  mov eax, esi
     mov ecx, esi
 2:  movzx r10d, dl
     xor r10b, [rbp + FLIP]
-    movzx r10d, byte ptr [rdi + r10 * CODED_BYTE + CODED_MARKS]
+    movzx r10d, byte ptr [rdi + r10 * sizeof_CodedByte + coded_marks]
     add eax, r10d
     inc edx
     loop 2b
@@ -249,20 +242,20 @@ find:
     movaps xmm0, xmm1
     dec r15d
     jne 1b
-3:  pslld xmm0, ODDS_SHIFT
+3:  pslld xmm0, kOddsShift
     cvtdq2ps xmm0, xmm0
     lea rdi, [rbp + INPUTS]
     movss [rdi], xmm0
-    mov byte ptr [rdi + 7], CONSTANT_BITS >> 24 // its other bytes are 0
+    mov byte ptr [rdi + 7], kConstant >> 24 // its other bytes are 0
 
     // Compute the inputs ln(p / (1 - p)) and p - 1/2, for a context's three counters at once
-    mov eax, CERTAIN + 2
+    mov eax, kCertain + 2
     movd xmm3, eax
     pshufd xmm3, xmm3, 0
-    movzx ecx, byte ptr [rbx + CONTEXTS]
+    movzx ecx, byte ptr [rbx + header_contexts]
     lea rsi, [rbp + COUNTERS]
 1:  call counters
-    psrad xmm0, SEEN_BITS
+    psrad xmm0, kSeenBits
     pshufd xmm2, xmm0, 0b00111111 // the first counter to the fourth lane; the other lanes become 0
     movaps xmm1, xmm3
     psubd xmm1, xmm0
@@ -270,7 +263,7 @@ find:
     cvtdq2ps xmm1, xmm1
     cvtdq2ps xmm0, xmm0
     psubd xmm0, xmm1
-    pslld xmm2, LINEAR_SHIFT
+    pslld xmm2, kLinearShift
     paddd xmm0, xmm2
     cvtdq2ps xmm0, xmm0
     add rdi, 16
@@ -278,11 +271,10 @@ find:
     loop 1b
 
     // Mix each set, then the results
-    push SETS
-    pop r10
+    SET_SMALL(r10, kSets)
     mov eax, r11d
     mov ah, [rbp + PHASE]
-1:  lea eax, [r10 + rax * SETS] // rows of the eight sets with the same number are adjacent
+1:  lea eax, [r10 + rax * kSets] // rows of the eight sets with the same number are adjacent
     imul eax, eax, ROW
     lea rdx, [rbp + rax + WEIGHTS - ROW]
     mov [rbp + r10 * 8 + ROWS - 8], rdx
@@ -291,7 +283,7 @@ find:
     movss [rbp + r10 * 4 + RESULTS - 4], xmm0
     mov eax, [r9]
     add r9, 4
-    shr eax, HASH_BITS - SET_ROW_BITS
+    shr eax, 32 - kRowBits
     mov ecx, r10d
     or cl, 4
     mov edx, r11d
@@ -310,7 +302,7 @@ find:
     addss xmm5, [rbx + MIDDLE]
     cvttss2si edx, xmm5
     pop rax
-    lea rax, [rax + rdx * COUNTER]
+    lea rax, [rax + rdx * sizeof_Counter]
     pop rdi
     stosq // three equal pointers, as for a context's counters; adapting writes the first one last, so that one counts
     stosq
@@ -320,18 +312,18 @@ find:
     mov ecx, [rax]
     test ecx, ecx
     jne 1f
-    lea ecx, [rdx - HALF]
-    shl ecx, SEEN_BITS
-    mov cl, FIRST_TRUST
+    lea ecx, [rdx - kHalf]
+    shl ecx, kSeenBits
+    mov cl, kFirstTrust
     mov [rax], ecx
-1:  sar ecx, SEEN_BITS
-    lea eax, [rcx + rdx * 2 + HALF]
+1:  sar ecx, kSeenBits
+    lea eax, [rcx + rdx * 2 + kHalf]
     add eax, edx
-    shr eax, PROBABILITY_BITS + 2 - SHARE_BITS
+    shr eax, kProbabilityBits + 2 - kShareBits
     or al, 1
 
     // Decoder::bit
-1:  cmp byte ptr [rbp + RANGE + RANGE_BITS / 8], 0
+1:  cmp byte ptr [rbp + RANGE + kRangeBits / 8], 0
     jne 2f
     shl dword ptr [rbp + RANGE], 8
     shl dword ptr [rbp + CODE], 8
@@ -341,7 +333,7 @@ find:
     jmp 1b
 2:  mov edx, [rbp + RANGE]
     imul rax, rdx
-    shr rax, SHARE_BITS
+    shr rax, kShareBits
     sub edx, eax
     mov ecx, [rbp + CODE]
     cmp ecx, eax
@@ -355,8 +347,7 @@ find:
 
     // Learn: train the weights
     cvtsi2ss xmm3, r9d
-    push SETS
-    pop r10
+    SET_SMALL(r10, kSets)
 1:  movss xmm0, [rbp + r10 * 4 + RESULTS - 4]
     call squash
     movaps xmm1, xmm3
@@ -383,20 +374,20 @@ find:
 
     // Adapt the counters, a context's three at once, then the correction's counter
     lea eax, [r9 - 1]
-    xor eax, CERTAIN // CERTAIN for a one, its complement for a zero
+    xor eax, kCertain // kCertain for a one, its complement for a zero
     movd xmm3, eax
     pshufd xmm3, xmm3, 0
     pcmpeqd xmm4, xmm4
     psrld xmm4, 31 // 1 in each lane
     movups xmm5, [rbx + SETTLED]
-    mov cl, [rbx + CONTEXTS] // rcx was 0
+    mov cl, [rbx + header_contexts] // rcx was 0
     inc ecx
     lea rsi, [rbp + COUNTERS]
 1:  call counters
     movaps xmm1, xmm0
-    psrad xmm0, SEEN_BITS
-    pslld xmm1, 32 - SEEN_BITS
-    psrld xmm1, 32 - SEEN_BITS
+    psrad xmm0, kSeenBits
+    pslld xmm1, 32 - kSeenBits
+    psrld xmm1, 32 - kSeenBits
     cvtdq2ps xmm2, xmm1
     addps xmm2, xmm5
     movaps xmm6, xmm3
@@ -405,7 +396,7 @@ find:
     divps xmm6, xmm2
     cvttps2dq xmm6, xmm6
     paddd xmm0, xmm6
-    pslld xmm0, SEEN_BITS
+    pslld xmm0, kSeenBits
     paddusb xmm1, xmm4 // counts one more bit seen, up to 255
     orps xmm0, xmm1
     mov rax, [rsi - 8]
@@ -420,18 +411,18 @@ find:
 
     // Update the histories
     lea rsi, [rbp + COUNTERS]
-    mov cl, [rbx + CONTEXTS]
+    mov cl, [rbx + header_contexts]
 1:  mov rdi, [rsi]
-    mov al, [rdi + SLOT_HISTORY]
+    mov al, [rdi + slot_history]
     xor al, 1
     jns 2f
-    and al, HISTORY_FULL / 2 - 1
-    or al, HISTORY_FULL / 2
+    and al, kHistoryFull / 2 - 1
+    or al, kHistoryFull / 2
 2:  add al, al
     or eax, r9d
     xor al, 1
-    mov [rdi + SLOT_HISTORY], al
-    add rsi, 8 * CONTEXT_COUNTERS
+    mov [rdi + slot_history], al
+    add rsi, 8 * kContextCounters
     loop 1b
 
     mov eax, [rbp + STEP]
@@ -442,9 +433,9 @@ find:
 
     // End the byte: endByte(), then parse it if it is code
     lea rsi, [rbp + BYTE_SLOTS]
-    mov cl, [rbx + CONTEXTS] // rcx was 0
+    mov cl, [rbx + header_contexts] // rcx was 0
 1:  lodsq
-    mov [rax + SLOT_LAST_BYTE], r11b
+    mov [rax + slot_lastByte], r11b
     loop 1b
     mov [r13], r11b
     mov [r12], r11b
@@ -454,10 +445,10 @@ find:
     call parse
     mov [rbp + LEFT], eax
 1:  inc r12
-    add r13, CODED_BYTE
+    add r13, sizeof_CodedByte
     inc dword ptr [rbp + POSITION]
     mov eax, [rbp + POSITION]
-    cmp eax, [rbx + SIZE]
+    cmp eax, [rbx + header_size]
     jb next_byte
     ret
 
@@ -476,16 +467,15 @@ counters:
 // Sets the operands of mix and train: ecx bytes of floats at rsi, the weights at rdx.
 point_to_inputs:
     lea rsi, [rbp + INPUTS]
-    movzx ecx, byte ptr [rbx + CONTEXTS]
+    movzx ecx, byte ptr [rbx + header_contexts]
     inc ecx
     shl ecx, 4
     ret
 point_to_results:
-    imul edx, [rbp + PHASE], 4 * SETS
+    imul edx, [rbp + PHASE], 4 * kSets
     lea rdx, [rbp + rdx + FINAL_WEIGHTS]
     mov rsi, rbp // RESULTS
-    push 4 * SETS
-    pop rcx
+    SET_SMALL(rcx, 4 * kSets)
     ret
 
 // xmm0 = sum of weights at rdx times inputs at rsi, limited to kMostSum.

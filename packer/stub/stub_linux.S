@@ -3,18 +3,17 @@
 // Checks the file, which begins at rdi; jumps to get_memory, or to damaged. A truncated file lacks pages, and reading
 // one would be fatal: access() returns whether a page is there.
 .macro check_file
-    mov edx, [rbx + WORDS]
+    mov edx, [rbx + header_words]
     xor esi, esi
     xor ebp, ebp
-1:  test di, PAGE - 1
+1:  test di, kPage - 1
     jne 2f
-    push 21 // access
-    pop rax
+    SET_SMALL(rax, 21) // access
     syscall
     cmp al, -14 // EFAULT
     je damaged
 2:  add ebp, [rdi]
-    imul ebp, ebp, HASH
+    imul ebp, ebp, kHash
     scasd
     dec edx
     jne 1b
@@ -24,13 +23,10 @@
 
 // rax = address of esi new bytes of zeros, readable and writable; the sign flag is set if there is no memory.
 .macro map_memory
-    push 3 // read, write
-    pop rdx
-    push 0x22 // private, anonymous
-    pop r10
+    SET_SMALL(rdx, 3) // read, write
+    SET_SMALL(r10, 0x22) // private, anonymous
     xor r9d, r9d
-    push 9 // mmap
-    pop rax
+    SET_SMALL(rax, 9) // mmap
     syscall
     test rax, rax
 .endm
@@ -38,9 +34,7 @@
 // Asks for large pages for the esi bytes at rax, just mapped. They save a sixth of the time to decode.
 .macro large_pages
     xchg rdi, rax
-    push 14 // MADV_HUGEPAGE
-    pop rdx
-    push 28 // madvise
-    pop rax
+    SET_SMALL(rdx, 14) // MADV_HUGEPAGE
+    SET_SMALL(rax, 28) // madvise
     syscall
 .endm

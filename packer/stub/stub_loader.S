@@ -34,7 +34,7 @@ start:
     push rdx // 0: the errors below have no second text
     lea rbx, [rip + payload_header]
 
-    lea rdi, [rip + start - LOADER_FRONT]
+    lea rdi, [rip + start - sizeof_LoaderFront]
     check_file
 damaged:
     call refuse
@@ -50,8 +50,7 @@ refuse: // prints the program's name, the text after the call, and the text whos
     call print
     pop rsi
     call print
-    push 60 // exit
-    pop rax
+    SET_SMALL(rax, 60) // exit
     dec edi // 1
     syscall
 print: // writes the string at rsi to standard error; 0: nothing, since a program may have no name
@@ -61,15 +60,13 @@ print: // writes the string at rsi to standard error; 0: nothing, since a progra
 1:  inc edx
     cmp byte ptr [rsi + rdx], 0
     jne 1b
-    push 1 // write
-    pop rax
-    push 2
-    pop rdi
+    SET_SMALL(rax, 1) // write
+    SET_SMALL(rdi, 2)
     syscall
 2:  ret
 
 get_memory:
-    mov esi, [rbx + MEMORY]
+    mov esi, [rbx + header_memory]
     call map
     js no_memory
     push rax // for munmap
@@ -77,21 +74,20 @@ get_memory:
     large_pages
 
     // The program's memory ends where the file begins
-    lea r12, [rip + start - LOADER_FRONT]
-    mov eax, [rbx + READ_ONLY]
+    lea r12, [rip + start - sizeof_LoaderFront]
+    mov eax, [rbx + header_readOnly]
     sub r12, rax
     push r12
     call decode
     pop r12
     pop rdi
-    mov esi, [rbx + MEMORY]
-    push 11 // munmap
-    pop rax
+    mov esi, [rbx + header_memory]
+    SET_SMALL(rax, 11) // munmap
     syscall
 
     // Give the program's segments their protections. They are decoded already, so no file is read
     mov r13, r12
-    mov eax, [rbx + IMAGE]
+    mov eax, [rbx + header_image]
     sub r13, rax // the offset that the kernel added to the program's addresses
     mov r14, r12
     or ebp, -1
@@ -105,8 +101,7 @@ get_memory:
 
     // Map the interpreter, whose headers are in its first page
     lea rsi, [r13 + r15]
-    push -100 // AT_FDCWD
-    pop rdi
+    SET_SMALL(rdi, -100) // AT_FDCWD
     mov eax, 257 // openat, because ld.so uses it too; some sandboxes do not allow open
     cdq
     syscall
@@ -114,7 +109,7 @@ get_memory:
     js no_interpreter
     mov ebp, eax
     xchg edi, eax
-    mov dh, PAGE / 256
+    mov dh, kPage / 256
     sub rsp, rdx
     mov r14, rsp
     push rsp
@@ -126,8 +121,7 @@ get_memory:
 no_interpreter: // eax = an error; or the number of bytes read, if the interpreter is incomplete
     neg eax
     jg 2f
-    push 80 // ELIBBAD, the kernel's error for an incomplete interpreter
-    pop rax
+    SET_SMALL(rax, 80) // ELIBBAD, the kernel's error for an incomplete interpreter
 2:  mov cl, 10
     div cl
     add eax, 0xa3030 // "NN\n"
@@ -150,8 +144,7 @@ no_interpreter: // eax = an error; or the number of bytes read, if the interpret
     mov r13, rax
     call load
     mov edi, ebp
-    push 3 // close
-    pop rax
+    SET_SMALL(rax, 3) // close
     syscall
     mov r10, r13
     mov r9, r13
@@ -221,8 +214,7 @@ load_next:
     mov rdx, [r8 + P_FILESZ]
     mov r10, [r8 + P_OFFSET]
     mov edi, ebp
-    push 17 // pread64
-    pop rax
+    SET_SMALL(rax, 17) // pread64
     syscall
     cmp rax, [r8 + P_FILESZ]
     jne no_interpreter
@@ -234,11 +226,10 @@ load_next:
     and edx, 7
     mov rdi, r9
     mov rsi, [r8 + P_MEMSZ]
-    and di, -PAGE
+    and di, -kPage
     add rsi, r9
     sub rsi, rdi
-    push 10 // mprotect
-    pop rax
+    SET_SMALL(rax, 10) // mprotect
     syscall
     test eax, eax
     js not_allowed

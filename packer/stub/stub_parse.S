@@ -2,16 +2,16 @@
 
 // X86Parser::step() with the byte in ecx, then X86Tracker::end() and codeImage(). eax is `left`, in and out.
 parse:
-    mov eax, [rbp + SO_FAR]
+    mov eax, [rbp + FIELD(kSoFar)]
     mov edx, ecx
     call mix_in
-    mov [rbp + SO_FAR], eax
+    mov [rbp + FIELD(kSoFar)], eax
     mov eax, [rbp + LEFT]
     mov dl, [rbp + PHASE]
-    sub dl, PHASE_VEX
+    sub dl, kVex
     jb at_start
     je at_vex
-    sub dl, PHASE_SIB - PHASE_VEX
+    sub dl, kSibByte - kVex
     jb at_modrm
     je at_sib
 
@@ -34,12 +34,12 @@ parse:
     sub ecx, [rbp + IMMEDIATE]
     dec ecx
     mov [r12 - 3], ecx
-1:  mov [rbp + TARGET], eax
-    cmp eax, [rbx + SIZE]
+1:  mov [rbp + FIELD(kTarget)], eax
+    cmp eax, [rbx + header_size]
     jae 2f
     sub eax, edi
     cdqe
-    or byte ptr [r13 + rax * CODED_BYTE + CODED_MARKS], MARK_TARGET
+    or byte ptr [r13 + rax * sizeof_CodedByte + coded_marks], kMarkTarget
 2:  xor eax, eax
 
 after_part: // after an opcode, an operand, or a byte of an operand
@@ -48,31 +48,31 @@ after_part: // after an opcode, an operand, or a byte of an operand
     or eax, [rbp + IMMEDIATE]
     je ends
     and dword ptr [rbp + IMMEDIATE], 0
-    mov byte ptr [rbp + PHASE], PHASE_OPERAND
+    mov byte ptr [rbp + PHASE], kOperand
     cmp byte ptr [rbp + RELATIVE], 1
-    sbb byte ptr [rbp + PHASE], -1 // PHASE_JUMP, if it is relative
+    sbb byte ptr [rbp + PHASE], -1 // kJump, if it is relative
 return:
     ret
 
 ends:
-    or byte ptr [r13 + CODED_BYTE + CODED_MARKS], MARK_BEGIN
-    mov eax, [rbp + MODRM]
+    or byte ptr [r13 + sizeof_CodedByte + coded_marks], kMarkBegin
+    mov eax, [rbp + FIELD(kModrm)]
     and al, 0x38
     mov cl, [rbp + HIGH]
     and cl, 4
     or al, cl
-    xchg [rbp + WRITTEN1], eax
-    mov [rbp + WRITTEN2], eax
-    mov rax, [rbp + OPCODE1]
-    mov [rbp + OPCODE2], rax // and OPCODE3
-    mov eax, [rbp + OPCODE]
-    mov [rbp + OPCODE1], eax
-    cmp eax, RETURN
+    xchg [rbp + FIELD(kWritten1)], eax
+    mov [rbp + FIELD(kWritten2)], eax
+    mov rax, [rbp + FIELD(kOpcode1)]
+    mov [rbp + FIELD(kOpcode2)], rax // and kOpcode3
+    mov eax, [rbp + FIELD(kOpcode)]
+    mov [rbp + FIELD(kOpcode1)], eax
+    cmp eax, kReturn
     jne 1f
-    inc dword ptr [rbp + FUNCTION]
-1:  mov eax, [rbp + SO_FAR]
-    mov [rbp + INSTRUCTION1], eax
-    lea rdi, [rbp + OPCODE]
+    inc dword ptr [rbp + FIELD(kFunction)]
+1:  mov eax, [rbp + FIELD(kSoFar)]
+    mov [rbp + FIELD(kInstruction1)], eax
+    lea rdi, [rbp + FIELD(kOpcode)]
     xor eax, eax
     stosq // opcode, mode
     stosq // so far, modrm
@@ -81,8 +81,8 @@ ends:
     ret
 
 at_sib:
-    inc byte ptr [rbp + PHASE] // PHASE_DISPLACEMENT
-    cmp byte ptr [rbp + MODRM], 0x40
+    inc byte ptr [rbp + PHASE] // kDisplacement
+    cmp byte ptr [rbp + FIELD(kModrm)], 0x40
     jae after_part
     and cl, 7
     cmp cl, 5
@@ -91,20 +91,19 @@ at_sib:
     ret
 
 at_modrm:
-    mov [rbp + MODRM], ecx
+    mov [rbp + FIELD(kModrm)], ecx
     mov edx, ecx
     and dl, 0xc7
-    mov [rbp + MODE], edx
-    mov eax, [rbp + OPCODE]
+    mov [rbp + FIELD(kMode)], edx
+    mov eax, [rbp + FIELD(kOpcode)]
     and al, 0xfe
     cmp ax, 0xf6
     jne 1f
     test cl, 0x30
     je 1f
     and dword ptr [rbp + IMMEDIATE], 0
-1:  mov byte ptr [rbp + PHASE], PHASE_DISPLACEMENT
-    push 4
-    pop rax
+1:  mov byte ptr [rbp + PHASE], kDisplacement
+    SET_SMALL(rax, 4)
     cmp dl, 5
     jne 1f
     mov [rbp + RELATIVE], al
@@ -117,7 +116,7 @@ at_modrm:
     and cl, 7
     cmp cl, 4
     jne after_part
-    dec byte ptr [rbp + PHASE] // PHASE_SIB
+    dec byte ptr [rbp + PHASE] // kSibByte
     ret
 2:  xor eax, eax
     jmp after_part
@@ -135,24 +134,24 @@ at_vex:
     mov [rbp + HIGH], edx
 1:  dec eax
     jne return
-    mov [rbp + PHASE], al // PHASE_START
+    mov [rbp + PHASE], al // kStart
     and ecx, 7
-    shl ecx, PREFIX_SHIFT
-    mov [rbp + OPCODE], ecx
+    shl ecx, kPrefixShift
+    mov [rbp + FIELD(kOpcode)], ecx
     mov al, [rbp + MAP]
-    shl al, MAP_SHIFT
-    or al, SEEN_VEX
+    shl al, kMapShift
+    or al, kSeenVex
     ret
 
 at_start:
-    cmp al, SEEN_MAP
+    cmp al, kSeenMap
     jae mapped
     lea edx, [rcx - 0x40]
     cmp dl, 16
     jae 1f
     and ecx, 15
     mov [rbp + HIGH], ecx
-    or al, SEEN_REX
+    or al, kSeenRex
     ret
 1:  mov edx, ecx
     and dl, 0xfe
@@ -160,55 +159,55 @@ at_start:
     je 1f
     cmp dl, 0xf2
     jne 2f
-1:  shl ecx, PREFIX_SHIFT
-    or [rbp + OPCODE], ecx
+1:  shl ecx, kPrefixShift
+    or [rbp + FIELD(kOpcode)], ecx
     ret
 2:  cmp cl, 0x0f
     jne 3f
-    or al, SEEN_MAP
+    or al, kSeenMap
     ret
 3:  cmp dl, 0xc4
     jne at_opcode
-    inc byte ptr [rbp + PHASE] // PHASE_VEX
+    inc byte ptr [rbp + PHASE] // kVex
     mov byte ptr [rbp + MAP], 1
     mov al, 0xc6
     sub al, cl
     ret
 mapped:
-    cmp al, SEEN_MAP + SEEN_VEX
+    cmp al, kSeenMap + kSeenVex
     jae at_opcode
     mov dl, cl
     and dl, 0xfd
     cmp dl, 0x38
     jne at_opcode
-    lea eax, [rax + rcx * 2 + SEEN_MAP - 0x38 * 2]
+    lea eax, [rax + rcx * 2 + kSeenMap - 0x38 * 2]
     ret
 
 at_opcode:
-    shr al, MAP_SHIFT
+    shr al, kMapShift
     mov ah, al
     mov al, cl
-    or [rbp + OPCODE], eax
+    or [rbp + FIELD(kOpcode)], eax
     cmp eax, 0x40
     jae 1f
     and al, 7 // the eight arithmetic operations have the same form
 1:  movzx edx, byte ptr [rbp + rax + OPCODES]
     mov eax, edx
     shr eax, 1
-    test dl, IMMEDIATE32
+    test dl, kImmediate32
     je 1f
     mov al, 4
-    cmp dl, RELATIVE32
+    cmp dl, kRelative32
     jb 3f
     je 2f
     mov al, 1
     dec edx // no ModRM byte
 2:  mov [rbp + RELATIVE], al
     jmp 1f
-3:  cmp byte ptr [rbp + OPCODE + PREFIX_SHIFT / 8], 0x66
+3:  cmp byte ptr [rbp + FIELD(kOpcode) + kPrefixShift / 8], 0x66
     jne 2f
     mov al, 2
-2:  cmp dl, IMMEDIATE32
+2:  cmp dl, kImmediate32
     jne 1f
     test byte ptr [rbp + HIGH], 8
     je 1f
@@ -217,7 +216,7 @@ at_opcode:
     mov al, 8
 1:  mov [rbp + IMMEDIATE], eax
     xor eax, eax
-    test dl, HAS_MODRM
+    test dl, kHasModrm
     je after_part
-    mov byte ptr [rbp + PHASE], PHASE_MODRM
+    mov byte ptr [rbp + PHASE], kModrmByte
     ret

@@ -3,9 +3,9 @@
 // mixIn(eax, edx) -> eax; clobbers edx.
 mix_in:
     lea eax, [rax + rdx + 1]
-    imul eax, eax, HASH
+    imul eax, eax, kHash
     mov edx, eax
-    shr edx, HASH_SHIFT
+    shr edx, kHashShift
     xor eax, edx
     ret
 
@@ -13,22 +13,12 @@ mix_in:
 #include "stub_parse.S"
 
 runs:
-#define OPCODE_RUN(count, kind) .byte (count) << CLASS_BITS | (kind);
+#define OPCODE_RUN(count, kind) .byte (count) << kClassBits | (kind);
 #include "packer/model/opcodes.h"
 runs_end:
-    .long MOST_BITS // the constants MOST .. SCALE, in this order
-    .long MOST_BITS | 0x80000000 // negative
-    .long ONE_BITS
-    .long SETTLED0_BITS
-    .long SETTLED1_BITS
-    .long SETTLED2_BITS
-    .long EARLY_USES_BITS
-    .long EARLY_LEARNING_BITS
-    .long LEARNING_BITS
-    .long FINAL_LEARNING_BITS
-    .long STEEPNESS_BITS
-    .long MIDDLE_BITS
-    .long SCALE_BITS
+    // The constants MOST .. SCALE, in this order
+    .long kMostSum, kMostSum | 0x80000000, kOne, kSettled0, kSettled1, kSettled2, kEarlyUses, kEarlyLearning, kLearning
+    .long kFinalLearning, kSteepness, kMiddle, kScale
 payload_header:
 
 // For the packer's check: void STUB_DECODE(header, image, memory)

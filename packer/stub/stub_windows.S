@@ -6,16 +6,8 @@
 #include "stub_memory.S"
 
 // Slots of the imports
-#define IMPORT(number) [rip + start - PE_START + 8 * (number)]
-#define LOAD_LIBRARY IMPORT(PE_LOAD_LIBRARY)
-#define GET_PROC_ADDRESS IMPORT(PE_GET_PROC_ADDRESS)
-#define VIRTUAL_ALLOC IMPORT(PE_VIRTUAL_ALLOC)
-#define VIRTUAL_FREE IMPORT(PE_VIRTUAL_FREE)
-#define VIRTUAL_PROTECT IMPORT(PE_VIRTUAL_PROTECT)
-#define GET_STD_HANDLE IMPORT(PE_GET_STD_HANDLE)
-#define WRITE_FILE IMPORT(PE_WRITE_FILE)
-#define EXIT_PROCESS IMPORT(PE_EXIT_PROCESS)
-#define FRONT rip + start - PE_START - PAGE
+#define IMPORT(number) [rip + start - sizeof_PeStart + 8 * (number)]
+#define FRONT rip + start - sizeof_PeStart - kPage
 
 .section .stub, "ax"
 start:
@@ -23,45 +15,44 @@ start:
     lea ebx, [rip + payload_header]
 
     // Check the section after the slots. Its size comes from the header, which the loader has checked
-    mov ecx, [FRONT + PE_FILE_SIZE]
+    mov ecx, [FRONT + front_fileSize]
     shr ecx, 2
-    sub ecx, PE_SLOTS / 4
-    lea esi, [rip + start - PE_START + PE_SLOTS]
+    sub ecx, sizeof_slots / 4
+    lea esi, [rip + start - sizeof_PeStart + sizeof_slots]
     xor ebp, ebp
 1:  lodsd
     add ebp, eax
-    imul ebp, ebp, HASH
+    imul ebp, ebp, kHash
     loop 1b
     test ebp, ebp
     jne damaged
 
-    mov edx, [rbx + MEMORY] // rcx is 0: at any address
+    mov edx, [rbx + header_memory] // rcx is 0: at any address
     mov r8d, 0x3000 // reserve, commit
-    push 4 // read, write
-    pop r9
-    call VIRTUAL_ALLOC
+    SET_SMALL(r9, 4) // read, write
+    call IMPORT(kPeVirtualAlloc)
     test rax, rax
     je no_memory
     push rax // for VirtualFree
     lea rbp, [rax - FIELDS]
-    mov r12d, [rbx + IMAGE]
+    mov r12d, [rbx + header_image]
     call give_imports // for the early part
     call decode
     call give_imports // decoding has overwritten them
     pop r12
-    mov esi, [rbx + READ_ONLY]
+    mov esi, [rbx + header_readOnly]
     call protect
     mov rcx, r12
     xor edx, edx
     mov r8d, 0x8000 // release
-    call VIRTUAL_FREE
+    call IMPORT(kPeVirtualFree)
     add rsp, 40
-    mov eax, [rbx + ENTRY]
+    mov eax, [rbx + header_entry]
     jmp rax
 
 give_imports:
-    mov edi, [rbx + IMPORTS]
-    lea rsi, IMPORT(PE_PROGRAM1)
+    mov edi, [rbx + header_imports]
+    lea rsi, IMPORT(kPeProgram1)
     movsq
     movsq
     ret
@@ -69,57 +60,52 @@ give_imports:
 // Makes esi bytes of the image R-X.
 protect:
     sub rsp, 40
-    mov ecx, [rbx + IMAGE]
+    mov ecx, [rbx + header_image]
     mov edx, esi
-    push 0x20 // execute, read
-    pop r8
+    SET_SMALL(r8, 0x20) // execute, read
     lea r9, [rsp + 32] // where VirtualProtect writes the old protection
-    call VIRTUAL_PROTECT
+    call IMPORT(kPeVirtualProtect)
     add rsp, 40
     test eax, eax
     je 1f
     ret
-1:  push PE_MAY_NOT_RUN
+1:  push message_mayNotRun
     jmp refuse
 damaged:
-    push PE_DAMAGED
+    push message_damaged
     jmp refuse
 no_memory:
-    push PE_NO_MEMORY
+    push message_noMemory
 
 // Writes to standard error; if there is none, shows a message box.
 refuse:
     pop rsi
-    lea edi, [FRONT + PE_MESSAGES]
+    lea edi, [FRONT + front_messages]
     add esi, edi
     and rsp, -16
     sub rsp, 48
-    push -12 // standard error
-    pop rcx
-    call GET_STD_HANDLE
+    SET_SMALL(rcx, -12) // standard error
+    call IMPORT(kPeGetStdHandle)
     mov rcx, rax
     mov rdx, rsi
-    push PE_MESSAGE // the text's size
-    pop r8
+    SET_SMALL(r8, kMessage) // the text's size
     lea r9, [rsp + 40]
     and qword ptr [rsp + 32], 0
-    call WRITE_FILE
+    call IMPORT(kPeWriteFile)
     test eax, eax
     jne 1f
-    lea ecx, [rdi + PE_USER32]
-    call LOAD_LIBRARY
-    lea edx, [rdi + PE_MESSAGE_BOX]
+    lea ecx, [rdi + message_user32]
+    call IMPORT(kPeLoadLibrary)
+    lea edx, [rdi + message_messageBox]
     mov rcx, rax
-    call GET_PROC_ADDRESS
+    call IMPORT(kPeGetProcAddress)
     xor ecx, ecx
     mov rdx, rsi
     mov r8, rsi
-    push 0x10 // MB_ICONERROR
-    pop r9
+    SET_SMALL(r9, 0x10) // MB_ICONERROR
     call rax
-1:  push 1
-    pop rcx
-    call EXIT_PROCESS
+1:  SET_SMALL(rcx, 1)
+    call IMPORT(kPeExitProcess)
 
 #define STUB_DECODE stubDecodeWindows
 #include "stub_rest.S"
