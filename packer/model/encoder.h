@@ -11,42 +11,25 @@
 
 namespace pack {
 
-// Zeroed, page-aligned memory for the model, for one run at a time.
+using Bytes = std::vector<uint8_t>;
+
+// Zeroed, page-aligned memory for a run of the model.
 class Workspace {
 public:
-    void *zeroed(uint64_t size);
+    explicit Workspace(uint64_t size);
+    void *zeroed() const;
 
 private:
-    struct Free {
-        void operator()(void *memory) const { std::free(memory); }
-    };
-    std::unique_ptr<void, Free> memory;
+    std::unique_ptr<void, void (*)(void *)> memory;
 };
 
 // Returns the bytes as they are coded: in x86-64, relative operands become absolute.
-template <class Tracker = X86Tracker>
-std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &layout);
+template <class Tracker = X86Tracker> Bytes filter(const Bytes &image, const Layout &layout);
 
 struct Encoded {
-    std::vector<uint8_t> payload;
+    Bytes payload;
     std::vector<float> bits; // cost of each byte of the image
 };
-template <class Tracker = X86Tracker>
-Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const ModelParameters &parameters,
-               Workspace &workspace);
-
-// Returns the payload's size in bytes, without making the payload. Returns `limit` as soon as the size
-// exceeds it.
-template <class Tracker = X86Tracker>
-double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const ModelParameters &parameters,
-               Workspace &workspace, double limit = 1e30);
-
-// Decodes with the C++ model. Never reads beyond the payload: missing bytes count as zeros.
-template <class Tracker = X86Tracker>
-std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
-                            const ModelParameters &parameters, Workspace &workspace);
-
-// --- Implementation ---
 
 // Reads the bits of the bytes to encode.
 struct KnownBits {
@@ -121,65 +104,60 @@ struct Meter {
     }
 };
 
-// A Decoder that does not read beyond the payload.
-struct CarefulDecoder {
-    const uint8_t *in, *end;
-    Decoder inner{nullptr};
+// A Decoder that reads at most three bytes beyond `end`, again and again. They must be zeros.
+struct CarefulDecoder : Decoder {
+    const uint8_t *end;
 
     uint32_t bit(uint32_t share) {
-        uint8_t next[3] = {};
-        size_t count = std::min<size_t>(3, (size_t)(end - in));
-        std::copy_n(in, count, next);
-        inner.in = next;
-        uint32_t bit = inner.bit(share);
-        in += std::min(count, (size_t)(inner.in - next));
-        return bit;
+        in = std::min(in, end);
+        return Decoder::bit(share);
     }
 };
 
-template <class Tracker>
-Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const ModelParameters &parameters,
-               Workspace &workspace) {
+template <class Tracker, class Coder>
+Bytes codeImage(Coder &coder, const Layout &layout, const ModelParameters &parameters) {
+    Workspace workspace(modelMemory<Tracker>(parameters, layout.size));
+    Bytes image(layout.size);
+    codeImage<Tracker>(coder, layout, parameters, workspace.zeroed(), image.data());
+    return image;
+}
+
+template <class Tracker = X86Tracker>
+Encoded encode(const Bytes &image, const Layout &layout, const ModelParameters &parameters) {
     Encoded encoded;
     encoded.bits.resize(image.size());
-    std::vector<uint8_t> bytes = filter<Tracker>(image, layout), back(image.size());
+    Bytes bytes = filter<Tracker>(image, layout);
     Encoder encoder{{bytes.data()}, encoded};
-    codeImage<Tracker>(encoder, layout, parameters,
-                       workspace.zeroed(modelMemory<Tracker>(parameters, layout.size)), back.data());
+    codeImage<Tracker>(encoder, layout, parameters);
     encoder.finish();
     return encoded;
 }
 
-template <class Tracker>
-double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const ModelParameters &parameters,
-               Workspace &workspace, double limit) {
-    std::vector<uint8_t> back(filtered.size());
+// Returns the payload's size in bytes, without making the payload. Returns `limit` as soon as the size
+// exceeds it.
+template <class Tracker = X86Tracker>
+double measure(const Bytes &filtered, const Layout &layout, const ModelParameters &parameters,
+               double limit = 1e30) {
     Meter meter{{filtered.data()}, limit * 8};
     try {
-        codeImage<Tracker>(meter, layout, parameters,
-                           workspace.zeroed(modelMemory<Tracker>(parameters, layout.size)), back.data());
+        codeImage<Tracker>(meter, layout, parameters);
     } catch (const LimitExceeded &) {
         return limit;
     }
     return meter.bits / 8;
 }
 
-template <class Tracker>
-std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
-                            const ModelParameters &parameters, Workspace &workspace) {
-    std::vector<uint8_t> image(layout.size);
-    CarefulDecoder decoder{payload, payload + payloadSize};
-    codeImage<Tracker>(decoder, layout, parameters,
-                       workspace.zeroed(modelMemory<Tracker>(parameters, layout.size)), image.data());
-    return image;
+// Decodes with the C++ model. Never reads beyond the payload: missing bytes count as zeros.
+template <class Tracker = X86Tracker>
+Bytes decode(Bytes payload, const Layout &layout, const ModelParameters &parameters) {
+    payload.resize(payload.size() + 3);
+    CarefulDecoder decoder{{payload.data()}, &payload.end()[-3]};
+    return codeImage<Tracker>(decoder, layout, parameters);
 }
 
 // Compiled only in encoder.cpp: the results of the arithmetic depend on the compiler's options
-extern template Encoded encode<X86Tracker>(const std::vector<uint8_t> &, const Layout &,
-                                           const ModelParameters &, Workspace &);
-extern template double measure<X86Tracker>(const std::vector<uint8_t> &, const Layout &,
-                                           const ModelParameters &, Workspace &, double);
-extern template std::vector<uint8_t> decode<X86Tracker>(const uint8_t *, size_t, const Layout &,
-                                                        const ModelParameters &, Workspace &);
+extern template Encoded encode(const Bytes &, const Layout &, const ModelParameters &);
+extern template double measure(const Bytes &, const Layout &, const ModelParameters &, double);
+extern template Bytes decode(Bytes, const Layout &, const ModelParameters &);
 
 } // namespace pack

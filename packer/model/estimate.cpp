@@ -213,8 +213,6 @@ struct Estimator::Impl {
     }
 };
 
-template std::vector<ByteRecord> byteRecords<X86Tracker>(const std::vector<uint8_t> &, const Layout &);
-
 Estimator::Estimator(std::vector<ByteRecord> records) : impl(new Impl{std::move(records)}) {}
 Estimator::~Estimator() = default;
 

@@ -7,12 +7,9 @@
 // the difference of two estimates is much more accurate.
 #pragma once
 
-#include "packer/model/decoder.h"
+#include "packer/model/encoder.h"
 
-#include <algorithm>
 #include <iterator>
-#include <memory>
-#include <vector>
 
 namespace pack {
 
@@ -33,7 +30,7 @@ struct ByteRecord {
 
 // Returns the records of all bytes.
 template <class Tracker = X86Tracker>
-std::vector<ByteRecord> byteRecords(const std::vector<uint8_t> &filtered, const Layout &layout) {
+std::vector<ByteRecord> byteRecords(const Bytes &filtered, const Layout &layout) {
     std::vector<ByteRecord> all(filtered.size());
     std::vector<typename Tracker::CodedByte> coded(kPast + filtered.size() + kFuture);
     Tracker tracker = {};
@@ -62,8 +59,6 @@ struct Estimate {
     std::vector<Inputs> inputs;
     std::vector<Hashes> selectors;
 };
-
-extern template std::vector<ByteRecord> byteRecords<X86Tracker>(const std::vector<uint8_t> &, const Layout &);
 
 // Each thread needs its own estimator, which holds some tens of megabytes of working memory.
 class Estimator {

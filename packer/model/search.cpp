@@ -95,7 +95,7 @@ constexpr double kSlack = 24;       // an estimate that is this many bytes large
 constexpr double kMeasureEvery = 8; // time between two measurements, in durations of a measurement
 constexpr int kForget = 10;         // a change may be tried again after this many kept changes
 
-// A search. `mutex` protects all members but `workspace`, which only the thread that measures uses.
+// A search. `mutex` protects all members.
 struct Search {
     const SearchInput &program;
     double seconds;
@@ -109,11 +109,10 @@ struct Search {
     std::map<std::vector<uint32_t>, int> triedAt = {}; // changes tried, with `kept` at that time
     bool stopped = false;
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
-    Workspace workspace = {};
     std::mutex mutex = {};
 
     ModelParameters run() {
-        least = program.measure(measured, workspace, 1e30);
+        least = program.measure(measured, 1e30);
         measuring = passed();
         progress();
         if (stopped || seconds <= passed()) return measured;
@@ -175,10 +174,10 @@ struct Search {
     void measureBest(std::unique_lock<std::mutex> &lock) {
         if (lastMeasured == best->parameters) return;
         ModelParameters parameters = lastMeasured = best->parameters;
-        // There is only one workspace, so no other thread may measure now, even if the search is over
+        // A measurement takes much memory, so no other thread may measure now, even if the search is over
         nextMeasure = 1e30;
         lock.unlock();
-        double bytes = program.measure(parameters, workspace, least);
+        double bytes = program.measure(parameters, least);
         lock.lock();
         if (bytes < least) {
             least = bytes;

@@ -1,7 +1,6 @@
 // The search for the contexts that compress a program best.
 #pragma once
 
-#include "packer/model/encoder.h"
 #include "packer/model/estimate.h"
 
 #include <functional>
@@ -19,7 +18,7 @@ struct SearchInput {
     std::vector<ByteRecord> records;
     Layout layout;
     MayUse mayUse;
-    std::function<double(const ModelParameters &, Workspace &, double limit)> measure;
+    std::function<double(const ModelParameters &, double limit)> measure;
 };
 
 // Changes one or two masks at a time and keeps each change that makes the estimate smaller (estimate.h). Uses
@@ -31,10 +30,10 @@ struct SearchInput {
 ModelParameters search(const SearchInput &program, const ModelParameters &start, double seconds,
                        const OnProgress &onProgress);
 template <class Tracker = X86Tracker>
-ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layout,
-                       const ModelParameters &start, double seconds, const OnProgress &onProgress) {
-    auto measured = [&](const ModelParameters &parameters, Workspace &workspace, double limit) {
-        return measure<Tracker>(filtered, layout, parameters, workspace, limit);
+ModelParameters search(const Bytes &filtered, const Layout &layout, const ModelParameters &start,
+                       double seconds, const OnProgress &onProgress) {
+    auto measured = [&](const ModelParameters &parameters, double limit) {
+        return measure<Tracker>(filtered, layout, parameters, limit);
     };
     return search({byteRecords<Tracker>(filtered, layout), layout, Tracker::mayUse, measured}, start, seconds,
                   onProgress);

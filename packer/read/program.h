@@ -1,6 +1,7 @@
 // A program in memory, its file, and the errors that refuse a file.
 #pragma once
 
+#include "packer/model/encoder.h"
 #include "packer/stub/format.h"
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
@@ -12,9 +13,7 @@
 
 namespace pack {
 
-// Whole files. Errors are thrown as in tools/common/whole_file.h
-using Bytes = std::vector<uint8_t>;
-
+// Reads a whole file. Errors are thrown as in tools/common/whole_file.h
 inline Bytes readBytes(const std::string &path) {
     common::WholeFile file = common::readWholeFile(path);
     return {file.view().begin(), file.view().end()};

@@ -25,9 +25,7 @@
 namespace pack {
 
 // WebAssembly has no relative operands.
-template <> std::vector<uint8_t> filter<web::WasmTracker>(const std::vector<uint8_t> &image, const Layout &) {
-    return image;
-}
+template <> Bytes filter<web::WasmTracker>(const Bytes &image, const Layout &) { return image; }
 
 namespace {
 
@@ -145,7 +143,7 @@ Layout layoutOf(const std::string &all, size_t program) {
 
 // plain.js finds relaxed SIMD instructions by their bytes alone. Throws if other bytes of the program look
 // like such an instruction.
-void checkRelaxed(const std::vector<uint8_t> &bytes, const Layout &layout) {
+void checkRelaxed(const Bytes &bytes, const Layout &layout) {
     web::WasmParser parser = {};
     uint32_t fields[web::kFields] = {};
     for (uint32_t i = layout.codeBegin; i + 2 < layout.codeBegin + layout.codeSize; ++i) {
@@ -234,7 +232,7 @@ void makePage(char **words, double seconds) {
                          scriptsOf(words[5]) + "main(data," + quoted(scriptsOf(words[4])) + ")";
 
     std::string all = script + program;
-    std::vector<uint8_t> bytes(all.begin(), all.end());
+    Bytes bytes(all.begin(), all.end());
     Layout layout = layoutOf(all, script.size());
     checkRelaxed(bytes, layout);
     if (seconds > 0) {
@@ -242,10 +240,8 @@ void makePage(char **words, double seconds) {
                                               [](const Progress &) { return true; });
         writeModel(words[2], parameters);
     }
-    Workspace workspace;
-    Encoded encoded = encode<web::WasmTracker>(bytes, layout, parameters, workspace);
-    if (decode<web::WasmTracker>(encoded.payload.data(), encoded.payload.size(), layout, parameters,
-                                 workspace) != bytes)
+    Encoded encoded = encode<web::WasmTracker>(bytes, layout, parameters);
+    if (decode<web::WasmTracker>(encoded.payload, layout, parameters) != bytes)
         throw std::runtime_error("verification failed: the page decodes to other bytes");
     std::string model((const char *)&layout, sizeof layout);
     model.append((const char *)&parameters, sizeof parameters);

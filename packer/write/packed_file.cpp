@@ -115,24 +115,21 @@ Bytes decodeWithStub(const PackedKind &kind, const Bytes &packed) {
     std::memcpy(&p, section, sizeof p);
     p.early = kNothingEarly; // decode without running the early part
     std::memcpy(section, &p, sizeof p);
-    Workspace workspace;
+    Workspace workspace(p.memory);
     Bytes image(p.layout.size);
-    kind.stubDecode(section, image.data(), workspace.zeroed(p.memory));
+    kind.stubDecode(section, image.data(), workspace.zeroed());
     return image;
 }
 
 Program readPacked(const PackedKind &kind, const Bytes &file) {
     Packed packed = kind.open(file);
-    Workspace workspace;
-    packed.program.bytes =
-        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace);
+    packed.program.bytes = decode(packed.payload, packed.layout, packed.parameters);
     return packed.program;
 }
 
 PackedFile makePacked(const PackedKind &kind, const Program &program, const ModelParameters &parameters,
                       const std::string &safeName) {
-    Workspace workspace;
-    Encoded encoded = encode(program.bytes, program.layout(), parameters, workspace);
+    Encoded encoded = encode(program.bytes, program.layout(), parameters);
     PackedFile file = {kind.write(program, parameters, encoded.payload, safeName),
                        usedSize(kind, parameters, encoded.payload), overhead(kind, parameters),
                        std::move(encoded.bits), 0};

@@ -7,9 +7,8 @@
 namespace pack {
 
 inline Bytes packed(const PackedKind &kind, const Program &p, const std::string &safeName = "") {
-    Workspace workspace;
     ModelParameters parameters = defaultParameters();
-    return kind.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, safeName);
+    return kind.write(p, parameters, encode(p.bytes, p.layout(), parameters).payload, safeName);
 }
 
 // Expects that a packed program is decoded by the stub and read back, that a safe name replaces the message

@@ -57,10 +57,7 @@ void decodeTwice(Bytes file, const Packed &packed) {
     uint32_t memory = stubMemory(packed.parameters, packed.layout.size);
     std::memcpy(&file[sizeof(Front) + sizeof kStub + offsetof(PayloadHeader, memory)], &memory, 4);
     file.resize(file.size() + 2000 * 20 + 100); // a decoded bit takes at most 20 bits
-    Workspace workspace;
-    if (decodeWithStub(kElf, file) !=
-        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace))
-        std::abort();
+    if (decodeWithStub(kElf, file) != decode(packed.payload, packed.layout, packed.parameters)) std::abort();
 }
 
 void filterCode(const Program &program) {

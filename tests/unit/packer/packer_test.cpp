@@ -38,7 +38,6 @@ static void shuffleMasks(ModelParameters &parameters, std::mt19937 &random) {
             parameters.masks[type][i] = (uint32_t)random() & kMayUse[type];
 }
 
-static Workspace workspace;
 
 // Makes a packed file with a payload.
 static Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
@@ -56,8 +55,8 @@ static Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelP
 
 // Encodes, and expects the same bytes from the C++ decoder and from the stub's.
 static void expectDecoded(const Bytes &b, const Layout &layout, const ModelParameters &parameters) {
-    Encoded e = encode(b, layout, parameters, workspace);
-    ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, parameters, workspace), b) << b.size();
+    Encoded e = encode(b, layout, parameters);
+    ASSERT_EQ(decode(e.payload, layout, parameters), b) << b.size();
     if (b.empty()) return;
     ASSERT_EQ(decodeWithStub(kElf, fileAround(e.payload, layout, parameters)), b) << b.size();
 }
@@ -176,15 +175,15 @@ TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
 
 TEST(Coder, CountsTheBitsOfEachByte) {
     Bytes b = realCode(8000);
-    Encoded e = encode(b, allCode(b), smallParameters(), workspace);
+    Encoded e = encode(b, allCode(b), smallParameters());
     double sum = std::accumulate(e.bits.begin(), e.bits.end(), 0.);
     EXPECT_NEAR(sum / 8, (double)e.payload.size(), 8);
-    EXPECT_NEAR(measure(filter(b, allCode(b)), allCode(b), smallParameters(), workspace), sum / 8, 1);
+    EXPECT_NEAR(measure(filter(b, allCode(b)), allCode(b), smallParameters()), sum / 8, 1);
 }
 
 TEST(Coder, CompressesWhatHasStructure) {
     auto size = [](const Bytes &b) {
-        return encode(b, {(uint32_t)b.size(), 0, 0}, defaultParameters(), workspace).payload.size();
+        return encode(b, {(uint32_t)b.size(), 0, 0}, defaultParameters()).payload.size();
     };
     EXPECT_LT(size(Bytes(20000, 0)), 100u);
     EXPECT_LT(size(randomBytes(10000, 1, 4)), 10000u / 4 * 1.06);
@@ -220,7 +219,7 @@ TEST(Coder, KeepsMasksInAFile) {
     std::mt19937 random(1);
     shuffleMasks(parameters, random);
     Layout layout = {100, 0, 0};
-    Bytes file = fileAround(encode(b, layout, parameters, workspace).payload, layout, parameters);
+    Bytes file = fileAround(encode(b, layout, parameters).payload, layout, parameters);
     EXPECT_EQ(kElf.open(file).parameters, parameters);
     EXPECT_EQ(readPacked(kElf, file).bytes, b);
 }
@@ -265,7 +264,7 @@ TEST(Estimates, AreNearTheMeasuredSize) {
                 parameters.masks[type][i] = 7u << i % (kChoices - 2) & kMayUse[type];
         Estimator estimator(byteRecords(filtered, layout));
         Estimate first = estimator(parameters);
-        double size = measure(filtered, layout, parameters, workspace);
+        double size = measure(filtered, layout, parameters);
         EXPECT_NEAR(first.bytes, size, size * 0.01) << contexts;
 
         // Reusing the equal part of another estimate gives the same result
@@ -275,7 +274,7 @@ TEST(Estimates, AreNearTheMeasuredSize) {
             other.masks[1][i] ^= 0x24;
             Estimate reused = estimator(other, &first), alone = estimator(other);
             EXPECT_DOUBLE_EQ(reused.bytes, alone.bytes);
-            size = measure(filtered, layout, other, workspace);
+            size = measure(filtered, layout, other);
             EXPECT_NEAR(reused.bytes, size, size * 0.01) << contexts << " " << i;
             EXPECT_EQ(estimator(other, &first, -1e9).bytes, kTooMany);
         }
@@ -290,7 +289,7 @@ TEST(Search, KeepsTheBest) {
     ModelParameters poor = smallParameters(20);
     poor.contexts = 4;
     for (uint32_t i = 0; i < poor.contexts; ++i) poor.masks[0][i] = 0x20000u >> i;
-    double before = measure(filtered, layout, poor, workspace), shown = 1e30;
+    double before = measure(filtered, layout, poor), shown = 1e30;
     int tried = 0;
     // Make a hundred tries
     ModelParameters found = search(filtered, layout, poor, 1e6, [&](const Progress &p) {
@@ -299,7 +298,7 @@ TEST(Search, KeepsTheBest) {
         tried = p.tried;
         return tried < 100;
     });
-    double after = measure(filtered, layout, found, workspace);
+    double after = measure(filtered, layout, found);
     EXPECT_LT(after, before);
     EXPECT_DOUBLE_EQ(after, shown);
     EXPECT_GE(tried, 100);

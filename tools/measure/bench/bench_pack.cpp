@@ -64,7 +64,6 @@ Program programIn(const std::string &path) {
 
 // Packs the file, decodes it with the stub's code, and prints the CSV.
 void packFile(const BenchOptions &o) {
-    Workspace workspace;
     Program program = programIn(o.file);
     Layout layout = program.layout();
     ModelParameters parameters = parametersOf(o);
@@ -72,7 +71,7 @@ void packFile(const BenchOptions &o) {
     if (o.search > 0)
         parameters = search(filter(program.bytes, layout), layout, parameters, o.search,
                             [](const Progress &) { return true; });
-    Encoded e = encode(program.bytes, layout, parameters, workspace);
+    Encoded e = encode(program.bytes, layout, parameters);
     double encoding = common::processorSeconds() - began;
     Bytes packed = kElf.write(program, parameters, e.payload, {});
     began = common::processorSeconds();
