@@ -6,13 +6,11 @@ let instructions;  // [{at, end, text}, ...]
 
 const $ = id => document.getElementById(id);
 
-// Makes an element of the page: <div class="name">text</div>
-function make(tag, text = '', className = '') {
-    const element = document.createElement(tag);
-    element.textContent = text;
-    if (className) element.className = className;
-    return element;
-}
+// Makes an element of the page, <div class="name">text</div>, with other properties.
+const make = (tag, text = '', className = '', more = {}) =>
+    Object.assign(document.createElement(tag), {textContent: text, className, ...more});
+const makeButton = (text, onclick, more = {}) => make('button', text, '', {onclick, ...more});
+const sumOf = (all, value) => all.reduce((sum, one) => sum + value(one), 0);
 
 async function unpack(id) {
     const packed = Uint8Array.from(atob($(id).textContent), c => c.charCodeAt(0));
@@ -34,6 +32,12 @@ async function readData() {
     readInstructions(text.decode(await unpack('code')));
 }
 
+const addTo = (part, stretch) => {
+    part.bytes += stretch.size;
+    part.units += stretch.units;
+    part.stretches.push(stretch);
+};
+
 // Makes the rows of a table: the parts of both reports, stub and headers, and the payload's end. In each stretch, the
 // row of its part replaces the name.
 function makeRows(kind) {
@@ -48,9 +52,7 @@ function makeRows(kind) {
     for (const stretch of report.stretches) {
         if (!stretch[part]) return [];
         const own = stretch[part] = row(stretch[part]);
-        own.bytes += stretch.size;
-        own.units += stretch.units;
-        own.stretches.push(stretch);
+        addTo(own, stretch);
         rest -= stretch.units;
     }
     let restBefore = before ? inUnits(report.before.file - report.before.overhead) : 0;
@@ -70,28 +72,25 @@ function readInstructions(code) {
     let end = 0;
     for (const line of code.split('\n').slice(0, -1)) {
         const at = end;
-        if (line[0] === '@')
-            end = parseInt(line.slice(1), 16);
-        else
-            instructions.push({at, end: end += parseInt(line[0], 16), text: line.slice(1)});
+        if (line[0] === '@') end = parseInt(line.slice(1), 16);
+        else instructions.push({at, end: end += parseInt(line[0], 16), text: line.slice(1)});
     }
 }
 
 // Returns the tables whose rows do not add up to the file; none if all is right.
 function wrongSums() {
-    const file = report.file * 8 * report.unit, sum = rows => rows.reduce((all, row) => all + row.units, 0);
+    const file = inUnits(report.file), sum = rows => sumOf(rows, row => row.units);
     const wrong = Object.keys(kinds).filter(kind => report[kind].length && sum(report[kind]) !== file);
     const program = sum(report.stretches);
     if (program + sum(report.sections.filter(row => !row.stretches.length)) !== file) wrong.push('stretches');
-    if (report.shown && costs.reduce((all, units) => all + units, 0) !== program) wrong.push('bytes');
+    if (report.shown && sumOf(costs, units => units) !== program) wrong.push('bytes');
     return wrong;
 }
 
 const inBytes = units => units / 8 / report.unit, inUnits = size => size * 8 * report.unit;
 const bitsEach = part => part.bytes ? part.units / report.unit / part.bytes : NaN;
-const number = (value, digits = 0) => Number.isNaN(value) ?
-    '' :
-    value.toLocaleString('en', {minimumFractionDigits: digits, maximumFractionDigits: digits});
+const number = (value, digits = 0) => Number.isNaN(value) ? '' : value.toLocaleString(
+    'en', {minimumFractionDigits: digits, maximumFractionDigits: digits});
 const signed = (value, digits = 0) => {
     const text = number(Math.abs(value), digits);
     return (/[1-9]/.test(text) ? value > 0 ? '+' : '\u2212' : '') + text;
@@ -104,10 +103,8 @@ function countBelow(limit, count, valueOf) {
     let low = 0, high = count;
     while (low < high) {
         const middle = (low + high) >> 1;
-        if (valueOf(middle) < limit)
-            low = middle + 1;
-        else
-            high = middle;
+        if (valueOf(middle) < limit) low = middle + 1;
+        else high = middle;
     }
     return low;
 }

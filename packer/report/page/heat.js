@@ -57,17 +57,16 @@ const heatOf = units => heatCache[units] ??= heat(units / report.unit);
 // Returns the byte under the mouse, or -1.
 function byteUnder(event) {
     const box = $('heat').getBoundingClientRect();
-    const column = Math.floor((event.clientX - box.left - gutter) / cell),
-          row = Math.floor((event.clientY - box.top + $('heat').scrollTop) / cell);
-    const at = row * columnCount + column;
+    const column = Math.floor((event.clientX - box.left - gutter) / cell);
+    const at = Math.floor((event.clientY - box.top + $('heat').scrollTop) / cell) * columnCount + column;
     return column >= 0 && column < columnCount && at >= 0 && at < bytes.length ? at : -1;
 }
 
 function tipOfByte(at) {
     const stretch = stretchAt(at),
           where = [stretch.object?.name, stretch.room?.name, stretch.section.name].filter(Boolean);
-    return `${address(at)}: ${hex(bytes[at], 2)}, ${number(costs[at] / report.unit, 2)} bits\n${locationOf(at)}\n${
-        where.join(', ')}`;
+    const bits = number(costs[at] / report.unit, 2);
+    return `${address(at)}: ${hex(bytes[at], 2)}, ${bits} bits\n${locationOf(at)}\n${where.join(', ')}`;
 }
 
 // Moves the cursor and scrolls both views to it.
@@ -89,7 +88,7 @@ function choose(name, stretches = []) {
         chosen = new Uint8Array(bytes.length);
         for (const s of stretches) chosen.fill(1, s.begin, s.begin + s.size);
         const units = costs.reduce((all, cost, at) => all + (chosen[at] ? cost : 0), 0);
-        const size = stretches.reduce((all, s) => all + s.size, 0);
+        const size = sumOf(stretches, s => s.size);
         $('chosen').textContent = `${name}: ${number(inBytes(units), 1)} bytes, unpacked ${number(size)}, in ${
             number(stretches.length)} ${stretches.length === 1 ? 'place' : 'places'}`;
         goTo(stretches[0].begin);
@@ -105,14 +104,12 @@ function startHeat() {
     $('too_large').hidden = bytes.length;
     if (!bytes.length) return;
     canvas = make('canvas');
-    const spacer = make('div');
-    $('heat').append(spacer);
-    spacer.append(canvas);
+    $('heat').append(make('div'));
+    $('heat').firstChild.append(canvas);
     const stops =
         heatStops.filter(([bits]) => bits <= 12).map(([bits, ...colour]) => `${css(colour)} ${bits / 12 * 100}%`);
-    const strip = make('i');
-    strip.style.background = `linear-gradient(90deg, ${stops.join(', ')})`;
-    $('legend').append('0', strip, '12 bits');
+    const style = `background:linear-gradient(90deg, ${stops.join(', ')})`;
+    $('legend').append('0', make('i', '', '', {style}), '12 bits');
     const fits = size =>
         Math.ceil(bytes.length / Math.max(1, Math.floor(($('heat').clientWidth - gutter) / size))) * size <=
         $('heat').clientHeight;
@@ -129,22 +126,13 @@ function startHeat() {
     };
     $('heat').onkeydown = event => {
         const page = Math.floor($('heat').clientHeight / cell) * columnCount;
-        const step = {
-            ArrowLeft: -1,
-            ArrowRight: 1,
-            ArrowUp: -columnCount,
-            ArrowDown: columnCount,
-            PageUp: -page,
-            PageDown: page,
-            Home: -cursor,
-            End: bytes.length - 1 - cursor
-        }[event.key];
-        if (event.key === 'Escape')
-            choose();
-        else if (step === undefined)
-            return;
-        else
-            goTo(cursor + step);
+        const steps = {
+            ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columnCount, ArrowDown: columnCount, PageUp: -page, PageDown: page,
+            Home: -cursor, End: bytes.length - 1 - cursor
+        };
+        if (event.key in steps) goTo(cursor + steps[event.key]);
+        else if (event.key === 'Escape') choose();
+        else return;
         event.preventDefault();
     };
     const zoom = by => {

@@ -4,8 +4,7 @@ const lineHeight = 18, dataWidth = 16;
 let lineAt = [], lineKind = [], firstLine = 0;
 
 function buildLines() {
-    let i = 0, before = null;
-    let at = 0;
+    let i = 0, at = 0, before = null;
     const push = (begin, kind) => {
         lineAt.push(begin);
         lineKind.push(kind);
@@ -63,7 +62,7 @@ function fillLine(line, div) {
     const kind = lineKind[line], begin = lineAt[line], stretch = stretchAt(begin);
     if (kind === 2) {
         const all = stretch.symbol.stretches.filter(s => s.object === stretch.object);
-        const units = all.reduce((sum, s) => sum + s.units, 0), size = all.reduce((sum, s) => sum + s.size, 0);
+        const units = sumOf(all, s => s.units), size = sumOf(all, s => s.size);
         div.className = 'name';
         div.title = stretch.symbol.name;
         const where = [stretch.object?.name, stretch.room?.name].filter(name => name && !name.startsWith('('));
@@ -77,12 +76,8 @@ function fillLine(line, div) {
     for (let at = begin; at < end; ++at) {
         units += costs[at];
         if (kind === 3) continue;
-        const b = make('b', hex(bytes[at], 2)), colour = heatOf(costs[at]);
-        b.style.background = css(colour);
-        b.style.color = inkOn(colour);
-        b.at = at;
-        if (at === cursor) b.className = 'cursor';
-        hexes.append(b);
+        const colour = heatOf(costs[at]), style = `background:${css(colour)};color:${inkOn(colour)}`;
+        hexes.append(make('b', hex(bytes[at], 2), at === cursor ? 'cursor' : '', {style, at}));
         letters += bytes[at] > 31 && bytes[at] < 127 ? String.fromCharCode(bytes[at]) : '\u00b7';
     }
     if (cursor >= begin && cursor < end) div.className = 'here';
@@ -94,10 +89,8 @@ function fillLine(line, div) {
         const [, before, last] = /^(.* )([0-9a-f]+)$/.exec(all) ?? [];
         const target = parseInt(last, 16) - report.base;
         if (target >= 0 && target < bytes.length) {
-            const link = make('a', locationOf(target, shortName));
-            link.href = `#${address(target)}`;
-            link.title = `${address(target)}: ${locationOf(target)}`;
-            text.append(before, link);
+            const href = `#${address(target)}`, title = `${address(target)}: ${locationOf(target)}`;
+            text.append(before, make('a', locationOf(target, shortName), '', {href, title}));
         } else
             text.append(all);
     } else if (kind === 0)
@@ -109,13 +102,11 @@ function showListing() {
     if (!bytes.length) return;
     const {scrollTop, clientHeight} = $('listing'), most = Math.max(0, lineAt.length - linesInView());
     firstLine = Math.min(most, Math.round(scrollTop / Math.max(1, listingHeight() - clientHeight) * most));
-    const divs = [];
+    $('lines').replaceChildren();
     for (let line = firstLine; line < Math.min(lineAt.length, firstLine + linesInView()); ++line) {
-        const div = make('div');
-        fillLine(line, div);
-        divs.push(div);
+        $('lines').append(make('div'));
+        fillLine(line, $('lines').lastChild);
     }
-    $('lines').replaceChildren(...divs);
 }
 
 function startListing() {
@@ -124,11 +115,8 @@ function startListing() {
         'no instructions: objdump was not installed, or found none';
     if (!bytes.length) return;
     buildLines();
-    const spacer = make('div'), lines = make('div');
-    lines.id = 'lines';
-    spacer.append(lines);
-    spacer.style.height = `${listingHeight()}px`;
-    $('listing').append(spacer);
+    $('listing').append(make('div', '', '', {style: `height:${listingHeight()}px`}));
+    $('listing').firstChild.append(make('div', '', '', {id: 'lines'}));
     $('listing').onscroll = () => {
         showListing();
         drawHeat();
@@ -150,9 +138,8 @@ function startListing() {
         last = text;
         const found =
             report.symbols.filter(row => row.stretches.length && row.name.toLowerCase().includes(text.toLowerCase()));
-        if (found.length)
-            choose(found[next % found.length].name, found[next % found.length].stretches);
-        else
-            $('chosen').textContent = `There is no address or name ${text}.`;
+        const row = found[next % found.length];
+        if (row) choose(row.name, row.stretches);
+        else $('chosen').textContent = `There is no address or name ${text}.`;
     };
 }

@@ -2,10 +2,9 @@
 function showTip(event, text = '') {
     $('tip').textContent = text;
     if (!text) return;
-    const {offsetWidth, offsetHeight} = $('tip');
-    $('tip').style.left = `${Math.max(0, Math.min(event.clientX + 14, innerWidth - offsetWidth - 4))}px`;
-    $('tip').style.top = `${
-        event.clientY + 18 + offsetHeight > innerHeight ? event.clientY - offsetHeight - 8 : event.clientY + 18}px`;
+    const {offsetWidth, offsetHeight} = $('tip'), {clientX: x, clientY: y} = event;
+    $('tip').style.left = `${Math.max(0, Math.min(x + 14, innerWidth - offsetWidth - 4))}px`;
+    $('tip').style.top = `${y + 18 + offsetHeight > innerHeight ? y - offsetHeight - 8 : y + 18}px`;
 }
 
 function showHead() {
@@ -32,21 +31,17 @@ function showBudget() {
     const sorted = rows.filter(row => row.units > 0).sort((a, b) => b.units - a.units);
     sorted.forEach((row, i) => {
         const wide = inBytes(row.units) / all > 0.04;
-        const part = make('div', wide ? `${row.name} ${number(inBytes(row.units))}` : '');
-        part.style.cssText = `width:${100 * inBytes(row.units) / all}%;background:${
-            row.name.startsWith('(') ? '#8791a0' : `hsl(${(205 + 47 * i) % 360} 38% 64%)`}`;
-        part.title = `${row.name}: ${number(inBytes(row.units), 1)} bytes`;
-        $('budget').append(part);
+        const colour = row.name.startsWith('(') ? '#8791a0' : `hsl(${(205 + 47 * i) % 360} 38% 64%)`;
+        $('budget').append(make('div', wide ? `${row.name} ${number(inBytes(row.units))}` : '', '', {
+            style: `width:${100 * inBytes(row.units) / all}%;background:${colour}`,
+            title: `${row.name}: ${number(inBytes(row.units), 1)} bytes`
+        }));
     });
-    if (report.budget > report.file) {
-        const left = report.budget - report.file;
+    const left = report.budget - report.file;
+    if (left > 0)
         $('budget').append(make('div', left / all > 0.04 ? `${number(left)} left` : '', 'free'));
-    } else if (report.budget >= 0 && report.budget < report.file) {
-        const over = make('div', '', 'over');
-        over.style.left = `${100 * report.budget / all}%`;
-        over.title = 'the budget';
-        $('budget').append(over);
-    }
+    else if (left < 0 && report.budget >= 0)
+        $('budget').append(make('div', '', 'over', {style: `left:${100 * report.budget / all}%`, title: 'the budget'}));
 }
 
 // Goes to the address after # in the page's URL, such as #404a10, or else to the costliest symbol.

@@ -5,19 +5,13 @@ function buildTree() {
     const node = (name, part, up) => ({name, part, up, units: 0, bytes: 0, children: new Map(), stretches: []});
     root = node(report.name, null, null);
     for (const stretch of report.stretches) {
-        const levels =
-            stretch.object ? [stretch.room, stretch.object, stretch.symbol] : [stretch.section, stretch.symbol];
+        const {room, object, section, symbol} = stretch, levels = object ? [room, object, symbol] : [section, symbol];
         let at = root;
-        const add = () => {
-            at.units += stretch.units;
-            at.bytes += stretch.size;
-            at.stretches.push(stretch);
-        };
-        add();
+        addTo(at, stretch);
         for (const part of levels) {
             if (!at.children.has(part)) at.children.set(part, node(part.name, part, at));
             at = at.children.get(part);
-            add();
+            addTo(at, stretch);
         }
     }
     // Add stub and payload's end, which do not belong to the program
@@ -65,25 +59,21 @@ function colourOf(node) {
 
 function drawNode(node, x, y, width, height, depth) {
     if (width < 2 || height < 2) return;
-    const box = make('div');
     const label = width > 30 && height > 15 ? shortName(node.name) : '';
-    box.style.cssText = `left:${x}px;top:${y}px;width:${width}px;height:${height}px`;
-    box.node = node;
-    if (depth === 1) {
-        box.tabIndex = 0;
-        box.setAttribute('role', 'button');
-        box.setAttribute('aria-label', `${node.name}, ${number(inBytes(node.units))} bytes`);
-    }
+    const style = `left:${x}px;top:${y}px;width:${width}px;height:${height}px`;
+    const box = make('div', label, '', {style, node});
+    if (depth === 1)
+        Object.assign(
+            box, {tabIndex: 0, role: 'button', ariaLabel: `${node.name}, ${number(inBytes(node.units))} bytes`});
     $('map').append(box);
     if (node.children.length && width > 40 && height > 34) {
         box.className = 'group';
-        box.textContent = label && width > 90 ? `${label}  ${number(inBytes(node.units))}` : label;
+        if (label && width > 90) box.textContent += `  ${number(inBytes(node.units))}`;
         divide(node.children, x + 1, y + 16, width - 2, height - 17, (n, ...r) => drawNode(n, ...r, depth + 1));
     } else {
         const colour = colourOf(node);
         box.style.background = css(colour);
         box.style.color = inkOn(colour);
-        box.textContent = label;
     }
 }
 
@@ -95,33 +85,20 @@ function showTree(node = shownNode) {
         node.children.length ? node.children : [node], 0, 0, clientWidth, clientHeight,
         (n, ...r) => drawNode(n, ...r, 1));
     const path = [];
-    for (let up = node; up; up = up.up) {
-        const button = make('button', up.name);
-        button.onclick = () => {
-            showTree(up);
-            chooseNode(up);
-        };
-        path.unshift(button, ' ');
-    }
-    const change =
-        node.part && node.part.was !== null ? `, ${signed(inBytes(node.part.units - node.part.was), 1)}` : '';
+    for (let up = node; up; up = up.up) path.unshift(makeButton(up.name, () => openNode(up)), ' ');
+    const change = changeOf(node) ? `, ${changeOf(node)}` : '';
     path.push(make('span', `${number(inBytes(node.units), 1)} bytes${change}`, 'soft'));
     $('path').replaceChildren(...path);
-}
-
-function chooseNode(node) {
-    if (node === root)
-        choose();
-    else
-        choose(node.name, node.stretches);
 }
 
 // Zooms to a group, and highlights the bytes of any node.
 function openNode(node) {
     if (node.children.length) showTree(node);
-    chooseNode(node);
+    if (node === root) choose();
+    else choose(node.name, node.stretches);
 }
 
+const changeOf = ({part}) => part && part.was !== null ? signed(inBytes(part.units - part.was), 1) : '';
 function tipOfNode(node) {
     const lines = [
         node.name,
@@ -129,8 +106,7 @@ function tipOfNode(node) {
     ];
     if (node.bytes)
         lines.push(`${number(node.bytes)} unpacked, ${number(node.units / report.unit / node.bytes, 2)} bits a byte`);
-    if (node.part && node.part.was !== null)
-        lines.push(`${signed(inBytes(node.part.units - node.part.was), 1)} bytes`);
+    if (changeOf(node)) lines.push(`${changeOf(node)} bytes`);
     if (node.children.length) lines.push(`${node.children.length} parts: click to zoom`);
     return lines.join('\n');
 }
@@ -143,12 +119,9 @@ function startTree() {
         if (node) openNode(node);
     };
     $('map').onkeydown = event => {
-        if (event.key === 'Enter' || event.key === ' ')
-            openNode(nodeOf(event) ?? root);
-        else if ((event.key === 'Escape' || event.key === 'Backspace') && shownNode.up)
-            showTree(shownNode.up);
-        else
-            return;
+        if (event.key === 'Enter' || event.key === ' ') openNode(nodeOf(event) ?? root);
+        else if ((event.key === 'Escape' || event.key === 'Backspace') && shownNode.up) showTree(shownNode.up);
+        else return;
         event.preventDefault();
         $('map').firstChild?.focus();
     };
@@ -159,8 +132,8 @@ function startTree() {
     $('map').onmouseleave = () => showTip();
     const colour = change => {
         byChange = change;
-        $('byBits').setAttribute('aria-pressed', !change);
-        $('byChange').setAttribute('aria-pressed', change);
+        $('byBits').ariaPressed = !change;
+        $('byChange').ariaPressed = change;
         showTree();
     };
     $('byBits').onclick = () => colour(false);
