@@ -6,10 +6,8 @@
 
 namespace odraz::maker {
 
-namespace {
-
 // Reads HOST, HOST:PORT, [ADDRESS] or [ADDRESS]:PORT. (IPv6 addresses contain colons.)
-bool readHost(const std::string &word, std::string &host, int &port) {
+static bool readHost(const std::string &word, std::string &host, int &port) {
     static const std::regex form(R"((?:\[([^\]]+)\]|([^:\[]+)|([^\[]*:[^\[]*:.*))(?::(\d{1,5}))?)");
     std::smatch part;
     if (!std::regex_match(word, part, form)) return false;
@@ -17,8 +15,6 @@ bool readHost(const std::string &word, std::string &host, int &port) {
     port = part[4].matched ? std::stoi(part[4]) : rocket::kPort;
     return port >= 1 && port <= 65535;
 }
-
-} // namespace
 
 std::string takeOptions(int &argc, char **argv, DebugOptions &to) {
     int kept = 1;

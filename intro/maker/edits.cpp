@@ -6,11 +6,7 @@
 
 namespace odraz::maker {
 
-namespace {
-
-constexpr double kSettling = 0.3; // seconds that a new editor gets to send its keys
-
-} // namespace
+static constexpr double kSettling = 0.3; // seconds that a new editor gets to send its keys
 
 Edits::Edits(const Stage &shown, std::string show, std::string name, int number)
     : stage(shown), host(std::move(name)), port(number), tracks(std::move(show)) {

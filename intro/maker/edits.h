@@ -11,8 +11,7 @@ namespace odraz::maker {
 
 class Edits {
 public:
-    // `show`: the folder of the film's content, whose key files are read and written. `host`: where the
-    // editor is; empty: none.
+    // `show`: the folder of the film's content with its key files. `host`: where the editor is; empty: none.
     Edits(const Stage &stage, std::string show, std::string host = "", int port = rocket::kPort);
 
     // Reads the tracks of a new film. Call this whenever the film has been replaced.
@@ -24,8 +23,7 @@ public:
         bool save = false;
         std::string message; // a line when the connection changes, else empty
     };
-    // Call this once per picture. Sends `row` of the film to the editor and takes over the editor's keys.
-    // `now`: seconds of any clock.
+    // Call this once per picture. Sends `row` of the film to the editor, and takes its keys. `now`: seconds.
     Requests update(double now, double row);
 
     // Sets a key with the eye and target of `camera`, or removes the key if `camera` is null. Returns its

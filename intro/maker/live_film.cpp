@@ -1,4 +1,4 @@
-#include "maker/live_film.h"
+#include "maker/live.h"
 
 #include <atomic>
 #include <dlfcn.h>

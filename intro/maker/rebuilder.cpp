@@ -18,17 +18,13 @@
 
 namespace odraz::maker {
 
-namespace {
+static constexpr double kInterval = 0.05; // seconds between two comparisons of all sources' times
+static constexpr const char *kSolvers[] = {"/radiosity/", "/transfer/"};
 
-constexpr double kInterval = 0.05; // seconds between two comparisons of all sources' times
-constexpr const char *kSolvers[] = {"/radiosity/", "/transfer/"};
-
-bool isSource(const std::string &name) {
+static bool isSource(const std::string &name) {
     return name.ends_with(".cpp") || name.ends_with(".h") || name.ends_with(".keys") ||
            name.ends_with("CMakeLists.txt");
 }
-
-} // namespace
 
 Rebuilder::Rebuilder(const std::string &folder) : build(folder) {
     std::ifstream cache(build + "/CMakeCache.txt");

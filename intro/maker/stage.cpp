@@ -5,14 +5,10 @@
 
 namespace odraz::maker {
 
-namespace {
-
-uint64_t hallHash(const Live &live) {
+static uint64_t hallHash(const Live &live) {
     MappedArena memory(live.hallHashMemory);
     return memory.arena.base ? live.hallHash(memory.arena) : 0;
 }
-
-} // namespace
 
 Stage::Stage(std::string file) : object(std::move(file)) {
     now.live = openLive(object, wrong);

@@ -1,17 +1,36 @@
 // The film that odraz-debug shows. A new version is loaded in the background while the old one is shown.
 #pragma once
 
-#include "maker/live_film.h"
-#include "maker/mapped_arena.h"
+#include "base/arena.h"
+#include "maker/live.h"
 #include "maker/pool.h"
 
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
+#include <sys/mman.h>
 #include <thread>
+#include <utility>
 
 namespace odraz::maker {
+
+// An arena that owns its memory: zeroed at first, unmapped by the destructor.
+class MappedArena {
+public:
+    MappedArena() = default;
+    explicit MappedArena(size_t bytes) {
+        void *memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (memory != MAP_FAILED) arena = {(unsigned char *)memory, bytes, 0};
+    }
+    ~MappedArena() {
+        if (arena.base) munmap(arena.base, arena.size);
+    }
+    MappedArena(MappedArena &&other) : arena(std::exchange(other.arena, {})) {}
+    MappedArena &operator=(MappedArena &&other) { return std::swap(arena, other.arena), *this; }
+
+    Arena arena = {}; // its base is null if there was not enough memory
+};
 
 class Stage {
 public:

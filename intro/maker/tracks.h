@@ -11,7 +11,7 @@
 
 #include "maker/keys/key_tables.h"
 #include "maker/live.h"
-#include "maker/rocket/track.h"
+#include "maker/rocket/client.h"
 
 #include <cmath>
 #include <map>

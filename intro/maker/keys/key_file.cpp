@@ -82,8 +82,7 @@ struct Scanner {
     }
 };
 
-// Returns for each new key the index of the old key that it replaces, -1: none. Keys are matched by row, or
-// else by the key before them.
+// Returns the index of the old key that each new key replaces, -1: none. Matches by row or the key before.
 std::vector<int> originsOf(const std::vector<KeyNumbers> &before, const std::vector<KeyNumbers> &after) {
     std::vector<int> from(after.size(), -1);
     std::vector<bool> used(before.size() + 1, false);

@@ -29,8 +29,7 @@ public:
     int find(const std::string &file, const std::string &name) const;
     std::string problems() const; // one line: which files cannot be read, and why; empty: none
 
-    // Replaces a table's keys, as one undo step. Sorts the keys by row and rounds them to the table's bits.
-    // There must be at least one key.
+    // Replaces a table's keys by one or more, as one undo step. Sorts them by row, and rounds them.
     void change(int table, std::vector<KeyNumbers> keys);
     bool undo(); // false: there is nothing to undo
     bool redo();

@@ -54,8 +54,7 @@ float textSize(int height);
 // The width of a line of text, in pixels.
 float widthOf(const std::string &text, float size);
 
-// Draws text, broken into lines, on a dark ground at the lower edge of a picture, and a progress bar below
-// it. `done`: 0 .. 1.
+// Draws lines of text on a dark ground at the lower edge of a picture, above a progress bar. `done`: 0 .. 1.
 void drawStatus(const Picture &picture, const std::string &text, float done);
 
 } // namespace odraz::maker

@@ -7,8 +7,7 @@ struct GLFWwindow;
 
 namespace odraz::maker {
 
-// Sets the window's callbacks. Keys that are not the panel's go to the previous callback for keys. The panel
-// must outlive the window.
+// Sets the window's callbacks; the panel must outlive it. The previous callback gets keys of no action.
 void listen(Panel &panel, GLFWwindow *window);
 
 } // namespace odraz::maker

@@ -6,8 +6,6 @@
 #include "maker/panel/content.h"
 #include "maker/panel/steps.h"
 
-#include <vector>
-
 namespace odraz::maker {
 
 // The time of a camera key in a shot.
@@ -29,8 +27,7 @@ struct Strip {
     void follow(double time);
 };
 
-// Returns the strip for a picture of this size and a film that ends at `end`. Its height is 0 if the picture
-// is too small for it.
+// Returns the strip for a picture and a film that ends at `end`. Its height is 0 if the picture is small.
 Strip stripOf(int width, int height, double end);
 
 // Returns the event at a pixel column of the strip, or null.

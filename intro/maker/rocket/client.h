@@ -1,4 +1,5 @@
-// A client of GNU Rocket: it offers tracks to an editor and receives their keys. Both show the same row.
+// Tracks of GNU Rocket, and a client that offers them to an editor and receives their keys. Both show the
+// same row.
 //
 // The protocol runs over TCP; numbers are big-endian. The client greets with 19 bytes, and the editor answers
 // with 12. Messages follow, each a byte for its kind and these fields (four bytes each, unless noted):
@@ -15,8 +16,8 @@
 // ignore SET_KEY, so they cannot be given a key.
 #pragma once
 
-#include "maker/rocket/track.h"
-
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,13 +25,33 @@
 
 namespace odraz::maker::rocket {
 
+// Kinds of interpolation between the values of a track, numbered as in the protocol.
+enum class Interpolation : uint8_t {
+    Step,   // constant
+    Linear, // straight
+    Smooth, // t^2 (3 - 2t), flat at both keys
+    Ramp,   // t^2, flat at the first
+};
+
+struct Key {
+    float value;
+    Interpolation interpolation; // up to the next key
+    bool operator==(const Key &) const = default;
+};
+
+using Track = std::map<uint32_t, Key>; // by row
+
+// Returns tracks as a document for editors of GNU Rocket: the XML that the original editor writes, which
+// emoon's editor also reads. `rows`: the document's length. Names must not contain characters that XML
+// reserves (the film's have letters, digits, '.', '-' and ':').
+std::string document(const std::vector<std::string> &names, const std::vector<Track> &tracks, int rows);
+
 inline constexpr int kPort = 1338;
 inline constexpr uint32_t kMostRow = 1 << 24; // larger rows are rejected as garbage
 
 class Client {
 public:
-    // `tracks`: the names of all tracks, such as "hall.camera:eye.x", where the part before the colon is the
-    // group.
+    // `tracks`: the names of all tracks, such as "hall.camera:eye.x": the group, a colon, the name.
     Client(std::string host, int port, std::vector<std::string> tracks);
     ~Client();
     Client(const Client &) = delete;
