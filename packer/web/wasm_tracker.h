@@ -47,44 +47,43 @@ static_assert(kFields <= kMostFields);
 // one. A call counts as seven pops and a push. Indexed as in WasmParser::opcode().
 constexpr uint8_t kUnary = 3, kBinary = 5;
 struct StackEffects {
-    uint8_t of[1024];
-    constexpr void set(uint32_t from, uint32_t to, uint8_t effect) {
-        for (uint32_t i = from; i <= to; ++i) of[i] = effect;
+    struct Range {
+        uint32_t from, to;
+    };
+    uint8_t of[1024] = {};
+    constexpr void set(uint8_t effect, std::initializer_list<Range> ranges) {
+        for (Range range : ranges)
+            for (uint32_t i = range.from; i <= range.to; ++i) of[i] = effect;
     }
-    constexpr StackEffects() : of() {
-        set(0x04, 0x04, 2), set(0x0d, 0x0e, 2), set(0x10, 0x11, 15), set(0x1a, 0x1a, 2), set(0x1b, 0x1b, 7);
-        set(0x20, 0x20, 1), set(0x21, 0x21, 2), set(0x22, 0x22, kUnary), set(0x23, 0x23, 1),
-            set(0x24, 0x24, 2);
-        set(0x28, 0x35, kUnary), set(0x36, 0x3e, 4), set(0x3f, 0x3f, 1), set(0x40, 0x40, kUnary),
-            set(0x41, 0x44, 1);
-        set(0x45, 0xa6, kBinary), set(0xa7, 0xc4, kUnary), set(0x45, 0x45, kUnary), set(0x50, 0x50, kUnary);
-        set(0x67, 0x69, kUnary), set(0x79, 0x7b, kUnary), set(0x8b, 0x91, kUnary), set(0x99, 0x9f, kUnary);
-        set(256, 263, kUnary), set(264, 267, 6);
-        set(512, 522, kUnary), set(523, 523, 4), set(524, 524, 1), set(525, 526, kBinary),
-            set(527, 545, kUnary);
-        set(535, 535, kBinary), set(538, 538, kBinary), set(540, 540, kBinary), set(542, 542, kBinary);
-        set(544, 544, kBinary), set(546, 588, kBinary), set(589, 589, kUnary), set(590, 593, kBinary),
-            set(594, 594, 7);
-        set(595, 595, kUnary), set(596, 599, kBinary), set(600, 603, 4), set(604, 612, kUnary),
-            set(613, 614, kBinary);
-        set(615, 618, kUnary), set(619, 735, kBinary), set(736, 737, kUnary), set(739, 739, kUnary),
-            set(740, 747, kBinary);
-        set(760, 767, kUnary), set(768, 768, kBinary), set(769, 772, kUnary), set(773, 780, 7),
-            set(781, 790, kBinary);
-        for (uint32_t unary : {128, 131, 132, 135, 136, 137, 138, 160, 163, 164, 167, 168, 169, 170, 192,
-                               195, 196, 199, 200, 201, 202, 116, 117, 122, 124, 125, 126, 127, 148})
-            of[512 + unary] = kUnary;
+    constexpr StackEffects() {
+        set(kBinary, {{0x46, 0xa6}, {525, 593}, {596, 599}, {613, 735}, {740, 747}, {768, 768}, {781, 790}});
+        set(kUnary,
+            {{0x22, 0x22}, {0x28, 0x35}, {0x40, 0x40}, {0x45, 0x45}, {0x50, 0x50}, {0x67, 0x69}, {0x79, 0x7b},
+             {0x8b, 0x91}, {0x99, 0x9f}, {0xa7, 0xc4}, {256, 263},   {512, 522},   {527, 534},   {536, 537},
+             {539, 539},   {541, 541},   {543, 543},   {545, 545},   {589, 589},   {595, 595},   {604, 612},
+             {615, 618},   {628, 629},   {634, 634},   {636, 640},   {643, 644},   {647, 650},   {660, 660},
+             {672, 672},   {675, 676},   {679, 682},   {704, 704},   {707, 708},   {711, 714},   {736, 737},
+             {739, 739},   {760, 767},   {769, 772}});
+        set(1, {{0x20, 0x20}, {0x23, 0x23}, {0x3f, 0x3f}, {0x41, 0x44}, {524, 524}});
+        set(2, {{0x04, 0x04}, {0x0d, 0x0e}, {0x1a, 0x1a}, {0x21, 0x21}, {0x24, 0x24}});
+        set(4, {{0x36, 0x3e}, {523, 523}, {600, 603}});
+        set(6, {{264, 267}});
+        set(7, {{0x1b, 0x1b}, {594, 594}, {773, 780}});
+        set(15, {{0x10, 0x11}});
     }
 };
 constexpr StackEffects kEffects;
 
 struct WasmParser {
     enum Phase : uint32_t { kHead, kOpcodeByte, kPrefixed, kNumber, kSecondNumber, kRaw, kData };
+    // In kHead `count` is one of these: the size of a function, then the number of groups of its locals, then
+    // the count and the type of each group
+    enum Head : uint32_t { kFunctionSize, kGroups, kGroupCount, kGroupType };
     static constexpr uint32_t kTables = 1024, kUnreads = 8;
 
     uint32_t phase, count; // the part that the next byte belongs to, and how many of its bytes came before
     uint32_t value, numbers, raw; // the number so far; how many numbers and plain bytes are still to come
-    uint32_t depth, locals;       // nesting depth of blocks; for kHead: see step()
+    uint32_t depth, groups;       // nesting depth of blocks; groups of locals still to come in kHead
     bool table;                   // at the first number of a br_table, which is the count of the others
     uint32_t unread[kUnreads], stack[64], height;
     uint32_t follows[kTables], offsetOf[kTables], last[kTables]; // by local; `last` by opcode
@@ -124,7 +123,7 @@ struct WasmParser {
                 for (uint32_t &u : unread) u = 0;
                 for (uint32_t &f : follows) f = 0;
                 for (uint32_t &o : offsetOf) o = 0;
-                locals = height = 0;
+                height = 0;
                 enter(kHead);
             }
             if (fields[kOpcode1] == 0x0b) depth -= depth > 0;
@@ -180,17 +179,14 @@ struct WasmParser {
     void step(uint32_t *fields, uint32_t byte) {
         if (phase != kHead) fields[kSoFar] = mixIn(fields[kSoFar], byte);
         switch (phase) {
-        // The function's size, the number of groups of locals, the count and the type of each. `locals`: 0 in
-        // the size, 1 at the number; then 2 * (groups left) + 2 in a count, and 1 less at its type
         case kHead:
-            if (locals == 0) {
-                if (byte < 128) locals = 1;
-            } else if (locals == 1)
-                locals = 2 * byte + 2;
-            else if ((locals & 1) || byte < 128)
-                --locals;
-            count = locals < 2 ? locals : 2 | (locals & 1);
-            if (locals == 2) enter(kOpcodeByte);
+            if (count == kGroups) groups = byte;
+            if (count == kGroupType) --groups;
+            if (count == kGroups || count == kGroupType)
+                count = kGroupCount;
+            else if (byte < 128)
+                ++count; // the last byte of the function's size, or of a group's count
+            if (count == kGroupCount && !groups) enter(kOpcodeByte);
             break;
         case kOpcodeByte:
             if (byte == 0xfc || byte == 0xfd) {
