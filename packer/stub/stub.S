@@ -61,8 +61,7 @@ get_memory:
     call protect
     pop rdi
     mov esi, [rbx + header_memory]
-    SET_SMALL(rax, 11) // munmap
-    syscall
+    SYSTEM_CALL(11) // munmap
     pop rsi
     pop rdx
     mov eax, [rbx + header_entry]
@@ -73,8 +72,7 @@ get_memory:
 protect:
     mov edi, [rbx + header_image]
     SET_SMALL(rdx, 5) // read, execute
-    SET_SMALL(rax, 10) // mprotect
-    syscall
+    SYSTEM_CALL(10) // mprotect
     test eax, eax
     jns 1f
     call refuse

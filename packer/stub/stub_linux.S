@@ -1,5 +1,7 @@
 // Part of the stubs for Linux, as macros.
 
+#define SYSTEM_CALL(number) SET_SMALL(rax, number); syscall
+
 // Checks the file, which begins at rdi; jumps to get_memory, or to damaged. A truncated file lacks pages, and reading
 // one would be fatal: access() returns whether a page is there.
 .macro check_file
@@ -8,8 +10,7 @@
     xor ebp, ebp
 1:  test di, kPage - 1
     jne 2f
-    SET_SMALL(rax, 21) // access
-    syscall
+    SYSTEM_CALL(21) // access
     cmp al, -14 // EFAULT
     je damaged
 2:  add ebp, [rdi]
@@ -26,8 +27,7 @@
     SET_SMALL(rdx, 3) // read, write
     SET_SMALL(r10, 0x22) // private, anonymous
     xor r9d, r9d
-    SET_SMALL(rax, 9) // mmap
-    syscall
+    SYSTEM_CALL(9) // mmap
     test rax, rax
 .endm
 
@@ -35,6 +35,5 @@
 .macro large_pages
     xchg rdi, rax
     SET_SMALL(rdx, 14) // MADV_HUGEPAGE
-    SET_SMALL(rax, 28) // madvise
-    syscall
+    SYSTEM_CALL(28) // madvise
 .endm

@@ -10,24 +10,6 @@
 #include "stub_memory.S"
 #include "stub_linux.S"
 
-// Offsets and numbers of ELF and the kernel
-.set E_ENTRY, 24
-.set E_PHOFF, 32
-.set E_PHNUM, 56
-.set P_TYPE, 0
-.set P_FLAGS, 4
-.set P_OFFSET, 8
-.set P_VADDR, 16
-.set P_FILESZ, 32
-.set P_MEMSZ, 40
-.set PHDR, 56 // size of a program header
-.set PT_LOAD, 1
-.set PT_INTERP, 3
-.set AT_PHDR, 3
-.set AT_PHNUM, 5
-.set AT_BASE, 7
-.set AT_ENTRY, 9
-
 .section .stub, "ax"
 start:
     movq xmm15, rsp
@@ -82,8 +64,7 @@ get_memory:
     pop r12
     pop rdi
     mov esi, [rbx + header_memory]
-    SET_SMALL(rax, 11) // munmap
-    syscall
+    SYSTEM_CALL(11) // munmap
 
     // Give the program's segments their protections. They are decoded already, so no file is read
     mov r13, r12
@@ -93,7 +74,7 @@ get_memory:
     or ebp, -1
     call load
     mov rbx, r13
-    add rbx, [r12 + E_ENTRY] // the program's entry
+    add rbx, [r12 + e_entry] // the program's entry
     mov r9, rbx              // the address to jump to
     xor r10d, r10d           // the interpreter's base
     test r15, r15
@@ -133,22 +114,21 @@ no_interpreter: // eax = an error; or the number of bytes read, if the interpret
     jne no_interpreter
     // Find the size, the end of the last segment: segments are in order of address
     call headers
-1:  cmp dword ptr [rdi + P_TYPE], PT_LOAD
+1:  cmp dword ptr [rdi + p_type], PT_LOAD
     jne 2f
-    mov rsi, [rdi + P_VADDR]
-    add rsi, [rdi + P_MEMSZ]
-2:  add rdi, PHDR
+    mov rsi, [rdi + p_vaddr]
+    add rsi, [rdi + p_memsz]
+2:  add rdi, sizeof_Elf64_Phdr
     loop 1b
     call map
     js no_interpreter
     mov r13, rax
     call load
     mov edi, ebp
-    SET_SMALL(rax, 3) // close
-    syscall
+    SYSTEM_CALL(3) // close
     mov r10, r13
     mov r9, r13
-    add r9, [r14 + E_ENTRY]
+    add r9, [r14 + e_entry]
 
 // Makes the auxiliary vector, which follows the arguments and the environment, describe the program, not this file.
 give_vector:
@@ -189,8 +169,8 @@ map:
 // rdi = address of the program headers of the ELF file at r14, ecx = their number.
 headers:
     mov rdi, r14
-    add rdi, [r14 + E_PHOFF]
-    movzx ecx, word ptr [r14 + E_PHNUM]
+    add rdi, [r14 + e_phoff]
+    movzx ecx, word ptr [r14 + e_phnum]
     ret
 
 // Loads the segments of the ELF file at r14, at their addresses plus r13: reads each from the file ebp, unless that is
@@ -201,41 +181,39 @@ load:
 load_next:
     push rcx
     push rdi
-    cmp dword ptr [rdi + P_TYPE], PT_INTERP
-    cmove r15, [rdi + P_VADDR]
-    cmp dword ptr [rdi + P_TYPE], PT_LOAD
+    cmp dword ptr [rdi + p_type], PT_INTERP
+    cmove r15, [rdi + p_vaddr]
+    cmp dword ptr [rdi + p_type], PT_LOAD
     jne 2f
-    mov rsi, [rdi + P_VADDR]
+    mov rsi, [rdi + p_vaddr]
     add rsi, r13
     mov r8, rdi
     mov r9, rsi
     test ebp, ebp
     js 1f
-    mov rdx, [r8 + P_FILESZ]
-    mov r10, [r8 + P_OFFSET]
+    mov rdx, [r8 + p_filesz]
+    mov r10, [r8 + p_offset]
     mov edi, ebp
-    SET_SMALL(rax, 17) // pread64
-    syscall
-    cmp rax, [r8 + P_FILESZ]
+    SYSTEM_CALL(17) // pread64
+    cmp rax, [r8 + p_filesz]
     jne no_interpreter
 1:  // The bits for mprotect are the bits of the flags in reverse order: look them up in the digits of a number
-    mov ecx, [r8 + P_FLAGS]
+    mov ecx, [r8 + p_flags]
     shl ecx, 2
     mov edx, 0x73516240
     shr edx, cl
     and edx, 7
     mov rdi, r9
-    mov rsi, [r8 + P_MEMSZ]
+    mov rsi, [r8 + p_memsz]
     and di, -kPage
     add rsi, r9
     sub rsi, rdi
-    SET_SMALL(rax, 10) // mprotect
-    syscall
+    SYSTEM_CALL(10) // mprotect
     test eax, eax
     js not_allowed
 2:  pop rdi
     pop rcx
-    add rdi, PHDR
+    add rdi, sizeof_Elf64_Phdr
     loop load_next
     ret
 not_allowed: // by SELinux, or systemd's MemoryDenyWriteExecute

@@ -54,21 +54,19 @@ place 4, PHASE, LEFT, HIGH, IMMEDIATE, RELATIVE, MAP, RANGE, CODE, POSITION, TYP
 
 // --- Assumptions of the code about these values ---
 #define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif
-EQUAL(kParserState, 0) // fields up to kToMark are written one after another
-EQUAL(kColumn, 1)
-EQUAL(kByte5, 2)
+.macro ascending first, names:vararg
+    .set next, \first
+    .irp name, \names
+        EQUAL(\name, next)
+        .set next, next + 1
+    .endr
+.endm
+ascending 0, kParserState, kColumn, kByte5 // fields up to kToMark are written one after another
 EQUAL(kToMark, kByte1 + 1)
-EQUAL(kOpcode2, kOpcode1 + 1) // both are copied at once
-EQUAL(kOpcode3, kOpcode1 + 2)
-EQUAL(kMode, kOpcode + 1) // the fields from kOpcode on are cleared together with the parser's state
-EQUAL(kSoFar, kOpcode + 2)
-EQUAL(kModrm, kOpcode + 3)
-EQUAL(kFields, kOpcode + 4)
-EQUAL(kStart, 0) // phases are compared in this order
-EQUAL(kVex, 1)
-EQUAL(kModrmByte, 2)
-EQUAL(kSibByte, 3)
-EQUAL(kDisplacement, 4)
+ascending kOpcode1, kOpcode1, kOpcode2, kOpcode3 // both are copied at once
+// The fields from kOpcode on are cleared together with the parser's state
+ascending kOpcode, kOpcode, kMode, kSoFar, kModrm, kFields
+ascending 0, kStart, kVex, kModrmByte, kSibByte, kDisplacement // phases are compared in this order
 EQUAL(kJump, kOperand + 1)
 EQUAL(kRelative8, kRelative32 + 1)
 EQUAL(sizeof_CodedByte, 2) // lodsw loads one

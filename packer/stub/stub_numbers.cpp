@@ -1,5 +1,5 @@
-// The numbers that the stubs share with C++. The compiler writes each as a line of assembler, ".set NAME, VALUE", which
-// stub_memory.S includes.
+// The numbers that the stubs share with C++. The compiler writes each as a line of assembler, ".set NAME,
+// VALUE", which stub_memory.S includes.
 #include "packer/stub/loader_format.h"
 #include "packer/stub/pe_format.h"
 
@@ -16,6 +16,8 @@ namespace pack {
 #define LAYOUT(member) SET(header_##member, offsetof(PayloadHeader, layout) + offsetof(Layout, member))
 #define SLOT(member) SET(slot_##member, offsetof(Slot, member))
 #define MESSAGE(member) SET(message_##member, offsetof(PeMessages, member))
+#define EHDR(member) SET(member, offsetof(Elf64_Ehdr, member))
+#define PHDR(member) SET(member, offsetof(Elf64_Phdr, member))
 #define PARSER(name) SET(name, X86Parser::name)
 
 [[gnu::used]] static void stubNumbers() {
@@ -24,6 +26,12 @@ namespace pack {
     HEADER(words) HEADER(image) HEADER(readOnly) HEADER(imports) HEADER(entry) HEADER(early) HEADER(earlyEntry)
     LAYOUT(size) LAYOUT(codeBegin) LAYOUT(codeSize) HEADER(memory) HEADER(contexts) HEADER(slotShift)
     NUMBER(kCodeMask) NUMBER(kDataMask) NUMBER(kCodeShift)
+
+    // ELF, for stub_loader.S
+    EHDR(e_entry) EHDR(e_phoff) EHDR(e_phnum) SIZE(Elf64_Phdr)
+    PHDR(p_type) PHDR(p_flags) PHDR(p_offset) PHDR(p_vaddr) PHDR(p_filesz) PHDR(p_memsz)
+    SET(PT_LOAD, PT_LOAD) SET(PT_INTERP, PT_INTERP)
+    SET(AT_PHDR, AT_PHDR) SET(AT_PHNUM, AT_PHNUM) SET(AT_BASE, AT_BASE) SET(AT_ENTRY, AT_ENTRY)
 
     // On Windows
     SIZE(PeStart) SET(sizeof_slots, sizeof(PeStart::slots)) SET(front_messages, offsetof(PeFront, messages))

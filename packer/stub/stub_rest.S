@@ -25,21 +25,15 @@ payload_header:
 .text
 .globl STUB_DECODE
 STUB_DECODE:
-    push rbx
-    push rbp
-    push r12
-    push r13
-    push r14
-    push r15
+.irp register, rbx, rbp, r12, r13, r14, r15
+    push \register
+.endr
     mov rbx, rdi
     mov r12, rsi
     lea rbp, [rdx - FIELDS]
     call decode
-    pop r15
-    pop r14
-    pop r13
-    pop r12
-    pop rbp
-    pop rbx
+.irp register, r15, r14, r13, r12, rbp, rbx
+    pop \register
+.endr
     ret
 .section .note.GNU-stack, "", @progbits
