@@ -48,21 +48,16 @@ function makeRows(kind) {
             rows.set(name, {kind, name, bytes: 0, units: 0, was: before ? was ?? 0 : null, share, stretches: []});
         return rows.get(name);
     };
-    let rest = inUnits(report.file - report.overhead);
     for (const stretch of report.stretches) {
         if (!stretch[part]) return [];
-        const own = stretch[part] = row(stretch[part]);
-        addTo(own, stretch);
-        rest -= stretch.units;
+        addTo(stretch[part] = row(stretch[part]), stretch);
     }
-    let restBefore = before ? inUnits(report.before.file - report.before.overhead) : 0;
-    for (const name in before) {
-        row(name);
-        restBefore -= before[name];
-    }
+    for (const name in before) row(name);
+    const rest = ({file, overhead}, units) => inUnits(file - overhead) - sumOf(units, one => one);
     const stub = kind === 'rooms' && report.stubRoom && !rows.has(report.stubRoom) ? report.stubRoom : '(stub)';
     row(stub, before && inUnits(report.before.overhead)).units = inUnits(report.overhead);
-    row('(end of the payload)', restBefore).units = rest;
+    row('(end of the payload)', before && rest(report.before, Object.values(before))).units =
+        rest(report, report.stretches.map(stretch => stretch.units));
     return [...rows.values()];
 }
 

@@ -63,6 +63,7 @@ function byteUnder(event) {
 }
 
 function tipOfByte(at) {
+    if (!(at >= 0)) return '';
     const stretch = stretchAt(at),
           where = [stretch.object?.name, stretch.room?.name, stretch.section.name].filter(Boolean);
     const bits = number(costs[at] / report.unit, 2);
@@ -115,11 +116,7 @@ function startHeat() {
         $('heat').clientHeight;
     for (cell = 2; cell < 16 && fits(cell + 1);) ++cell;
     $('heat').onscroll = drawHeat;
-    $('heat').onmousemove = event => {
-        const at = byteUnder(event);
-        showTip(event, at < 0 ? '' : tipOfByte(at));
-    };
-    $('heat').onmouseleave = () => showTip();
+    showTips('heat', event => tipOfByte(byteUnder(event)));
     $('heat').onclick = event => {
         const at = byteUnder(event);
         if (at >= 0) goTo(at);

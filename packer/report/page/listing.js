@@ -124,9 +124,7 @@ function startListing() {
     $('listing').onclick = event => {
         if (event.target.at !== undefined) goTo(event.target.at, false);
     };
-    $('listing').onmousemove = event =>
-        showTip(event, event.target.at === undefined ? '' : tipOfByte(event.target.at));
-    $('listing').onmouseleave = () => showTip();
+    showTips('listing', event => tipOfByte(event.target.at));
     let last = '', next = 0;
     $('find').onkeydown = event => {
         const text = $('find').value.trim();

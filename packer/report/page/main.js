@@ -7,6 +7,12 @@ function showTip(event, text = '') {
     $('tip').style.top = `${y + 18 + offsetHeight > innerHeight ? y - offsetHeight - 8 : y + 18}px`;
 }
 
+// Shows textOf(event) next to the mouse while it is over an element.
+function showTips(id, textOf) {
+    $(id).onmousemove = event => showTip(event, textOf(event));
+    $(id).onmouseleave = () => showTip();
+}
+
 function showHead() {
     document.title = `${report.name}: ${number(report.file)} bytes`;
     $('name').textContent = report.name;

@@ -1,8 +1,7 @@
 // The tables: rooms, files, symbols, sections and, from the disassembly, kinds of instructions.
 let shownTable = 'symbols', sortedBy = 'packed', descending = true, shownRows = 200;
 
-// A column: its title, the value to sort by, the text of a cell, and a tip. `sign` colours cells: 1 if more is worse,
-// -1 if less is.
+// A column: its title, the value to sort by, the text of a cell, a tip. `sign`: 1 if more is worse, -1 if less is.
 const column = (title, value, show, tip = '', sign = 0) => ({title, value, show, tip, sign});
 const columns = {
     name: column('name', row => row.name.toLowerCase()),
@@ -57,15 +56,12 @@ function kindsOfInstructions() {
 }
 
 const hasShares = () => report.rooms.some(row => row.share !== null);
-function columnsOf(table) {
-    return tables[table].columns.split(' ').filter(
-        name => name === 'change'                       ? tables[table].rows().some(row => row.was !== null) :
-            ['counted', 'share', 'left'].includes(name) ? hasShares() :
-                                                          true);
-}
+const hasChanges = rows => rows.some(row => row.was !== null);
+const needs = {change: hasChanges, counted: hasShares, share: hasShares, left: hasShares};  // what a column shows
+const columnsOf = ({columns, rows}) => columns.split(' ').filter(name => needs[name]?.(rows()) ?? true);
 
 function showTable() {
-    const names = columnsOf(shownTable), filter = $('filter').value.toLowerCase();
+    const names = columnsOf(tables[shownTable]), filter = $('filter').value.toLowerCase();
     if (!names.includes(sortedBy)) sortedBy = 'packed';
     const value = columns[sortedBy].value;
     const rows = tables[shownTable].rows().filter(row => row.name.toLowerCase().includes(filter));

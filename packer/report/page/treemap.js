@@ -49,7 +49,7 @@ function divide(nodes, x, y, width, height, draw) {
 }
 
 function colourOf(node) {
-    if (!byChange) return node.bytes ? heat(node.units / report.unit / node.bytes) : [112, 120, 134];
+    if (!byChange) return node.bytes ? heat(bitsEach(node)) : [112, 120, 134];
     const part = node.part, change = part.was === null ? 0 : part.units - part.was;
     if (!change) return [58, 64, 74];
     const much = Math.min(1, Math.abs(inBytes(change)) / 32);
@@ -100,12 +100,12 @@ function openNode(node) {
 
 const changeOf = ({part}) => part && part.was !== null ? signed(inBytes(part.units - part.was), 1) : '';
 function tipOfNode(node) {
+    if (!node) return '';
     const lines = [
         node.name,
         `${number(inBytes(node.units), 1)} bytes, ${number(100 * inBytes(node.units) / report.file, 2)} % of the file`
     ];
-    if (node.bytes)
-        lines.push(`${number(node.bytes)} unpacked, ${number(node.units / report.unit / node.bytes, 2)} bits a byte`);
+    if (node.bytes) lines.push(`${number(node.bytes)} unpacked, ${number(bitsEach(node), 2)} bits a byte`);
     if (changeOf(node)) lines.push(`${changeOf(node)} bytes`);
     if (node.children.length) lines.push(`${node.children.length} parts: click to zoom`);
     return lines.join('\n');
@@ -125,11 +125,7 @@ function startTree() {
         event.preventDefault();
         $('map').firstChild?.focus();
     };
-    $('map').onmousemove = event => {
-        const node = nodeOf(event);
-        showTip(event, node ? tipOfNode(node) : '');
-    };
-    $('map').onmouseleave = () => showTip();
+    showTips('map', event => tipOfNode(nodeOf(event)));
     const colour = change => {
         byChange = change;
         $('byBits').ariaPressed = !change;
