@@ -38,7 +38,7 @@ ModelParameters findParameters(const PackOptions &o, const Program &program) {
         return !theInterruption;
     };
     Layout layout = program.layout();
-    parameters = search(filter(program.bytes, layout), layout, parameters, o.seconds, show);
+    parameters = search(program.bytes, layout, parameters, o.seconds, show);
     if (terminal) std::fputc('\n', stderr);
     return parameters;
 }

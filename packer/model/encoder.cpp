@@ -35,7 +35,6 @@ template <> Bytes filter<X86Tracker>(const Bytes &image, const Layout &layout) {
 }
 
 template Encoded encode<X86Tracker>(const Bytes &, const Layout &, const ModelParameters &);
-template double measure<X86Tracker>(const Bytes &, const Layout &, const ModelParameters &, double);
 template Bytes decode<X86Tracker>(Bytes, const Layout &, const ModelParameters &);
 
 } // namespace pack

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace pack {
@@ -29,18 +29,8 @@ template <class Tracker = X86Tracker> Bytes filter(const Bytes &image, const Lay
 struct Encoded {
     Bytes payload;
     std::vector<float> bits; // cost of each byte of the image
-};
 
-// Reads the bits of the bytes to encode.
-struct KnownBits {
-    const uint8_t *bytes;
-    uint32_t position = 0;
-
-    uint32_t next() {
-        uint32_t bit = bytes[position >> 3] >> (~position & 7) & 1;
-        ++position;
-        return bit;
-    }
+    double size() const { return std::accumulate(bits.begin(), bits.end(), 0.0) / 8; } // in bytes
 };
 
 inline double cost(uint32_t bit, uint32_t share) {
@@ -48,18 +38,19 @@ inline double cost(uint32_t bit, uint32_t share) {
     return -std::log2((bit ? share : kAll - share) / kAll);
 }
 
-// The inverse of Decoder. `low` is the start of the range, without the bytes already written. A carry from
-// `low` changes these bytes.
+// The inverse of Decoder. `low` is the start of the range; a carry changes the bytes already written.
 struct Encoder {
-    KnownBits known;
+    const Bytes &bytes;
     Encoded &to;
+    uint32_t position = 0; // in bits
     uint64_t low = 0;
     uint32_t range = 1 << kRangeBits;
     bool started = false;
 
     uint32_t bit(uint32_t share) {
         for (; range < 1u << kRangeBits; range <<= 8) shift();
-        uint32_t at = known.position >> 3, bit = known.next();
+        uint32_t at = position >> 3, bit = bytes[at] >> (~position & 7) & 1;
+        ++position;
         to.bits[at] += (float)cost(bit, share);
         uint32_t ones = (uint32_t)((uint64_t)range * share >> kShareBits);
         if (bit)
@@ -79,28 +70,12 @@ struct Encoder {
         started = true;
         low = (low & 0xffffff) << 8;
     }
-    // Writes two bytes, or more if the range is too small for two, so that the last bits decode correctly
-    // whatever bytes follow.
+    // Writes two bytes, or more if the range is too small: the last bits decode whatever bytes follow.
     void finish() {
         for (; range < 1 << 17; range <<= 8) shift();
         low += 0xffff;
         shift();
         shift();
-    }
-};
-
-struct LimitExceeded {};
-
-// Counts bits and writes nothing.
-struct Meter {
-    KnownBits known;
-    double limit, bits = 0;
-
-    uint32_t bit(uint32_t share) {
-        uint32_t bit = known.next();
-        bits += cost(bit, share);
-        if (bits > limit) throw LimitExceeded{};
-        return bit;
     }
 };
 
@@ -127,24 +102,10 @@ Encoded encode(const Bytes &image, const Layout &layout, const ModelParameters &
     Encoded encoded;
     encoded.bits.resize(image.size());
     Bytes bytes = filter<Tracker>(image, layout);
-    Encoder encoder{{bytes.data()}, encoded};
+    Encoder encoder{bytes, encoded};
     codeImage<Tracker>(encoder, layout, parameters);
     encoder.finish();
     return encoded;
-}
-
-// Returns the payload's size in bytes, without making the payload. Returns `limit` as soon as the size
-// exceeds it.
-template <class Tracker = X86Tracker>
-double measure(const Bytes &filtered, const Layout &layout, const ModelParameters &parameters,
-               double limit = 1e30) {
-    Meter meter{{filtered.data()}, limit * 8};
-    try {
-        codeImage<Tracker>(meter, layout, parameters);
-    } catch (const LimitExceeded &) {
-        return limit;
-    }
-    return meter.bits / 8;
 }
 
 // Decodes with the C++ model. Never reads beyond the payload: missing bytes count as zeros.
@@ -157,7 +118,6 @@ Bytes decode(Bytes payload, const Layout &layout, const ModelParameters &paramet
 
 // Compiled only in encoder.cpp: the results of the arithmetic depend on the compiler's options
 extern template Encoded encode(const Bytes &, const Layout &, const ModelParameters &);
-extern template double measure(const Bytes &, const Layout &, const ModelParameters &, double);
 extern template Bytes decode(Bytes, const Layout &, const ModelParameters &);
 
 } // namespace pack

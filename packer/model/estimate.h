@@ -3,8 +3,8 @@
 // A context's inputs depend on its own masks and on the coded bits; other contexts change them only where
 // slots collide. So an estimate keeps its inputs, 16 bits each. If the next parameters differ in one context,
 // only that context's inputs are computed again, with a separate table of slots. Then all inputs are mixed,
-// eight floats at a time (by AVX2 where the processor has it). The estimate is within 1 % of measure(), and
-// the difference of two estimates is much more accurate.
+// eight floats at a time (by AVX2 where the processor has it). The estimate is within 1 % of Encoded::size(),
+// and the difference of two estimates is much more accurate.
 #pragma once
 
 #include "packer/model/encoder.h"

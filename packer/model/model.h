@@ -59,8 +59,7 @@ struct ModelParameters {
 typedef uint32_t Counter;
 constexpr int32_t kSeenBits = 8, kProbabilityBits = 24;
 constexpr int32_t kHalf = 1 << (kProbabilityBits - 1), kCertain = kHalf - 1;
-// A counter moves by 1 / (seen + settled) of its error. The third counter of a context, which the last byte
-// selects, moves least
+// A counter moves by 1 / (seen + settled) of its error: least the third one, which the last byte selects
 constexpr float kSettled[kContextCounters] = {1.05f, 1.3f, 1.4f};
 constexpr int32_t kShareBits = 20; // bits of the probability that predict() returns
 
@@ -95,8 +94,7 @@ constexpr uint32_t kFirstTrust = 14; // a new correction starts as if it had see
 // The nibble's bits so far select the step; a context's slot may be any of the four. (In the stub, all
 // slots of one way are adjacent.)
 struct Nibble {
-    // start: a leading one, then the byte's bits before the nibble. step: a leading one, then the nibble's
-    // bits so far, 1 .. 15
+    // Both are a leading one, then bits: those before the nibble, and the nibble's so far (step: 1 .. 15)
     uint32_t start, step;
     uint32_t number() const { return start ^ 16; } // 17 for the first nibble, 0 .. 15 for the second
 };
@@ -136,13 +134,7 @@ struct alignas(64) Model {
     Float4 finalWeights[kPhases][kSets / 4], weights[kSets][kRows][1 + kMostContexts];
 };
 
-union FloatBits {
-    float value;
-    int32_t bits;
-};
-
-// Returns ln(x) in units of kLogUnit plus a constant, piecewise linear: the bits of a float are nearly its
-// logarithm.
+// Returns ln(x) in units of kLogUnit plus a constant: the bits of a float are piecewise linear in it.
 inline Int4 logBits(Int4 x) { return (Int4) __builtin_convertvector(x, Float4); }
 
 // Returns a context's inputs: ln(p / (1 - p)) of its counters, and p - 1/2 of the first one.
@@ -158,9 +150,8 @@ inline float logOf(Odds odds) {
 }
 // The inverse: returns p for x = ln(p / (1 - p)), with the same piecewise linear curve.
 inline float squash(float x) {
-    FloatBits odds;
-    odds.bits = (int32_t)x + FloatBits{1}.bits;
-    return odds.value / (odds.value + 1);
+    float odds = __builtin_bit_cast(float, (int32_t)x + __builtin_bit_cast(int32_t, 1.0f));
+    return odds / (odds + 1);
 }
 
 inline float mix(const Float4 *weights, const Float4 *inputs, uint32_t count4) {

@@ -15,9 +15,11 @@ namespace {
 struct MaskChange {
     struct Setting {
         uint32_t i, mask;
+        auto operator<=>(const Setting &) const = default;
     };
     uint32_t type;
     std::vector<Setting> settings;
+    auto operator<=>(const MaskChange &) const = default;
 
     ModelParameters of(const ModelParameters &before) const {
         ModelParameters parameters = before;
@@ -35,15 +37,9 @@ struct MaskChange {
         }
         return true;
     }
-    auto key() const {
-        std::vector<uint32_t> key = {type};
-        for (Setting s : settings) key.insert(key.end(), {s.i, s.mask});
-        return key;
-    }
 };
 
-// Proposes a random change. Most changes add, remove or replace a field; some choose a new mask or swap two
-// selectors.
+// Proposes a random change: most add, remove or replace a field; some choose a new mask or swap selectors.
 MaskChange propose(const ModelParameters &parameters, const SearchInput &program, std::mt19937 &random) {
     const MayUse &may = program.mayUse;
     uint32_t data = program.layout.size - program.layout.codeSize;
@@ -104,15 +100,15 @@ struct Search {
     ModelParameters lastMeasured = measured;
     std::shared_ptr<const Estimate> best = {}; // the best by estimate
     double least = 0;                          // bytes of `measured`
-    double measuring = 0, nextMeasure = 0; // duration of a measurement and time of the next one, in seconds
-    int tried = 0, kept = 0;               // numbers of changes
-    std::map<std::vector<uint32_t>, int> triedAt = {}; // changes tried, with `kept` at that time
+    double measuring = 0, nextMeasure = 0;  // duration of a measurement and time of the next one, in seconds
+    int tried = 0, kept = 0;                // numbers of changes
+    std::map<MaskChange, int> triedAt = {}; // changes tried, with `kept` at that time
     bool stopped = false;
     std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
     std::mutex mutex = {};
 
     ModelParameters run() {
-        least = program.measure(measured, 1e30);
+        least = program.measure(measured);
         measuring = passed();
         progress();
         if (stopped || seconds <= passed()) return measured;
@@ -141,7 +137,7 @@ struct Search {
         std::unique_lock lock(mutex);
         while (!stopped && passed() < seconds) {
             MaskChange change = propose(best->parameters, program, random);
-            auto [at, isNew] = triedAt.try_emplace(change.key(), kept);
+            auto [at, isNew] = triedAt.try_emplace(change, kept);
             if (!isNew && kept < at->second + kForget) continue;
             at->second = kept;
             if (!change.sensible(best->parameters)) continue;
@@ -177,7 +173,7 @@ struct Search {
         // A measurement takes much memory, so no other thread may measure now, even if the search is over
         nextMeasure = 1e30;
         lock.unlock();
-        double bytes = program.measure(parameters, least);
+        double bytes = program.measure(parameters);
         lock.lock();
         if (bytes < least) {
             least = bytes;

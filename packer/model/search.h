@@ -18,7 +18,7 @@ struct SearchInput {
     std::vector<ByteRecord> records;
     Layout layout;
     MayUse mayUse;
-    std::function<double(const ModelParameters &, double limit)> measure;
+    std::function<double(const ModelParameters &)> measure; // returns the size of the payload
 };
 
 // Changes one or two masks at a time and keeps each change that makes the estimate smaller (estimate.h). Uses
@@ -30,13 +30,11 @@ struct SearchInput {
 ModelParameters search(const SearchInput &program, const ModelParameters &start, double seconds,
                        const OnProgress &onProgress);
 template <class Tracker = X86Tracker>
-ModelParameters search(const Bytes &filtered, const Layout &layout, const ModelParameters &start,
-                       double seconds, const OnProgress &onProgress) {
-    auto measured = [&](const ModelParameters &parameters, double limit) {
-        return measure<Tracker>(filtered, layout, parameters, limit);
-    };
-    return search({byteRecords<Tracker>(filtered, layout), layout, Tracker::mayUse, measured}, start, seconds,
-                  onProgress);
+ModelParameters search(const Bytes &image, const Layout &layout, const ModelParameters &start, double seconds,
+                       const OnProgress &onProgress) {
+    auto measure = [&](const ModelParameters &p) { return encode<Tracker>(image, layout, p).size(); };
+    auto records = byteRecords<Tracker>(filter<Tracker>(image, layout), layout);
+    return search({records, layout, Tracker::mayUse, measure}, start, seconds, onProgress);
 }
 
 } // namespace pack

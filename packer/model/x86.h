@@ -34,8 +34,7 @@ enum X86Field {
     kFields
 };
 
-// The fields that a context uses are the bits of a mask; bit 0 is kColumn. Code may use 16 fields, data
-// eight.
+// The fields of a context are the bits of a mask; bit 0 is kColumn. Code may use 16 fields, data eight.
 constexpr uint32_t kChoices = kSoFar + 1 - kColumn, kCodeBits = 16, kDataBits = 8;
 constexpr uint32_t kCodeShift = kByte4 - kColumn; // code does not use kColumn and kByte5
 constexpr MayUse kMayUse = {kCodeShift, kCodeBits, kDataBits};
@@ -79,8 +78,7 @@ static_assert([] {
 struct X86Parser {
     enum Phase : uint32_t { kStart, kVex, kModrmByte, kSibByte, kDisplacement, kOperand, kJump };
     static_assert(kJump + 1 == kPhases && kPhases <= 1 << kPhaseBits);
-    // In kStart, `left` has flags of the prefixes seen, and above them the map of the next opcode: 1 for 0f,
-    // 2 for 0f 38, 3 for 0f 3a
+    // In kStart, `left` has flags of the prefixes seen; above them the map: 1 for 0f, 2 for 0f38, 3 for 0f3a
     static constexpr uint32_t kSeenRex = 1, kSeenVex = 2, kMapShift = 2, kSeenMap = 1 << kMapShift;
     static constexpr uint32_t kPrefixShift = 16; // position of the prefix in kOpcode, above map and opcode
     static constexpr uint32_t kReturn = 0xc3;

@@ -54,8 +54,7 @@ struct X86Tracker {
             block = coded + first;
     }
 
-    // Returns the odds of a one against a zero, computed from the marks alone. `bits`: a leading one, then
-    // the byte's bits so far.
+    // Returns the odds of a one by the marks alone. `bits`: a leading one, then the byte's bits so far.
     Odds odds(uint32_t bits) const {
         if (!block) return {1, 1};
         uint32_t half = 128u >> (31 - __builtin_clz(bits)), from = bits * half * 2;

@@ -69,8 +69,8 @@ void packFile(const BenchOptions &o) {
     ModelParameters parameters = parametersOf(o);
     double began = common::processorSeconds();
     if (o.search > 0)
-        parameters = search(filter(program.bytes, layout), layout, parameters, o.search,
-                            [](const Progress &) { return true; });
+        parameters =
+            search(program.bytes, layout, parameters, o.search, [](const Progress &) { return true; });
     Encoded e = encode(program.bytes, layout, parameters);
     double encoding = common::processorSeconds() - began;
     Bytes packed = kElf.write(program, parameters, e.payload, {});
