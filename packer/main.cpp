@@ -2,7 +2,6 @@
 #include "packer/model/model_parameters.h"
 #include "packer/model/search.h"
 #include "packer/options.h"
-#include "packer/read/programs.h"
 #include "packer/report/report_html.h"
 #include "packer/write/packed_file.h"
 

@@ -1,7 +1,8 @@
 // The command line of pack.
 #pragma once
 
-#include "packer/write/messages.h"
+#include "packer/model/model.h"
+#include "tools/common/command_line.h"
 
 #include <optional>
 

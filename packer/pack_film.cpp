@@ -1,7 +1,6 @@
 // pack_film: packs the film while it is built. It uses the code of pack but needs no library, so the film can
 // be built where the libraries of pack are not installed.
 #include "packer/model/model_parameters.h"
-#include "packer/read/programs.h"
 #include "packer/report/report.h"
 #include "packer/write/packed_file.h"
 

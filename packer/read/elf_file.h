@@ -9,8 +9,7 @@
 
 namespace pack {
 
-// Whether the `size` bytes at `address` are within the `span` bytes from `base` on. Works for all values
-// without overflow.
+// Whether the `size` bytes at `address` are within the `span` bytes from `base` on. No value overflows.
 inline bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span) {
     return address >= base && size <= span && address - base <= span - size;
 }

@@ -1,4 +1,4 @@
-// A program in memory, its file, and the errors that refuse a file.
+// A program in memory, its file, and how it is read.
 #pragma once
 
 #include "packer/model/encoder.h"
@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace pack {
 
@@ -59,5 +58,23 @@ struct Program {
     }
     Layout layout() const { return {(uint32_t)bytes.size(), codeBegin, codeSize}; }
 };
+
+// --- The readers. They throw common::Refused ---
+
+// Whether a program was made for the packer, so that readProgram() reads it: its type is ET_EXEC, and
+// libdl.so.2 (or, for Windows, kernel32.dll) is its only library. Throws nothing.
+bool isMadeForPacking(const Bytes &file);
+
+// Accepts the programs that packer/README.md describes (Requirements). Its early part (PayloadHeader::early)
+// ends with the last page of the section `.early`, and the function is the section's first byte.
+Program readProgram(const Bytes &file, const System &system = kLinux);
+
+// Accepts any x86-64 program that is static or names its interpreter. Its first segment must begin with its
+// ELF header, and its program headers must be in a segment. Refuses shared libraries. In the result, readOnly
+// and span are the size of all its memory, in whole pages. It has no slots and no early part.
+Program readAnyProgram(const Bytes &file);
+
+// Returns the number of bytes after the last one that the ELF headers name. A packed program lacks them.
+uint64_t appendedBytes(const Bytes &file);
 
 } // namespace pack

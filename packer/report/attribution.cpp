@@ -66,8 +66,7 @@ Origins readSymbols(const std::string &symbols) {
     return origins;
 }
 
-// Reads lines " .text.name  0xaddress  0xsize  lib.a(object.o)", whose first word has its own line if it is
-// long.
+// Reads lines " .text.name  0xaddress  0xsize  lib.a(object.o)". A long first word has its own line.
 std::vector<Claim> readMap(const std::string &map) {
     std::vector<Claim> objects;
     std::istringstream lines(map.substr(std::min(map.size(), map.find(kMapBegins))));

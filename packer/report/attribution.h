@@ -46,8 +46,7 @@ bool isMap(const std::string &text);
 
 // Returns the stretches of the whole program, in order. `elf`: the program's file, with its sections and,
 // unless it is stripped, its functions and variables. `map`: the linker map with the object files, or empty.
-// `symbols`: the output of `nm -A` for LTO object files, which the map has as one object; or empty. Throws
-// common::Refused.
+// `symbols`: the output of `nm -A` for LTO objects, one object in the map; or empty. Throws common::Refused.
 std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const std::string &symbols,
                                const Program &program);
 

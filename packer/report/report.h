@@ -32,6 +32,17 @@ struct Report {
 };
 inline constexpr int kUnit = 16; // units in a bit
 
+// The kinds of parts, from the largest.
+struct PartKind {
+    const char *name, *table; // for one part, and for all in JSON
+    Costs Report::*costs;
+    std::string Stretch::*part;
+};
+inline constexpr PartKind kPartKinds[] = {{"room", "rooms", &Report::rooms, &Stretch::room},
+                                          {"section", "sections", &Report::sections, &Stretch::section},
+                                          {"object file", "objects", &Report::objects, &Stretch::object},
+                                          {"symbol", "symbols", &Report::symbols, &Stretch::symbol}};
+
 // Rounds numbers so that the results add up to the rounded sum.
 class Rounding {
 public:
@@ -45,8 +56,7 @@ private:
     double sum = 0;
 };
 
-// A file of rooms, one per line: ROOM SHARE OBJECT..., the share in bytes or -. The object "(stub)" stands
-// for stub and headers.
+// A file of rooms, a line each: ROOM SHARE OBJECT..., the share in bytes or -. "(stub)" is stub and headers.
 struct Rooms {
     std::map<std::string, std::string> of; // room of each object
     std::map<std::string, long> shares;

@@ -44,7 +44,8 @@ std::string outputOf(const std::string &command) {
     return output;
 }
 
-// Removes the symbol and aligning spaces from "mov    eax,DWORD PTR [rip+0x10]        # 404010 <name>".
+// Returns the text in Intel's syntax; after " # " the address of an operand relative to rip. Removes the
+// symbol and aligning spaces from "mov    eax,DWORD PTR [rip+0x10]        # 404010 <name>".
 std::string tidy(const std::string &line) {
     std::istringstream words(line.substr(0, line.find('<')));
     std::string text;
@@ -52,47 +53,32 @@ std::string tidy(const std::string &line) {
     return text;
 }
 
-struct Instruction {
-    uint64_t address;
-    Bytes bytes;
-    std::string text; // in Intel's syntax; after " # " the address of an operand relative to rip
-};
-
-// Returns the instructions in the order of the sections. Returns none if objdump (binutils) is missing.
-std::vector<Instruction> disassemble(const std::string &path) {
-    std::vector<Instruction> all;
+// Returns the program's instructions for the page's element "code"; none if objdump (binutils) is missing.
+std::string readCode(const std::string &path, const Program &program) {
+    std::map<uint64_t, std::string> all; // a line of each instruction, by offset
     std::istringstream lines(
         outputOf("objdump -d -w -z -M intel -- " + common::shellWord(path) + " 2>/dev/null"));
     // "  404a10:\t48 89 e5             \tmov    rbp,rsp"
     for (std::string line; std::getline(lines, line);) {
-        size_t bytes = line.find(":\t"), text = line.find('\t', bytes + 2);
-        if (line[0] != ' ' || bytes == line.npos) continue;
-        Instruction i = {std::strtoull(line.c_str(), nullptr, 16), {}, ""};
-        std::istringstream numbers(line.substr(bytes + 2, text - bytes - 2));
-        for (unsigned byte; numbers >> std::hex >> byte;) i.bytes.push_back((uint8_t)byte);
-        if (text != line.npos) i.text = tidy(line.substr(text));
-        if (!i.bytes.empty() && i.bytes.size() <= 15) all.push_back(std::move(i));
-    }
-    return all;
-}
-
-// Returns the program's instructions for the page's element "code".
-std::string readCode(const std::string &path, const Program &program) {
-    std::map<uint64_t, Instruction> all; // by offset
-    for (Instruction &i : disassemble(path)) {
-        uint64_t begin = i.address - program.base, size = program.bytes.size();
+        size_t numbersAt = line.find(":\t"), text = line.find('\t', numbersAt + 2);
+        if (line[0] != ' ' || numbersAt == line.npos) continue;
+        Bytes bytes;
+        std::istringstream numbers(line.substr(numbersAt + 2, text - numbersAt - 2));
+        for (unsigned byte; numbers >> std::hex >> byte;) bytes.push_back((uint8_t)byte);
+        uint64_t begin = std::strtoull(line.c_str(), nullptr, 16) - program.base, size = program.bytes.size();
         // Leave out instructions that are not in the program's memory
-        if (begin < size && size - begin >= i.bytes.size() &&
-            !std::memcmp(&program.bytes[begin], i.bytes.data(), i.bytes.size()))
-            all.emplace(begin, std::move(i));
+        if (!bytes.empty() && bytes.size() <= 15 && begin < size && size - begin >= bytes.size() &&
+            std::equal(bytes.begin(), bytes.end(), &program.bytes[begin]))
+            all.emplace(begin, common::format("%zx", bytes.size()) +
+                                   (text == line.npos ? "" : tidy(line.substr(text))));
     }
     std::string code;
     uint64_t end = 0;
-    for (auto &[begin, i] : all) {
+    for (auto &[begin, line] : all) {
         if (begin < end) continue; // sections overlap
         if (begin != end) common::append(code, "@%llx\n", (unsigned long long)begin);
-        common::append(code, "%zx%s\n", i.bytes.size(), i.text.c_str());
-        end = begin + i.bytes.size();
+        code += line + "\n";
+        end = begin + std::stoul(line.substr(0, 1), nullptr, 16);
     }
     return code;
 }
@@ -108,21 +94,16 @@ json stretches(const Report &report) {
     return all;
 }
 
-// Returns the units of each part of an earlier report, or null if it has no such parts.
-json unitsOf(const Costs &costs) {
-    json all;
-    for (auto &[name, cost] : costs) all[name] = std::llround(cost.bits * kUnit);
-    return all;
-}
+// Returns the size of an earlier report, and the units of each part; null for parts that it does not have.
 json earlier(const ReportPage &page) {
     if (!page.before) return {};
-    return {{"name", page.beforeName},
-            {"file", page.before->fileSize},
-            {"overhead", page.before->overhead},
-            {"rooms", unitsOf(page.before->rooms)},
-            {"objects", unitsOf(page.before->objects)},
-            {"sections", unitsOf(page.before->sections)},
-            {"symbols", unitsOf(page.before->symbols)}};
+    const Report &before = *page.before;
+    json all = {{"name", page.beforeName}, {"file", before.fileSize}, {"overhead", before.overhead}};
+    for (const PartKind &kind : kPartKinds) {
+        json &units = all[kind.table] = nullptr;
+        for (auto &[name, cost] : before.*kind.costs) units[name] = std::llround(cost.bits * kUnit);
+    }
+    return all;
 }
 
 Bytes deflate(const Bytes &bytes) {
@@ -183,6 +164,35 @@ std::string printHtml(const ReportPage &page, const Report &report, const Progra
            element("bytes", shown ? program.bytes : Bytes()) + element("costs", shown ? low : Bytes()) +
            element("code", {code.begin(), code.end()}) + "<script>\n" + text(kReportPageScript) +
            "</script>\n</body>\n</html>\n";
+}
+
+Report readJson(const std::string &text) {
+    constexpr char kNoReport[] = "not a report of pack: --report FILE writes one";
+    constexpr double kMostBytes = 1e15;
+    Report report;
+    need(text.find('\0') == text.npos, kNoReport); // the parser would stop there
+    try {
+        json all = json::parse(text);
+        double file = all.at("file"), overhead = all.at("overhead");
+        report.rest = all.value("rest", 0.0);
+        for (const PartKind &kind : kPartKinds) {
+            if (kind.costs == &Report::rooms) continue;
+            json parts = all.value(kind.table, json::object());
+            for (auto &[name, given] : parts.items()) {
+                Cost &cost = (report.*kind.costs)[isWholeProgram(name) ? kWholeProgram : name];
+                cost.bytes = (uint64_t)std::clamp(given.value("bytes", 0.0), 0.0, kMostBytes);
+                cost.bits = given.value("bits", 0.0);
+                if (given.contains("room")) report.roomOf[name] = given["room"];
+            }
+        }
+        need(file > 0 && file < kMostBytes && overhead >= 0 && overhead <= file && !report.sections.empty(),
+             kNoReport);
+        report.fileSize = (size_t)file;
+        report.overhead = (size_t)overhead;
+    } catch (const json::exception &) {
+        throw common::Refused(kNoReport);
+    }
+    return report;
 }
 
 } // namespace pack

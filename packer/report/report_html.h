@@ -1,6 +1,5 @@
 // The parts of reports that need libraries (nlohmann-json, zlib): a reader of earlier reports, and an HTML
-// page that shows the cost of each byte of a program. The page is one file, with its scripts (page/) and its
-// data.
+// page of one file that shows the cost of each byte of a program; its scripts are in page/.
 #pragma once
 
 #include "packer/report/report.h"

@@ -12,62 +12,58 @@
 //     payload        the coded program, then zeros up to a multiple of four
 //     check          four bytes
 //
-// The payload section is everything from PayloadHeader on. A packed file for Windows has the same section.
+// The payload section is everything from PayloadHeader on; a packed file for Windows has the same.
 //
 // The check is chosen so that checksum() over the file, read as 32-bit words, is 0. Bytes after the first
 // PayloadHeader::words words do not belong to the file. There are no section headers. The stub's size is not
 // stored: a reader must have the stub that the file was made with.
 //
 // IN MEMORY the file is one R-X segment that starts kBelow bytes below the program. The program is one RW
-// segment of whole pages that starts at PayloadHeader::image. It has no bytes in the file, so it starts as
-// zeros. The other program headers are for the interpreter, for a dynamic section (which needs libdl.so.2 and
+// segment of whole pages from PayloadHeader::image on. It has no bytes in the file, so it starts as zeros.
+// The other program headers are for the interpreter, for a dynamic section (which needs libdl.so.2 and
 // imports dlopen and dlsym) and for a stack that is not executable. The two relocations make the loader write
-// the addresses of the two imports into the program's own slots. Then the loader jumps to the first byte of
-// the stub.
+// the addresses of the imports into the program's own slots. Then it jumps to the first byte of the stub.
 //
-// START. The stub computes the checksum of the whole file. A truncated file lacks some pages, so before it
-// reads a page, the stub asks the kernel whether the page is there. Then it maps PayloadHeader::memory bytes
-// for the model, saves the two slots, decodes, restores the slots, makes PayloadHeader::readOnly bytes of the
+// START. The stub computes the checksum of the whole file. A truncated file lacks some pages, so the stub
+// asks the kernel whether a page is there before it reads it. Then it maps PayloadHeader::memory bytes for
+// the model, saves the two slots, decodes, restores the slots, makes PayloadHeader::readOnly bytes of the
 // image R-X and unmaps the model's memory. Finally it jumps to PayloadHeader::entry with rsp, rsi and rdx as
 // the loader left them: the program gets argc, the arguments, the environment and, in rdx, the function to
-// call at exit. No memory is ever writable and executable at once.
+// call at exit.
 //
 // IN TWO PHASES. If PayloadHeader::early is not kNothingEarly, the stub calls the function at
 // PayloadHeader::earlyEntry before it decodes each byte whose offset in the image is a multiple of kEarlyStep
 // and at least `early`. Before each call it makes the first `early` bytes of the image R-X. The function is
 // void (void **stack, uint32_t done, uint32_t size), in the C calling convention. Its arguments are the stack
-// as the kernel made it (argc on top), the number of bytes decoded so far, and the number of bytes in all. So
-// the first call comes when `early` bytes are decoded; an image of no more than `early` bytes causes no call.
-// The function's code and constants must be within those first bytes. What it writes must be after the last
-// byte that is decoded, because decoding overwrites everything before that. The imports stay in their slots
-// only until decoding reaches the slots.
+// as the kernel made it (argc on top), the number of bytes decoded so far, and the number of bytes in all.
+// Its code and constants must be within the first `early` bytes. What it writes must be after the last byte
+// that is decoded. The imports stay in their slots only until decoding reaches the slots.
 //
-// THE PAYLOAD decodes to the first Layout::size bytes of the image; the bytes after them are zeros. The bytes
-// are decoded in order, and the bits of a byte from the highest to the lowest. Each bit comes from a range
-// decoder (Decoder in decoder.h: 32 bits; range and code start as 1 and 0, so it begins by fetching three
-// bytes). The range decoder needs a probability of 20 bits, which predict() in model.h computes from all
-// earlier bits; codeImage() in decoder.h is the loop. The range decoder may fetch two bytes beyond the
-// payload, of the padding or the check; their values have no effect. All of the model's state starts as
-// zeros, except the mixing weights. Floats are IEEE single precision. Operations are done in the order
-// written, each rounded to nearest, never fused. A float is converted to an integer by truncation.
+// THE PAYLOAD decodes to the first Layout::size bytes of the image, in order; the bytes after them are zeros.
+// The bits of a byte come from the highest to the lowest, each from a range decoder (Decoder in decoder.h: 32
+// bits; range and code start as 1 and 0, so it begins by fetching three bytes). It needs a probability of 20
+// bits, which predict() in model.h computes from all earlier bits; codeImage() in decoder.h is the loop. It
+// may fetch two bytes beyond the payload, of the padding or the check; their values have no effect. All of
+// the model's state starts as zeros, except the mixing weights. Floats are IEEE single precision. Operations
+// are done in the order written, each rounded to nearest, never fused. A float is converted to an integer by
+// truncation.
 //
-// The Layout::codeSize bytes from Layout::codeBegin on are code; the rest is data. Code and data have
-// separate contexts. Only code goes through the parser in x86.h, which assumes that an instruction begins at
+// The Layout::codeSize bytes from Layout::codeBegin on are code; the rest is data. Both have their own
+// contexts. Only code goes through the parser in x86.h, which assumes that an instruction begins at
 // codeBegin. In data the parser does not advance, and the fields that it has set keep their values.
 //
 // ADDRESSES. After byte i the parser may report the end of a four-byte field that is relative to the next
 // instruction. That instruction begins at i + toNext, where toNext is one plus the size of an immediate
 // operand still to come. Then bytes i - 3 .. i were coded as the target's offset from the image's start,
 // highest byte first. In the program they are that offset less (i + toNext), lowest byte first. Contexts and
-// parser use the bytes as they were coded. The parser also reports one-byte fields, which are coded
+// parser use the bytes as they were coded. One-byte fields, which the parser also reports, are coded
 // unchanged.
 //
-// ERRORS. If the checksum is not 0 or a page is missing, the stub prints "damaged: copy it again". If it gets
-// no memory, it prints "not enough free memory". If the system forbids executing memory that was written, it
-// prints "it may not run packed", or the program to use instead (messages.h). Each message is one line on
-// standard error; the exit status is 1, and nothing of the program has run. After the checksum, the stub
-// checks nothing else. The checksum cannot protect the Front, which the loader reads first, or the 128 bytes
-// that compute it.
+// ERRORS. If the checksum is not 0 or a page is missing, the stub prints "damaged: copy it again"; if it gets
+// no memory, "not enough free memory"; if the system forbids executing memory that was written, "it may not
+// run packed", or the program to use instead (packed_file.h). A message is one line on standard error; the
+// exit status is 1, and nothing of the program has run. The stub checks nothing else. The checksum cannot
+// protect the Front, which the loader reads first, or the 128 bytes that compute it.
 #pragma once
 
 #include "packer/model/decoder.h"
@@ -126,8 +122,7 @@ struct PayloadHeader {
 static_assert(sizeof(PayloadHeader) == 46);
 constexpr uint32_t kNothingEarly = 0xffffffff;
 
-// Returns the checksum of all words of the file. The last word is chosen to make it 0. It changes if any one
-// word changes.
+// Returns the checksum of all words of the file. The last word makes it 0. Any other word changes it.
 inline uint32_t checksum(const uint8_t *bytes, size_t words) {
     uint32_t sum = 0, word;
     for (; words--; bytes += 4) {

@@ -89,7 +89,7 @@ static_assert(sizeof(PeImports) == 20);
 
 // --- The packed file ---
 
-// The stub's messages (messages.h), and two names: the function that shows a message box, and its library.
+// The stub's messages (packed_file.h), and two names: the function that shows a message box, and its library.
 // They fill space that would be empty.
 struct PeMessages {
     char mayNotRun[24], damaged[24], noMemory[24], user32[7], messageBox[25];

@@ -24,8 +24,7 @@ struct Reporting : web::WasmTracker {
     }
 };
 
-// Layout, ModelParameters and payload follow the decoder's own data; then come the decoded bytes and the
-// model
+// Layout, ModelParameters and payload follow the decoder's own data, then the decoded bytes and the model
 unsigned char *payload() { return (unsigned char *)(((uintptr_t)&__heap_base + 63) & ~63ul); }
 constexpr uint32_t kMostPayload = 1 << 17, kMostDecoded = 1 << 20;
 

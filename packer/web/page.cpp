@@ -20,7 +20,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace pack {
 
@@ -141,8 +140,7 @@ Layout layoutOf(const std::string &all, size_t program) {
     throw std::runtime_error("the program has no code");
 }
 
-// plain.js finds relaxed SIMD instructions by their bytes alone. Throws if other bytes of the program look
-// like such an instruction.
+// plain.js finds relaxed SIMD instructions by their bytes alone. Throws if other bytes look like one.
 void checkRelaxed(const Bytes &bytes, const Layout &layout) {
     web::WasmParser parser = {};
     uint32_t fields[web::kFields] = {};

@@ -1,6 +1,6 @@
 // Writes and opens packed ELF files: kElf for programs made for packing, kLoader for any program.
 #include "packer/read/elf_file.h"
-#include "packer/stub/stub.h"
+#include "packer/stub/loader_format.h"
 #include "packer/write/packed_file.h"
 #include "stub_bytes.h"
 #include "stub_loader_bytes.h"
@@ -85,8 +85,6 @@ Front makeFront(uint64_t base, uint64_t entry, const uint32_t *slots) {
     return f;
 }
 
-NamedStub elfStub() { return {kStub, sizeof kStub, kMayNotRun}; }
-
 Bytes writeElf(const Program &program, const ModelParameters &parameters, const Bytes &payload,
                const std::string &safeName) {
     uint32_t base = program.base - kBelow;
@@ -95,7 +93,7 @@ Bytes writeElf(const Program &program, const ModelParameters &parameters, const 
     Front f = makeFront(base, base + sizeof f, program.slots);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
-    return assemble(f, elfStub().with(safeName), program, parameters, payload, size);
+    return assemble(f, kElf.stub.with(safeName), program, parameters, payload, size);
 }
 
 Packed openElf(const Bytes &file) {
@@ -126,8 +124,6 @@ Bytes writePlainElf(const Program &program) {
 
 // --- Programs of any kind ---
 
-NamedStub loaderStub() { return {kStubLoader, sizeof kStubLoader, kLoaderMayNotRun}; }
-
 LoaderFront makeLoaderFront(const Program &program, size_t size) {
     // Take alignment and stack from the program's own headers, which are part of its bytes
     ElfProgram own(program.bytes);
@@ -152,7 +148,7 @@ LoaderFront makeLoaderFront(const Program &program, size_t size) {
 Bytes writeLoader(const Program &program, const ModelParameters &parameters, const Bytes &payload,
                   const std::string &safeName) {
     size_t size = usedSize(kLoader, parameters, payload);
-    return assemble(makeLoaderFront(program, size), loaderStub().with(safeName), program, parameters, payload,
+    return assemble(makeLoaderFront(program, size), kLoader.stub.with(safeName), program, parameters, payload,
                     size);
 }
 
@@ -174,8 +170,10 @@ Bytes writePlainLoader(const Program &program) {
 
 } // namespace
 
-const PackedKind kElf = {sizeof(Front), elfStub, stubDecode, writeElf, openElf, writePlainElf};
-const PackedKind kLoader = {sizeof(LoaderFront), loaderStub, stubDecodeLoader,
-                            writeLoader,         openLoader, writePlainLoader};
+const PackedKind kElf = {sizeof(Front), {kStub, sizeof kStub, kMayNotRun}, stubDecode, writeElf, openElf,
+                         writePlainElf};
+const PackedKind kLoader = {sizeof(LoaderFront), {kStubLoader, sizeof kStubLoader, kLoaderMayNotRun},
+                            stubDecodeLoader,    writeLoader,
+                            openLoader,          writePlainLoader};
 
 } // namespace pack

@@ -1,24 +1,60 @@
 #include "packer/write/packed_file.h"
 
-#include "packer/stub/stub.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <ctime>
 #include <stdexcept>
 
 namespace pack {
 
+// --- The message of the stub ---
+
+bool isSafeName(const std::string &name) {
+    return name.size() <= 14 && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+               return (c < 128 && std::isalnum(c)) || (c && std::strchr("._+-", c));
+           });
+}
+
+void checkSafeName(const std::string &name) {
+    need(isSafeName(name), "wrong safe name: use up to 14 letters, digits and . _ + -");
+}
+
+std::string mayNotRun(const std::string &usual, const std::string &safeName) {
+    if (safeName.empty()) return usual;
+    bool afterName = usual[0] == ':';
+    std::string line = (afterName ? ": use " : "use ") + safeName;
+    if (line.size() + std::strlen(" instead\n") <= usual.size()) line += " instead";
+    if (afterName)
+        (line += "\n").resize(usual.size());
+    else
+        line.resize(usual.size() - 1, ' '), line += "\n";
+    return line;
+}
+
+Bytes Stub::with(const std::string &safeName) const {
+    Bytes stub(bytes, bytes + size);
+    std::string line = mayNotRun(std::string(message), safeName);
+    std::copy(line.begin(), line.end(),
+              std::search(stub.begin(), stub.end(), message.begin(), message.end()));
+    return stub;
+}
+
+bool Stub::same(const uint8_t *at) const {
+    auto offset = std::search(bytes, bytes + size, message.begin(), message.end()) - bytes;
+    auto after = offset + (long)message.size();
+    return std::equal(bytes, bytes + offset, at) && std::equal(bytes + after, bytes + size, at + after);
+}
+
 // --- The payload section ---
 
-namespace {
-
-constexpr size_t kCheckSize = 4;
-size_t masksSize(const ModelParameters &parameters) { return (kCodeMask + kDataMask) * parameters.hashes(); }
-
-} // namespace
+static constexpr size_t kCheckSize = 4;
+static size_t masksSize(const ModelParameters &parameters) {
+    return (kCodeMask + kDataMask) * parameters.hashes();
+}
 
 void appendPayloadSection(Bytes &out, const Program &program, const ModelParameters &parameters,
                           const Bytes &payload, size_t checkedFrom, size_t size) {
@@ -87,11 +123,10 @@ Packed openPayloadSection(const Bytes &file, size_t at, size_t checkedFrom, uint
 
 // --- The whole file ---
 
-static size_t sectionAt(const PackedKind &kind) { return kind.stubAt + kind.stub().size(); }
+static size_t sectionAt(const PackedKind &kind) { return kind.stubAt + kind.stub.size; }
 
 bool isPacked(const PackedKind &kind, const Bytes &file) {
-    return file.size() > sectionAt(kind) + sizeof(PayloadHeader) &&
-           kind.stub().same(file.data() + kind.stubAt);
+    return file.size() > sectionAt(kind) + sizeof(PayloadHeader) && kind.stub.same(file.data() + kind.stubAt);
 }
 
 const PackedKind &kindOf(const Bytes &file) {

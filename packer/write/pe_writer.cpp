@@ -1,5 +1,4 @@
 #include "packer/stub/pe_format.h"
-#include "packer/stub/stub.h"
 #include "packer/write/packed_file.h"
 #include "stub_windows_bytes.h"
 
@@ -74,8 +73,6 @@ Imports makeImports(uint32_t at, uint32_t slots, uint32_t first) {
 constexpr size_t kStartAt = kPeFileAlign, kStubAt = kStartAt + sizeof(PeStart),
                  kPayloadSectionAt = kStubAt + sizeof kStubWindows,
                  kCheckedFrom = kStartAt + sizeof(PeStart::slots);
-
-NamedStub namedStub() { return {kStubWindows, sizeof kStubWindows}; }
 
 // Makes the imports of a packed file: the program's, in the order of its slots, then the stub's.
 PeStart makeStart(const Program &program) {
@@ -205,6 +202,7 @@ Bytes writePlain(const Program &program) {
 
 } // namespace
 
-const PackedKind kPe = {kStubAt, namedStub, stubDecodeWindows, write, open, writePlain};
+const PackedKind kPe = {kStubAt,   {kStubWindows, sizeof kStubWindows}, stubDecodeWindows, write, open,
+                        writePlain};
 
 } // namespace pack

@@ -1,9 +1,8 @@
 // For libFuzzer: whatever the input is, the packer's readers either return a program or throw an error. The
 // first byte of the input selects the reader.
 #include "packer/model/model_parameters.h"
-#include "packer/read/programs.h"
+#include "packer/read/program.h"
 #include "packer/stub/pe_format.h"
-#include "packer/stub/stub.h"
 #include "packer/write/packed_file.h"
 #include "tests/support/pe_rules.h"
 

@@ -1,4 +1,4 @@
-#include "packer/read/programs.h"
+#include "packer/read/program.h"
 #include "tests/support/packed.h"
 #include "tests/support/thrown.h"
 

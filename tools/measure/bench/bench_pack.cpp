@@ -4,8 +4,7 @@
 
 #include "packer/model/model_parameters.h"
 #include "packer/model/search.h"
-#include "packer/read/programs.h"
-#include "packer/stub/stub.h"
+#include "packer/read/program.h"
 #include "packer/write/packed_file.h"
 
 #include <cstdio>
