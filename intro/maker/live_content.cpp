@@ -18,8 +18,7 @@ struct Hash {
     }
 };
 
-// Hashes the used elements of the arrays, but no addresses, which differ from object to object. Adds nothing
-// if the film's hall has nothing to solve
+// Hashes the used elements of the arrays, but no addresses; nothing if the hall has nothing to solve
 template <class AnyHall> void add(Hash &hash, const AnyHall &hall, const Scene &scene) {
     if constexpr (requires { hall.radiosity.bases; }) {
         hash.add(hall.model.charts, hall.model.chartCount);

@@ -45,8 +45,7 @@ public:
     using Current = std::function<void(bool)>;
     // Loads the film on a thread, which calls current(true) first, to make an OpenGL context current, and
     // current(false) at its end. Meanwhile calls wait(progress) repeatedly, with 0 .. 1; `wait` returns false
-    // to give up. Returns null, or an error line if there is no film. `solvers`: a hash of the code that
-    // solves the hall.
+    // to give up. Returns null, or an error line if there is no film. `solvers`: a hash of the hall's solver.
     const char *loadFirst(const Gl &gl, uint64_t solvers, const Current &current,
                           const std::function<bool(float)> &wait);
 

@@ -5,8 +5,7 @@
 // its file and its name there. Rows count from the film's start.
 //
 // Rocket has no Hermite curves: a camera's path keeps its own, and Rocket's documents say "smooth". Rocket
-// has no fractional and no negative rows: a key is sent on the nearest row, or left out if that row is
-// negative. In the film the key keeps its row.
+// has no fractional and no negative rows: a key is sent on the nearest row, or not; the film's keeps its row.
 #pragma once
 
 #include "maker/keys/key_tables.h"
@@ -44,15 +43,13 @@ public:
     // removes the key if `camera` is null. The edit holds until an editor changes that key. Returns why it
     // failed, or an empty string. The row must be a result of rowOfView().
     std::string setView(uint32_t row, const CameraKey *camera);
-    // Describes a row that rowOfView() returned, as a row of its scene and of the film. Warns if another key
-    // is within a beat, because the path may swing.
+    // Describes a row of rowOfView() in its scene and in the film. Warns if another key is within a beat.
     std::string rowInWords(uint32_t row) const;
     // Rounds a row of the film to the nearest whole row, or down if the nearest shows another path (a cut).
     uint32_t rowOfView(double row) const;
     bool undo() { return files.undo(); } // one manual edit
     bool redo() { return files.redo(); }
-    // Writes all edits, manual ones and those from an editor, to the files. Returns what was not written, and
-    // why. `message`: what was written.
+    // Writes all edits to the files. Returns what was not written, and why. `message`: what was written.
     std::string save(std::string &message);
     // The number of tables with unsaved edits: manual ones only, or all.
     int unsavedByHand() const { return files.edited(); }

@@ -20,15 +20,10 @@ void toPicture(GLFWwindow *window, double &x, double &y) {
 }
 
 int keyOf(int key) {
-    switch (key) {
-    case GLFW_KEY_TAB:
-        return code(KeyName::Tab);
-    case GLFW_KEY_PAGE_UP:
-        return code(KeyName::PageUp);
-    case GLFW_KEY_PAGE_DOWN:
-        return code(KeyName::PageDown);
-    }
-    return key; // printable keys have the codes of their characters
+    return key == GLFW_KEY_TAB         ? code(KeyName::Tab)
+           : key == GLFW_KEY_PAGE_UP   ? code(KeyName::PageUp)
+           : key == GLFW_KEY_PAGE_DOWN ? code(KeyName::PageDown)
+                                       : key; // printable keys have the codes of their characters
 }
 
 bool repeats(Action action) { return action >= Action::PictureBack && action <= Action::EventOn; }

@@ -177,30 +177,18 @@ bool Client::takeMessage() {
     uint32_t track = kind <= kDeleteKey ? take(in, 1) : 0, row = kind <= kDeleteKey ? take(in, 5) : 0;
     if (kind == kSetRow) row = take(in, 1);
     if ((kind <= kDeleteKey && track >= keys.size()) || row > kMostRow) return drop(kGarbage), false;
-    switch (kind) {
-    case kSetKey: {
+    if (kind == kSetKey) {
         float value = std::bit_cast<float>(take(in, 9));
         uint8_t interpolation = (uint8_t)in[13];
         if (!std::isfinite(value) || interpolation > (uint8_t)Interpolation::Ramp)
             return drop(kGarbage), false;
         keys[track][row] = {value, (Interpolation)interpolation};
-        ++changes;
-        break;
     }
-    case kDeleteKey:
-        keys[track].erase(row);
-        ++changes;
-        break;
-    case kSetRow:
-        sentRow = knownRow = row;
-        break;
-    case kPause:
-        sentPause = in[1] != 0;
-        break;
-    case kSaveTracks:
-        sentSave = true;
-        break;
-    }
+    if (kind == kDeleteKey) keys[track].erase(row);
+    if (kind == kSetKey || kind == kDeleteKey) ++changes;
+    if (kind == kSetRow) sentRow = knownRow = row;
+    if (kind == kPause) sentPause = in[1] != 0;
+    if (kind == kSaveTracks) sentSave = true;
     in.erase(0, kSizes[kind]);
     return true;
 }

@@ -11,9 +11,8 @@
 //     4 PAUSE        1 or 0 (a byte)
 //     5 SAVE_TRACKS
 //
-// The client sends GET_TRACK, and the editor answers with the track's keys. Both send SET_ROW. The editor
-// alone sends the other kinds. Tracks are numbered in the order in which the client requested them. Editors
-// ignore SET_KEY, so they cannot be given a key.
+// The client sends GET_TRACK, and the editor answers with the track's keys. Both send SET_ROW, the editor all
+// other kinds; it ignores SET_KEY, so it takes no keys. Tracks are numbered in the order of GET_TRACK.
 #pragma once
 
 #include <cstdint>
