@@ -7,8 +7,6 @@ namespace pack {
 
 namespace {
 
-using namespace std::string_literals;
-
 constexpr double kMostNumber = 1e9;
 
 long budgetOf(const std::string &text) {
@@ -38,8 +36,11 @@ double secondsOf(const std::string &effort) {
 void claimFiles(const PackOptions &o) {
     for (const std::string &input : {o.in, o.unpack, o.map, o.symbols, o.rooms})
         if (!input.empty()) common::noteInput(input);
-    for (auto [output, old] :
-         {std::pair{o.out, ""s}, {o.report, o.than}, {o.html, ""}, {o.text, ""}, {o.saveModel, o.modelFile}})
+    for (auto [output, old] : {std::pair<std::string, std::string>{o.out, ""},
+                               {o.report, o.than},
+                               {o.html, ""},
+                               {o.text, ""},
+                               {o.saveModel, o.modelFile}})
         if (!output.empty() && output != "-") common::claimOutput(output, old);
 }
 

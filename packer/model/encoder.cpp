@@ -1,19 +1,18 @@
 #include "packer/model/encoder.h"
 
-#include <cstdlib>
 #include <cstring>
 #include <new>
+#include <sys/mman.h>
 
 namespace pack {
 
-constexpr uint64_t kAlignment = 4096;
+void Unmap::operator()(void *pages) const { munmap(pages, size); }
 
 // New pages are zero already. Clearing old pages would be slower: a short run uses only few pages
-Workspace::Workspace(uint64_t size) : memory(std::calloc(size + kAlignment, 1), std::free) {
-    if (!memory) throw std::bad_alloc();
-}
-void *Workspace::zeroed() const {
-    return (void *)(((uintptr_t)memory.get() + kAlignment - 1) & ~(kAlignment - 1));
+std::unique_ptr<void, Unmap> zeroedPages(size_t size) {
+    void *pages = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (pages == MAP_FAILED) throw std::bad_alloc();
+    return {pages, {size}};
 }
 
 template <> Bytes filter<X86Tracker>(const Bytes &image, const Layout &layout) {

@@ -13,15 +13,12 @@ namespace pack {
 
 using Bytes = std::vector<uint8_t>;
 
-// Zeroed, page-aligned memory for a run of the model.
-class Workspace {
-public:
-    explicit Workspace(uint64_t size);
-    void *zeroed() const;
-
-private:
-    std::unique_ptr<void, void (*)(void *)> memory;
+// Pages of zeros, for a run of the model.
+struct Unmap {
+    size_t size;
+    void operator()(void *pages) const;
 };
+std::unique_ptr<void, Unmap> zeroedPages(size_t size);
 
 // Returns the bytes as they are coded: in x86-64, relative operands become absolute.
 template <class Tracker = X86Tracker> Bytes filter(const Bytes &image, const Layout &layout);
@@ -91,9 +88,9 @@ struct CarefulDecoder : Decoder {
 
 template <class Tracker, class Coder>
 Bytes codeImage(Coder &coder, const Layout &layout, const ModelParameters &parameters) {
-    Workspace workspace(modelMemory<Tracker>(parameters, layout.size));
+    auto memory = zeroedPages(modelMemory<Tracker>(parameters, layout.size));
     Bytes image(layout.size);
-    codeImage<Tracker>(coder, layout, parameters, workspace.zeroed(), image.data());
+    codeImage<Tracker>(coder, layout, parameters, memory.get(), image.data());
     return image;
 }
 

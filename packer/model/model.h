@@ -15,8 +15,7 @@
 //
 // This is the definition. stub.S does the same in fewer bytes, and the packer runs both before it writes
 // anything. They must agree to the last bit: single-precision floats, one operation at a time in the order
-// written, sums in four lanes. Compile without contraction. The order of contexts and counters matters too,
-// because slots may collide.
+// written, not contracted, sums in four lanes; contexts and counters in order, because slots may collide.
 #pragma once
 
 #include "packer/model/x86_tracker.h"
@@ -91,8 +90,7 @@ constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits -
 constexpr uint32_t kFirstTrust = 14; // a new correction starts as if it had seen this many bits
 
 // The hash of a nibble selects 64 adjacent slots: four for each of its fifteen steps, and four unused ones.
-// The nibble's bits so far select the step; a context's slot may be any of the four. (In the stub, all
-// slots of one way are adjacent.)
+// The nibble's bits so far select the step. (In the stub, all slots of one way are adjacent.)
 struct Nibble {
     // Both are a leading one, then bits: those before the nibble, and the nibble's so far (step: 1 .. 15)
     uint32_t start, step;

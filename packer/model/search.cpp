@@ -1,7 +1,8 @@
 #include "packer/model/search.h"
 
+#include "tools/common/clock.h"
+
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <mutex>
 #include <random>
@@ -72,8 +73,7 @@ MaskChange propose(const ModelParameters &parameters, const SearchInput &program
         return change;
     }
     case 3:
-        mask ^= field();
-        mask ^= field();
+        mask ^= field() ^ field();
         break;
     case 4: // replace one field by another
         mask &= ~fieldOf(mask);
@@ -104,7 +104,7 @@ struct Search {
     int tried = 0, kept = 0;                // numbers of changes
     std::map<MaskChange, int> triedAt = {}; // changes tried, with `kept` at that time
     bool stopped = false;
-    std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
+    double began = common::wallSeconds();
     std::mutex mutex = {};
 
     ModelParameters run() {
@@ -124,10 +124,7 @@ struct Search {
         return measured;
     }
 
-    double passed() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    }
-
+    double passed() const { return common::wallSeconds() - began; }
     void progress() { stopped |= !onProgress({least, passed(), tried}); }
 
     // Runs in each thread of the search.

@@ -24,9 +24,8 @@ struct SearchInput {
 // Changes one or two masks at a time and keeps each change that makes the estimate smaller (estimate.h). Uses
 // all processors, until the time is over or onProgress() returns false; onProgress() is called after each try
 // and at the end. The best parameters are measured from time to time and at the end. Returns the best of
-// the measured parameters, or `start` if none are better. Two runs may give different results, so keep the
-// result in a file. For a program of 185 KB the search takes 12 MB for each context, 50 MB for each
-// processor, and the memory of one decoder.
+// the measured parameters, or `start` if none are better. Results differ from run to run. For 185 KB the
+// search takes 12 MB for each context, 50 MB for each processor, and the memory of one decoder.
 ModelParameters search(const SearchInput &program, const ModelParameters &start, double seconds,
                        const OnProgress &onProgress);
 template <class Tracker = X86Tracker>

@@ -2,8 +2,7 @@
 // the model uses this as context. It also finds the operands that are relative to their instruction.
 //
 // It parses the instructions that compilers write for user programs, up to AVX2. After an unknown instruction
-// or data it may misread some bytes, and soon recovers. That costs bytes but not correctness, because packer
-// and stub make the same mistake.
+// or data it may misread some bytes, as the stub does, and soon recovers. That costs only bytes.
 #pragma once
 
 #include "packer/model/fields.h"

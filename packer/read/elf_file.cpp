@@ -12,9 +12,7 @@ ElfProgram::ElfProgram(const Bytes &bytes) : ElfFile{bytes} {
     need(header.e_type == ET_EXEC || header.e_type == ET_DYN, "not an executable: link it first");
     need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64,
          "its program headers are invalid: link it again");
-    for (uint64_t i = 0; i < header.e_phnum; ++i)
-        headers.push_back(at<Elf64_Phdr>(header.e_phoff + i * sizeof(Elf64_Phdr),
-                                         "cut short: program headers are missing"));
+    headers = table<Elf64_Phdr>(header.e_phoff, header.e_phnum, "cut short: program headers are missing");
 }
 
 const Elf64_Phdr *ElfProgram::firstOf(uint32_t type) const {

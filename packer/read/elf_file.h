@@ -18,31 +18,24 @@ inline bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span
 struct ElfFile {
     const Bytes &bytes;
 
+    // Returns the `count` entries of a table in the file.
+    template <class T> std::vector<T> table(uint64_t offset, uint64_t count, const char *error) const {
+        need(!count || (count <= bytes.size() && within(offset, count * sizeof(T), 0, bytes.size())), error);
+        std::vector<T> all(count);
+        if (count) std::memcpy(all.data(), &bytes[offset], count * sizeof(T));
+        return all;
+    }
     template <class T> T at(uint64_t offset, const char *error) const {
-        need(within(offset, sizeof(T), 0, bytes.size()), error);
-        T value;
-        std::memcpy(&value, bytes.data() + offset, sizeof value);
-        return value;
+        return table<T>(offset, 1, error)[0];
     }
     // Returns no headers for a file without them; some tools strip them.
     std::vector<Elf64_Shdr> sections() const {
         constexpr char kCut[] = "cut short: its section headers are incomplete";
         auto header = at<Elf64_Ehdr>(0, kCut);
-        need(header.e_shnum == 0 || header.e_shentsize == sizeof(Elf64_Shdr),
+        need(header.e_shnum == 0 ||
+                 (header.e_shentsize == sizeof(Elf64_Shdr) && header.e_shstrndx < header.e_shnum),
              "its section headers are invalid: link it again");
-        std::vector<Elf64_Shdr> all;
-        for (uint64_t i = 0; i < header.e_shnum; ++i)
-            all.push_back(at<Elf64_Shdr>(header.e_shoff + i * sizeof(Elf64_Shdr), kCut));
-        need(all.empty() || header.e_shstrndx < all.size(), "its section headers are invalid: link it again");
-        return all;
-    }
-    // Returns the entries of a section that is a table.
-    template <class T> std::vector<T> table(const Elf64_Shdr &section, const char *error) const {
-        need(section.sh_size < sizeof(T) || within(section.sh_offset, section.sh_size, 0, bytes.size()),
-             error);
-        std::vector<T> all(section.sh_size / sizeof(T));
-        if (!all.empty()) std::memcpy(all.data(), &bytes[section.sh_offset], all.size() * sizeof(T));
-        return all;
+        return table<Elf64_Shdr>(header.e_shoff, header.e_shnum, kCut);
     }
     // Returns the string at `offset` in the string table that begins at `table` in the file.
     std::string text(uint64_t table, uint64_t offset) const {

@@ -40,7 +40,8 @@ void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &sy
             add(names, s.sh_addr, s.sh_size, in.nameOf(sections, s));
         if (s.sh_type != SHT_SYMTAB) continue;
         need(s.sh_link < sections.size(), kOutside);
-        for (const Elf64_Sym &symbol : in.table<Elf64_Sym>(s, kOutside)) {
+        for (const Elf64_Sym &symbol :
+             in.table<Elf64_Sym>(s.sh_offset, s.sh_size / sizeof(Elf64_Sym), kOutside)) {
             int type = ELF64_ST_TYPE(symbol.st_info);
             if (type == STT_FUNC || type == STT_OBJECT || type == STT_GNU_IFUNC)
                 add(symbols, symbol.st_value, symbol.st_size, in.text(sections[s.sh_link], symbol.st_name));
@@ -48,8 +49,7 @@ void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &sy
     }
 }
 
-// Reads the object file that defines each symbol, from lines "lib.a:object.o:0000000000000000 T name". If
-// several files define a name, the first one counts.
+// Reads the first file that defines each symbol, from lines "lib.a:object.o:0000000000000000 T name".
 using Origins = std::map<std::string, Origin>;
 Origins readSymbols(const std::string &symbols) {
     Origins origins;

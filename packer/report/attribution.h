@@ -19,6 +19,7 @@ struct Stretch {
     std::string section, object, room, symbol;
     // The symbol is demangled. Without a symbol or object, the name is "(nothing named in SECTION)". Object
     // and room are empty if there is no map.
+    uint64_t units = 0; // the cost, in a Report (kUnit)
 };
 
 // The addresses of a part. Other parts may overlap them.
@@ -34,8 +35,7 @@ struct Claim {
 inline constexpr uint32_t kUnclaimed = UINT32_MAX;
 std::vector<uint32_t> assignClaims(std::vector<Claim> &claims, uint64_t base, size_t size);
 
-// An object file, and its archive or folder. originOf() reads them from a path, such as
-// folder/lib.a(object.o) or folder/object.o.
+// An object file, and its archive or folder. A path is folder/lib.a(object.o) or folder/object.o.
 struct Origin {
     std::string object, room;
 };

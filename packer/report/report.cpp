@@ -8,7 +8,8 @@
 
 namespace pack {
 
-bool hasNames(const Costs &costs) {
+// Whether any part has a name of its own.
+static bool hasNames(const Costs &costs) {
     return std::any_of(costs.begin(), costs.end(),
                        [](auto &cost) { return cost.first.rfind("(nothing named", 0) != 0; });
 }
@@ -55,15 +56,14 @@ Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits
             s.room = room == rooms->of.end() ? kNothingNamed : room->second;
         }
         if (!s.object.empty()) report.roomOf.emplace(s.object, s.room);
-        uint64_t units = 0;
-        for (uint32_t i = s.begin; i < s.begin + s.size; ++i) units += report.sixteenths[i];
+        for (uint32_t i = s.begin; i < s.begin + s.size; ++i) s.units += report.sixteenths[i];
         for (const PartKind &kind : kPartKinds) {
             if ((s.*kind.part).empty()) continue;
             Cost &cost = (report.*kind.costs)[s.*kind.part];
             cost.bytes += s.size;
-            cost.bits += (double)units / kUnit;
+            cost.bits += (double)s.units / kUnit;
         }
-        all += (double)units / kUnit;
+        all += (double)s.units / kUnit;
     }
     report.rest = 8.0 * (double)(fileSize - overhead) - all;
     report.stretches = std::move(stretches);

@@ -14,12 +14,8 @@ struct Cost {
 };
 using Costs = std::map<std::string, Cost>;
 
-// Whether any part has a name of its own.
-bool hasNames(const Costs &costs);
-
 // Costs are multiples of a sixteenth of a bit, so they add up exactly: the sum of `overhead`, the costs of
-// all sections and `rest` is `fileSize`. Objects, rooms and symbols add up in the same way.
-// (Without a map there are no objects and no rooms.)
+// all sections and `rest` is `fileSize`. Symbols and, if there is a map, objects and rooms add up likewise.
 struct Report {
     size_t fileSize = 0, overhead = 0; // bytes used of the packed file; how many of them are not payload
     double rest = 0;                   // bits at the payload's end and of the padding to whole bytes

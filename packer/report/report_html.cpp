@@ -22,17 +22,6 @@ namespace {
 
 using nlohmann::json;
 
-// Returns the costs as bytes, limited to 255. `high` gets all costs of 255 or more: [[offset, units], ...].
-Bytes lowCosts(const Report &report, json &high) {
-    Bytes low;
-    for (size_t i = 0; i < report.sixteenths.size(); ++i) {
-        uint16_t cost = report.sixteenths[i];
-        low.push_back((uint8_t)std::min<uint16_t>(cost, 255));
-        if (cost >= 255) high.push_back({i, cost});
-    }
-    return low;
-}
-
 // Returns the output of a command. Throws std::runtime_error if it cannot be started.
 std::string outputOf(const std::string &command) {
     std::FILE *printed = popen(command.c_str(), "r");
@@ -86,11 +75,8 @@ std::string readCode(const std::string &path, const Program &program) {
 // Returns [begin, bytes, units, section, object, room, symbol] of each stretch.
 json stretches(const Report &report) {
     json all = json::array();
-    for (const Stretch &s : report.stretches) {
-        uint64_t cost = 0;
-        for (uint32_t i = s.begin; i < s.begin + s.size; ++i) cost += report.sixteenths[i];
-        all.push_back({s.begin, s.size, cost, s.section, s.object, s.room, s.symbol});
-    }
+    for (const Stretch &s : report.stretches)
+        all.push_back({s.begin, s.size, s.units, s.section, s.object, s.room, s.symbol});
     return all;
 }
 
@@ -137,8 +123,13 @@ template <size_t N> std::string text(const unsigned char (&bytes)[N]) { return {
 
 std::string printHtml(const ReportPage &page, const Report &report, const Program &program) {
     bool shown = program.bytes.size() <= kMostShown;
-    json high = json::array();
-    Bytes low = lowCosts(report, high);
+    json high = json::array(); // all costs of 255 or more: [[offset, units], ...]
+    Bytes low;
+    for (size_t i = 0; shown && i < report.sixteenths.size(); ++i) {
+        uint16_t cost = report.sixteenths[i];
+        low.push_back((uint8_t)std::min<uint16_t>(cost, 255));
+        if (cost >= 255) high.push_back({i, cost});
+    }
     std::string code = shown ? readCode(page.path, program) : "";
     json tables = {
         {"name", page.name},
@@ -153,7 +144,7 @@ std::string printHtml(const ReportPage &page, const Report &report, const Progra
         {"shares", report.shares},
         {"stubRoom", report.stubRoom},
         {"stretches", stretches(report)},
-        {"high", shown ? high : json::array()},
+        {"high", high},
     };
     std::string printed = tables.dump(-1, ' ', false, json::error_handler_t::replace);
     return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>What it "
@@ -161,7 +152,7 @@ std::string printHtml(const ReportPage &page, const Report &report, const Progra
            "<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n" +
            text(kReportPageStyle) + "</style>\n</head>\n<body>\n" + text(kReportPageBody) +
            element("tables", {printed.begin(), printed.end()}) +
-           element("bytes", shown ? program.bytes : Bytes()) + element("costs", shown ? low : Bytes()) +
+           element("bytes", shown ? program.bytes : Bytes()) + element("costs", low) +
            element("code", {code.begin(), code.end()}) + "<script>\n" + text(kReportPageScript) +
            "</script>\n</body>\n</html>\n";
 }

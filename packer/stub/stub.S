@@ -67,8 +67,7 @@ get_memory:
     mov eax, [rbx + header_entry]
     jmp rax
 
-// Makes esi bytes of the image R-X. The kernel refuses on systems where written memory must not become executable
-// (SELinux, systemd's MemoryDenyWriteExecute).
+// Makes esi bytes of the image R-X, unless the system forbids it (SELinux, systemd's MemoryDenyWriteExecute).
 protect:
     mov edi, [rbx + header_image]
     SET_SMALL(rdx, 5) // read, execute

@@ -190,9 +190,8 @@ s=new Blob([o.slice(0,HEAD)]).stream().pipeThrough(new DecompressionStream('defl
 s=new Uint8Array(await new Response(s).arrayBuffer());o=o.slice(HEAD)
 eval(new TextDecoder().decode(s.slice(DECODER)))}catch{e()}})())";
 
-// The script that is deflated with the decoder, after it. It decodes `o` and runs the decoded script with the
-// program. The decoder runs in a worker, so the page stays responsive, and reports how many bytes are
-// decoded.
+// The script that is deflated after the decoder. It decodes `o` in a worker, which reports how many bytes are
+// decoded, so that the page stays responsive. Then it runs the decoded script with the program.
 constexpr char kStarter[] =
     R"js(let w=new Worker(URL.createObjectURL(new Blob([`onmessage=async({data:[s,o]})=>{let x=(await WebAssembly.instantiate(s.slice(
 MODEL),{e:{p:postMessage}})).instance.exports,b=new Uint8Array(x.memory.buffer),i=x.i()

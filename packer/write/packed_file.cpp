@@ -150,9 +150,8 @@ Bytes decodeWithStub(const PackedKind &kind, const Bytes &packed) {
     std::memcpy(&p, section, sizeof p);
     p.early = kNothingEarly; // decode without running the early part
     std::memcpy(section, &p, sizeof p);
-    Workspace workspace(p.memory);
     Bytes image(p.layout.size);
-    kind.stubDecode(section, image.data(), workspace.zeroed());
+    kind.stubDecode(section, image.data(), zeroedPages(p.memory).get());
     return image;
 }
 

@@ -90,8 +90,7 @@ const PackedKind &kindOf(const Bytes &file);
 // Returns the bytes of a packed file that are not payload.
 size_t overhead(const PackedKind &kind, const ModelParameters &parameters);
 
-// Returns the bytes used of a packed file: all but the zeros that fill a file for Windows up to a multiple of
-// kPeFileAlign. They are whole words.
+// Returns the bytes used of a packed file, in whole words: all but the zeros at the end of one for Windows.
 size_t usedSize(const PackedKind &kind, const ModelParameters &parameters, const Bytes &payload);
 
 // Decodes a packed file with the stub's own code, in memory. Only for files that kind.write() has made.

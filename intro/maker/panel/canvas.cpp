@@ -50,16 +50,6 @@ const Lettering &lettering(const std::string &text, float size) {
 
 } // namespace
 
-Colour colourAt(float share, const Colour (&stops)[9]) {
-    float at = std::clamp(share, 0.f, 1.f) * 8;
-    int i = std::min((int)at, 7);
-    auto between = [&](uint8_t a, uint8_t b) {
-        return (uint8_t)((float)a + ((float)b - (float)a) * (at - (float)i) + 0.5f);
-    };
-    const Colour &a = stops[i], &b = stops[i + 1];
-    return {between(a.r, b.r), between(a.g, b.g), between(a.b, b.b)};
-}
-
 void Canvas::mix(int x, int y, Colour colour, float opacity) {
     uint8_t *pixel = at(x, y);
     const uint8_t to[3] = {colour.r, colour.g, colour.b};
@@ -96,10 +86,6 @@ void Canvas::line(float x0, float y0, float x1, float y1, float wide, Colour col
             if (cover > 0) mix(x, y, colour, cover);
         }
     }
-}
-
-void Canvas::dot(float x, float y, float radius, Colour colour, float opacity) {
-    line(x, y, x, y, radius * 2, colour, opacity);
 }
 
 void Canvas::text(const std::string &text, float x, float y, float size, Colour colour, Align align) {

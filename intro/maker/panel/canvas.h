@@ -1,4 +1,4 @@
-// Draws on a developed picture: rectangles, lines, dots, and text in the film's font.
+// Draws on a developed picture: rectangles, lines, and text in the film's font.
 #pragma once
 
 #include "maker/panel/inspector.h"
@@ -12,9 +12,6 @@ struct Colour {
 };
 inline constexpr Colour kInk = {236, 232, 224}, kFaint = {150, 146, 140}, kGround = {14, 14, 17},
                         kWarm = {222, 130, 70}, kCold = {110, 160, 220};
-
-// Returns a colour of a ramp: stops[0] at share 0, stops[8] at share 1.
-Colour colourAt(float share, const Colour (&stops)[9]);
 
 struct Rect {
     int x, y, width, height; // pixels, from the top left
@@ -34,7 +31,6 @@ public:
     // Opacity: 0 .. 1, where 0 leaves the picture as it is.
     void fill(Rect where, Colour colour, float opacity = 1);
     void line(float x0, float y0, float x1, float y1, float width, Colour colour, float opacity = 1);
-    void dot(float x, float y, float radius, Colour colour, float opacity = 1);
     // One line of text with its baseline at y; `size` is the height of a digit, in pixels. The film's font
     // has only letters, digits and . , : - + /
     void text(const std::string &text, float x, float y, float size, Colour colour,

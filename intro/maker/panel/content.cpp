@@ -11,12 +11,6 @@ const ShotInfo &Content::shotAt(double time) const {
     return *(next - 1);
 }
 
-std::vector<double> Content::eventTimes() const {
-    std::vector<double> times;
-    for (const EventInfo &e : events) times.push_back(e.at);
-    return times;
-}
-
 Content contentOf(const Inspector &inspector) {
     Content c;
     c.shots.resize(1024), c.events.resize(1024);

@@ -14,7 +14,6 @@ struct Content {
     std::vector<EventInfo> events;
 
     const ShotInfo &shotAt(double time) const; // needs at least one shot
-    std::vector<double> eventTimes() const;
 };
 Content contentOf(const Inspector &inspector);
 

@@ -48,6 +48,17 @@ Rect drawCosts(Canvas &canvas, int x, int y, const PictureCosts &costs) {
     return r;
 }
 
+// Returns a colour of a ramp: stops[0] at share 0, stops[8] at share 1.
+static Colour colourAt(float share, const Colour (&stops)[9]) {
+    float at = std::clamp(share, 0.f, 1.f) * 8;
+    int i = std::min((int)at, 7);
+    auto between = [&](uint8_t a, uint8_t b) {
+        return (uint8_t)((float)a + ((float)b - (float)a) * (at - (float)i) + 0.5f);
+    };
+    const Colour &a = stops[i], &b = stops[i + 1];
+    return {between(a.r, b.r), between(a.g, b.g), between(a.b, b.b)};
+}
+
 Colour heatOf(float samples) {
     static constexpr Colour kStops[] = {{10, 14, 60},   {36, 24, 110},  {84, 26, 130},
                                         {140, 34, 120}, {196, 54, 84},  {236, 96, 44},

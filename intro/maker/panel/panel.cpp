@@ -98,8 +98,11 @@ void Panel::act(Action action) {
     case Action::BarOn:
         return seek(stepBy(time, bar, action == Action::BarOn ? 1 : -1, content.end));
     case Action::EventBack:
-    case Action::EventOn:
-        return step(stepTo(time, content.eventTimes(), action == Action::EventOn ? 1 : -1));
+    case Action::EventOn: {
+        std::vector<double> times;
+        for (const EventInfo &e : content.events) times.push_back(e.at);
+        return step(stepTo(time, times, action == Action::EventOn ? 1 : -1));
+    }
     case Action::Count:
         return;
     }

@@ -88,14 +88,15 @@ struct Drawing {
     void drawEvents() const {
         float middle = (float)events + kEvents * size * 0.5f;
         for (const EventInfo &e : content.events)
-            canvas.dot(x(e.at), middle, e.heard ? size * 0.28f : size * 0.18f, e.heard ? kWarm : kFaint);
+            canvas.line(x(e.at), middle, x(e.at), middle, e.heard ? size * 0.56f : size * 0.36f,
+                        e.heard ? kWarm : kFaint);
     }
     void drawKeys() const {
         float middle = (float)keys + kKeys * size * 0.5f, arm = std::max(size * 0.22f, 1.5f);
         for (const ShotInfo &s : content.shots) {
             CameraPath path = *s.path;
             for (int i = 0; i < path.count; ++i) {
-                double t = timeOf(s, path.keys[i]);
+                double t = s.story + path.keys[i].row / kRowsPerSecond;
                 if (t < s.from - 1e-6 || t > s.to + 1e-6) continue; // outside the shot
                 canvas.line(x(t), middle - arm, x(t), middle + arm, 1.6f, kCold);
             }

@@ -8,11 +8,6 @@
 
 namespace odraz::maker {
 
-// The time of a camera key in a shot.
-inline double timeOf(const ShotInfo &shot, const CameraKey &key) {
-    return shot.story + key.row / kRowsPerSecond;
-}
-
 // The strip's rectangle, and the part of the film that it shows.
 struct Strip {
     Rect area = {};
