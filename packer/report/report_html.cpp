@@ -72,14 +72,6 @@ std::string readCode(const std::string &path, const Program &program) {
     return code;
 }
 
-// Returns [begin, bytes, units, section, object, room, symbol] of each stretch.
-json stretches(const Report &report) {
-    json all = json::array();
-    for (const Stretch &s : report.stretches)
-        all.push_back({s.begin, s.size, s.units, s.section, s.object, s.room, s.symbol});
-    return all;
-}
-
 // Returns the size of an earlier report, and the units of each part; null for parts that it does not have.
 json earlier(const ReportPage &page) {
     if (!page.before) return {};
@@ -90,15 +82,6 @@ json earlier(const ReportPage &page) {
         for (auto &[name, cost] : before.*kind.costs) units[name] = std::llround(cost.bits * kUnit);
     }
     return all;
-}
-
-Bytes deflate(const Bytes &bytes) {
-    uLongf size = compressBound(bytes.size());
-    Bytes packed(size);
-    if (compress2(packed.data(), &size, bytes.data(), bytes.size(), Z_BEST_COMPRESSION) != Z_OK)
-        throw std::runtime_error("zlib cannot pack the page's data");
-    packed.resize(size);
-    return packed;
 }
 
 std::string base64(const Bytes &bytes) {
@@ -114,8 +97,13 @@ std::string base64(const Bytes &bytes) {
 }
 
 std::string element(const char *id, const Bytes &data) {
-    return std::string("<script type=\"application/octet-stream\" id=\"") + id + "\">" +
-           base64(deflate(data)) + "</script>\n";
+    uLongf size = compressBound(data.size());
+    Bytes packed(size);
+    if (compress2(packed.data(), &size, data.data(), data.size(), Z_BEST_COMPRESSION) != Z_OK)
+        throw std::runtime_error("zlib cannot pack the page's data");
+    packed.resize(size);
+    return std::string("<script type=\"application/octet-stream\" id=\"") + id + "\">" + base64(packed) +
+           "</script>\n";
 }
 template <size_t N> std::string text(const unsigned char (&bytes)[N]) { return {bytes, bytes + N}; }
 
@@ -130,6 +118,9 @@ std::string printHtml(const ReportPage &page, const Report &report, const Progra
         low.push_back((uint8_t)std::min<uint16_t>(cost, 255));
         if (cost >= 255) high.push_back({i, cost});
     }
+    json stretches = json::array();
+    for (const Stretch &s : report.stretches)
+        stretches.push_back({s.begin, s.size, s.units, s.section, s.object, s.room, s.symbol});
     std::string code = shown ? readCode(page.path, program) : "";
     json tables = {
         {"name", page.name},
@@ -143,7 +134,7 @@ std::string printHtml(const ReportPage &page, const Report &report, const Progra
         {"before", earlier(page)},
         {"shares", report.shares},
         {"stubRoom", report.stubRoom},
-        {"stretches", stretches(report)},
+        {"stretches", stretches},
         {"high", high},
     };
     std::string printed = tables.dump(-1, ' ', false, json::error_handler_t::replace);
