@@ -3,8 +3,8 @@
 //
 // It is part of every packed file, so it is written in assembler: 2.5 KB, half of what g++ -Os makes of the C++.
 // It does the same as decoder.h, model.h and x86.h and uses their names. The packer runs both versions before it writes
-// a file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.cpp.
-// Other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
+// a file. format.h describes its input, its actions and its results. Numbers of C++ come from stub_numbers.cpp. Other
+// numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
 //
 // Registers while decoding: rbx points to the payload header, rbp into the model's memory, r8 to the slots, r12 to the
 // next byte of the image, r13 to the same byte in the array of coded bytes, r14 to the next byte of the payload; r11d
