@@ -6,7 +6,7 @@ import methods
 import tracer
 from parts import matrix, table
 
-RADIOSITY = 'libcli11-dev nlohmann-json3-dev libstb-dev libtinyexr-dev libtinygltf-dev zlib1g-dev'.split()
+RADIOSITY = 'libcli11-dev nlohmann-json3-dev libstb-dev libtinyexr-dev zlib1g-dev'.split()
 PICTURES = 'libcli11-dev libstb-dev libtinyexr-dev zlib1g-dev'.split()
 
 

@@ -1,4 +1,3 @@
-#define TINYGLTF_IMPLEMENTATION
 #include "tools/radiosity/read/gltf_file.h"
 
 #include "tools/common/text.h"
@@ -9,16 +8,18 @@
 #include <cctype>
 #include <charconv>
 #include <cstring>
+#include <resolv.h>
+#include <tuple>
 
 namespace odraz::radiosity {
 
 using common::need;
 using common::Refused;
-using nlohmann::json;
 
 namespace {
 
 constexpr size_t kMostEmpty = 1 << 20;                       // items of an accessor without a buffer
+constexpr int kByte = 5120, kFloat = 5126;                   // the first and the last component type
 constexpr uint32_t kChunkTypes[] = {0x4e4f534a, 0x004e4942}; // JSON, binary
 
 uint32_t word(std::string_view bytes, size_t at) {
@@ -27,23 +28,9 @@ uint32_t word(std::string_view bytes, size_t at) {
     return value;
 }
 
-json listOf(json &object, const char *name) {
-    auto found = object.find(name);
-    if (found == object.end()) return json::array();
-    json list = std::move(*found);
-    object.erase(found);
-    return list;
-}
-
-std::string textOf(const json &object, const char *name) {
-    auto found = object.find(name);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 size_t sizeOf(const json &object, const char *name) {
-    auto found = object.find(name);
-    need(found != object.end() && found->is_number_unsigned(), std::string("a ") + name + " is missing");
-    return found->get<size_t>();
+    need(object.contains(name), std::string("a ") + name + " is missing");
+    return valueOf(object, name, (size_t)0);
 }
 
 bool isData(const std::string &uri) { return uri.starts_with("data:"); }
@@ -69,7 +56,27 @@ std::string dataOf(std::string_view uri) {
     std::string data = decoded(uri.substr(comma + 1));
     if (!uri.substr(0, comma).ends_with(";base64")) return data;
     std::erase_if(data, [](unsigned char c) { return std::isspace(c); });
-    return tinygltf::base64_decode(data);
+    data.resize((data.size() + 3) / 4 * 4, '='); // some writers omit the padding
+    std::string bytes(data.size(), 0);
+    const int size = b64_pton(data.c_str(), (unsigned char *)bytes.data(), bytes.size());
+    need(size >= 0, "a data URI is damaged");
+    return bytes.substr(0, (size_t)size);
+}
+
+// Lists of 2.0 were objects in 1.0, whose asset could be missing.
+void needVersion2(const json &all) {
+    const json &asset = objectOf(all, "asset");
+    auto versionOf = [&](const char *name) -> std::string {
+        auto found = asset.find(name);
+        if (found == asset.end() || found->is_structured()) return "";
+        return found->is_string() ? found->get<std::string>() : found->dump();
+    };
+    std::string version = versionOf("version"), least = versionOf("minVersion");
+    for (const char *list : {"accessors", "bufferViews", "meshes", "nodes", "scenes"})
+        if (version.empty() && all.contains(list) && all[list].is_object()) version = "1.0";
+    need(!version.empty() || all.contains("asset"), "is JSON, but not glTF: it has no asset");
+    need(version.starts_with("2.") && least <= "2.0",
+         "is glTF " + std::max(version, least) + ": only 2.0 is read");
 }
 
 } // namespace
@@ -80,10 +87,6 @@ bool isGltf(std::string_view start) {
     if (start.starts_with("\xef\xbb\xbf")) start.remove_prefix(3);
     size_t first = start.find_first_not_of(" \t\r\n");
     return start.starts_with("glTF") || (first != std::string_view::npos && start[first] == '{');
-}
-
-void GltfFile::refuseIndex(const char *what, int index) {
-    throw Refused(common::format("there is no %s %d", what, index));
 }
 
 GltfFile::GltfFile(const std::string &path) : path(path) {
@@ -113,33 +116,28 @@ GltfFile::GltfFile(const std::string &path) : path(path) {
 }
 
 void GltfFile::readJson(std::string_view text, std::string_view binary) {
-    json all = parseGltf(text);
-    json list = listOf(all, "buffers");
-    images = listOf(all, "images");
-    for (const json &image : images) // unused ones too
+    try {
+        root = json::parse(text);
+    } catch (const json::parse_error &e) {
+        throw Refused("its JSON is damaged at byte " + std::to_string(e.byte));
+    } catch (const json::exception &) {
+        throw Refused("its JSON has a number that is too large");
+    }
+    need(root.is_object(), "is JSON, but not glTF: it has no asset");
+    needVersion2(root);
+    for (const char *list : {"accessors", "animations", "bufferViews", "buffers", "images", "materials",
+                             "meshes", "nodes", "samplers", "scenes", "skins", "textures"}) {
+        objectsOf(root, list);
+        root[list]; // null if it is missing
+    }
+    for (const json &image : root["images"]) // unused ones too
         if (const std::string uri = textOf(image, "uri"); !uri.empty() && !isData(uri) && !hasScheme(uri))
             common::noteInput(findFile(folderOf(path), decoded(uri)));
-    // Add defaults that tinygltf lacks, and keep only the names of animations
-    for (json &skin : all["skins"]) skin.emplace("inverseBindMatrices", -1);
-    for (json &one : all["animations"]) one = {{"name", textOf(one, "name")}};
-    all.erase("cameras");
-    tinygltf::TinyGLTF reader;
-    std::string error, warning;
-    try {
-        const std::string rest = all.dump();
-        need(rest.size() < (1u << 31), "its JSON is larger than 2 GB");
-        bool good =
-            reader.LoadASCIIFromString(&model, &error, &warning, rest.data(), (unsigned)rest.size(), "");
-        if (!good || !error.empty())
-            throw Refused("is damaged: " + error.substr(0, std::min(error.find('\n'), (size_t)200)));
-    } catch (const json::exception &) {
-        throw Refused("is damaged: a value has a wrong type");
-    }
-    readBuffers(list, binary);
+    readBuffers(binary);
 }
 
-void GltfFile::readBuffers(const json &list, std::string_view binary) {
-    for (const json &b : list) {
+void GltfFile::readBuffers(std::string_view binary) {
+    for (const json &b : root["buffers"]) {
         const std::string number = std::to_string(buffers.size()), uri = textOf(b, "uri");
         const size_t size = sizeOf(b, "byteLength");
         std::string bytes;
@@ -158,33 +156,33 @@ void GltfFile::readBuffers(const json &list, std::string_view binary) {
         bytes.resize(std::min(bytes.size(), size));
         buffers.push_back(std::move(bytes));
     }
+    root.erase("buffers"); // frees memory
 }
 
 std::string_view GltfFile::view(int number) const {
-    const tinygltf::BufferView &v = at(model.bufferViews, number, "bufferView");
-    std::string_view all = at(buffers, v.buffer, "buffer");
-    need(v.byteOffset <= all.size() && v.byteLength <= all.size() - v.byteOffset,
+    const json &v = itemOf(root["bufferViews"], number, "bufferView");
+    const int buffer = indexOf(v, "buffer");
+    need(buffer >= 0 && (size_t)buffer < buffers.size(), common::format("there is no buffer %d", buffer));
+    std::string_view all = buffers[(size_t)buffer];
+    const size_t offset = valueOf(v, "byteOffset", (size_t)0), size = sizeOf(v, "byteLength");
+    need(offset <= all.size() && size <= all.size() - offset,
          "bufferView " + std::to_string(number) + " ends outside its buffer");
-    return all.substr(v.byteOffset, v.byteLength);
+    return all.substr(offset, size);
 }
 
-// Appends `count` items of `width` components each.
 void GltfFile::copy(int number, size_t offset, int component, bool normalised, size_t width, size_t count,
                     std::vector<double> &to) const {
     if (count == 0) return;
     std::string_view bytes = view(number);
-    const int size = tinygltf::GetComponentSizeInBytes((uint32_t)component);
-    need(size > 0 && component <= TINYGLTF_COMPONENT_TYPE_FLOAT,
-         "there is no component type " + std::to_string(component));
-    const size_t item = (size_t)size * width, given = model.bufferViews[(size_t)number].byteStride,
-                 stride = given ? given : item;
-    need(offset <= bytes.size() && item <= bytes.size() - offset &&
-             count - 1 <= (bytes.size() - offset - item) / stride,
-         "an accessor of " + std::to_string(count) + " items ends outside bufferView " +
-             std::to_string(number));
-    to.reserve(to.size() + width * count);
+    const size_t given = valueOf(root["bufferViews"][(size_t)number], "byteStride", (size_t)0);
     auto append = [&](auto type) {
         using T = decltype(type);
+        const size_t item = sizeof(T) * width, stride = given ? given : item;
+        need(offset <= bytes.size() && item <= bytes.size() - offset &&
+                 count - 1 <= (bytes.size() - offset - item) / stride,
+             "an accessor of " + std::to_string(count) + " items ends outside bufferView " +
+                 std::to_string(number));
+        to.reserve(to.size() + width * count);
         const double one = normalised && std::is_integral_v<T> ? (double)std::numeric_limits<T>::max() : 1;
         for (size_t i = 0; i < count; ++i)
             for (size_t k = 0; k < width; ++k) {
@@ -193,54 +191,68 @@ void GltfFile::copy(int number, size_t offset, int component, bool normalised, s
                 to.push_back(normalised ? std::max((double)x / one, -1.) : (double)x);
             }
     };
+    need(component >= kByte && component <= kFloat,
+         "there is no component type " + std::to_string(component));
     // Component types are numbered in this order
-    int componentType = TINYGLTF_COMPONENT_TYPE_BYTE;
+    int componentType = kByte;
     auto appendAs = [&](auto... types) { ((componentType++ == component ? append(types) : void()), ...); };
     std::apply(appendAs, std::tuple<int8_t, uint8_t, int16_t, uint16_t, int32_t, uint32_t, float>());
 }
 
-std::vector<double> GltfFile::numbers(int number, int type) const {
-    const tinygltf::Accessor &a = at(model.accessors, number, "accessor");
+std::vector<double> GltfFile::numbers(int number, const std::string &type) const {
+    const json &a = itemOf(root["accessors"], number, "accessor");
     const std::string name = "accessor " + std::to_string(number);
-    need(a.type == type, name + " has the wrong type for its use");
-    const size_t width = (size_t)tinygltf::GetNumComponentsInType((uint32_t)type);
+    need(textOf(a, "type") == type, name + " has the wrong type for its use");
+    const size_t width = type == "SCALAR" ? 1
+                         : type == "MAT4" ? 16
+                                          : (size_t)(type.back() - '0'),
+                 count = sizeOf(a, "count");
+    const int component = indexOf(a, "componentType"), bufferView = indexOf(a, "bufferView");
+    const bool normalised = valueOf(a, "normalized", false), isSparse = a.contains("sparse");
     std::vector<double> all;
-    if (a.bufferView >= 0)
-        copy(a.bufferView, a.byteOffset, a.componentType, a.normalized, width, a.count, all);
+    if (bufferView >= 0)
+        copy(bufferView, valueOf(a, "byteOffset", (size_t)0), component, normalised, width, count, all);
     else {
-        need(a.sparse.isSparse && a.count <= kMostEmpty, name + " has no bufferView");
-        all.resize(width * a.count);
+        need(isSparse && count <= kMostEmpty, name + " has no bufferView");
+        all.resize(width * count);
     }
-    if (!a.sparse.isSparse) return all;
-    const auto &[count, sparse, indices, values] = a.sparse;
-    need(count >= 0 && indices.byteOffset >= 0 && values.byteOffset >= 0, name + " is damaged");
-    std::vector<double> at, replacements;
-    copy(indices.bufferView, (size_t)indices.byteOffset, indices.componentType, false, 1, (size_t)count, at);
-    copy(values.bufferView, (size_t)values.byteOffset, a.componentType, a.normalized, width, (size_t)count,
-         replacements);
+    if (!isSparse) return all;
+    const json &sparse = objectOf(a, "sparse");
+    const size_t replaced = sizeOf(sparse, "count");
+    auto read = [&](const char *part, int component, bool normalised, size_t width) {
+        const json &from = objectOf(sparse, part);
+        std::vector<double> numbers;
+        copy(indexOf(from, "bufferView"), valueOf(from, "byteOffset", (size_t)0),
+             component < 0 ? indexOf(from, "componentType") : component, normalised, width, replaced,
+             numbers);
+        return numbers;
+    };
+    const std::vector<double> at = read("indices", -1, false, 1),
+                              values = read("values", component, normalised, width);
     for (size_t i = 0; i < at.size(); ++i) {
-        need(at[i] >= 0 && at[i] < (double)a.count, name + " has a sparse index that is too large");
-        std::copy_n(replacements.begin() + (std::ptrdiff_t)(i * width), width,
+        need(at[i] >= 0 && at[i] < (double)count, name + " has a sparse index that is too large");
+        std::copy_n(values.begin() + (std::ptrdiff_t)(i * width), width,
                     all.begin() + (std::ptrdiff_t)((size_t)at[i] * width));
     }
     return all;
 }
 
 MeshPicture GltfFile::picture(int texture) {
-    const tinygltf::Texture &t = at(model.textures, texture, "texture");
+    const json &t = itemOf(root["textures"], texture, "texture");
+    const int source = indexOf(t, "source");
     MeshPicture picture = pictures[texture];
-    if (t.source < 0 || !picture.path.empty()) return picture;
-    need((size_t)t.source < images.size(), "there is no image " + std::to_string(t.source));
-    const json &image = images[(size_t)t.source];
+    if (source < 0 || !picture.path.empty()) return picture;
+    const json &image = itemOf(root["images"], source, "image");
     const std::string uri = textOf(image, "uri"), name = textOf(image, "name");
-    picture.path = path + ": picture " + (name.empty() ? std::to_string(t.source) : name);
+    picture.path = path + ": picture " + (name.empty() ? std::to_string(source) : name);
     if (isData(uri))
         picture.bytes = std::make_shared<const std::string>(dataOf(uri));
     else if (!uri.empty())
         picture.path = hasScheme(uri) ? uri : findFile(folderOf(path), decoded(uri));
-    else
-        picture.bytes = std::make_shared<const std::string>(
-            view((int)std::min(sizeOf(image, "bufferView"), (size_t)1 << 30)));
+    else {
+        need(image.contains("bufferView"), "a bufferView is missing");
+        picture.bytes = std::make_shared<const std::string>(view(indexOf(image, "bufferView")));
+    }
     return pictures[texture] = picture;
 }
 

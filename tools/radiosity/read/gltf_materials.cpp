@@ -4,27 +4,9 @@
 
 namespace odraz::radiosity {
 
-using tinygltf::Value;
-
 namespace {
 
-const Value *find(const tinygltf::ExtensionMap &extensions, const char *name) {
-    auto found = extensions.find(name);
-    return found != extensions.end() && found->second.IsObject() ? &found->second : nullptr;
-}
-
-double numberOf(const Value *object, const char *name, double otherwise) {
-    if (!object || !object->Has(name) || !object->Get(name).IsNumber()) return otherwise;
-    return object->Get(name).GetNumberAsDouble();
-}
-
-template <size_t N>
-std::array<double, N> numbersOf(const Value &object, const char *name, std::array<double, N> otherwise) {
-    const Value &list = object.Get(name);
-    for (size_t k = 0; k < N && list.IsArray() && list.ArrayLen() >= N; ++k)
-        otherwise[k] = list.Get(k).GetNumberAsDouble();
-    return otherwise;
-}
+constexpr int kRepeat = 10497, kClamp = 33071, kMirroredRepeat = 33648; // wrapS and wrapT
 
 class MaterialReader {
 public:
@@ -34,7 +16,7 @@ public:
 
     std::vector<GltfMaterial> read() {
         std::vector<GltfMaterial> all;
-        for (const tinygltf::Material &m : file.model.materials) all.push_back(read(m, all.size()));
+        for (const json &m : file.root["materials"]) all.push_back(read(m, all.size()));
         return all;
     }
 
@@ -58,33 +40,25 @@ private:
         note("materials that share a name get a number");
     }
 
-    GltfMaterial read(const tinygltf::Material &m, size_t number) {
-        setName(m.name, number);
+    GltfMaterial read(const json &m, size_t number) {
+        setName(textOf(m, "name"), number);
         GltfMaterial to = {{name, {}, {}}};
-        to.mesh.twoSided = m.doubleSided;
-        const auto &surface = m.pbrMetallicRoughness;
-        tinygltf::TextureInfo base = surface.baseColorTexture;
-        std::array<double, 4> colour = {1, 1, 1, 1};
-        std::copy_n(surface.baseColorFactor.begin(), 4, colour.begin());
-        if (const Value *glossy = find(m.extensions, "KHR_materials_pbrSpecularGlossiness")) {
-            colour = numbersOf(*glossy, "diffuseFactor", std::array<double, 4>{1, 1, 1, 1});
-            base = {};
-            const Value &texture = glossy->Get("diffuseTexture");
-            if (texture.IsObject()) {
-                base.index = (int)numberOf(&texture, "index", -1);
-                base.texCoord = (int)numberOf(&texture, "texCoord", 0);
-                if (const Value &more = texture.Get("extensions"); more.IsObject())
-                    for (const std::string &key : more.Keys()) base.extensions[key] = more.Get(key);
-            }
-        } else if (m.values.count("metallicFactor") && surface.metallicFactor > 0 &&
-                   !find(m.extensions, "KHR_materials_unlit")) {
+        to.mesh.twoSided = valueOf(m, "doubleSided", false);
+        const json &rough = objectOf(m, "pbrMetallicRoughness"),
+                   &glossy = extensionOf(m, "KHR_materials_pbrSpecularGlossiness");
+        const std::vector<double> white = {1, 1, 1, 1},
+                                  colour = glossy.empty() ? numbersOf(rough, "baseColorFactor", white)
+                                                          : numbersOf(glossy, "diffuseFactor", white),
+                                  glow = numbersOf(m, "emissiveFactor", {0, 0, 0});
+        const json &base =
+            glossy.empty() ? objectOf(rough, "baseColorTexture") : objectOf(glossy, "diffuseTexture");
+        const bool unlit = objectOf(m, "extensions").contains("KHR_materials_unlit");
+        if (glossy.empty() && !unlit && valueOf(rough, "metallicFactor", 0.) > 0)
             note("metal counts as diffuse");
-        }
         const double strength =
-            numberOf(find(m.extensions, "KHR_materials_emissive_strength"), "emissiveStrength", 1);
-        const std::array<double, 3> reflects = {colour[0], colour[1], colour[2]};
-        std::array<double, 3> emits;
-        for (size_t k = 0; k < 3; ++k) emits[k] = m.emissiveFactor[k] * strength;
+            valueOf(extensionOf(m, "KHR_materials_emissive_strength"), "emissiveStrength", 1.);
+        const std::array<double, 3> reflects = {colour[0], colour[1], colour[2]},
+                                    emits = {glow[0] * strength, glow[1] * strength, glow[2] * strength};
         setColours(to.mesh, reflects, emits, {"baseColorFactor", "emission"}, path, notes);
         readPicture(to, base, to.mesh.picture, to.mesh.reflects);
         const bool pictured = !to.mesh.picture.path.empty();
@@ -92,23 +66,30 @@ private:
         for (size_t k = 0; k < 3 && pictured; ++k) to.mesh.reflects[k] *= 0.7f;
         GltfMaterial emission = to;
         MeshPicture &picture = to.mesh.emissionPicture;
-        readPicture(emission, m.emissiveTexture, picture, to.mesh.emits);
+        readPicture(emission, objectOf(m, "emissiveTexture"), picture, to.mesh.emits);
         if (!picture.path.empty() && pictured && (emission.set != to.set || emission.uv != to.uv)) {
             note("emissiveTexture has other coordinates than baseColorTexture: its mean is used");
             picture.scale = {}, picture.offset = {NAN, NAN};
         } else if (!pictured)
             to.set = emission.set, to.uv = emission.uv;
-        noteUnused(m, colour[3]);
+        for (const char *texture : {"normalTexture", "occlusionTexture"})
+            if (m.contains(texture)) note(std::string(texture) + " is not used");
+        if (rough.contains("metallicRoughnessTexture")) note("metallicRoughnessTexture is not used");
+        if (const std::string mode = textOf(m, "alphaMode");
+            mode == "MASK" || mode == "BLEND" || colour[3] < 1)
+            note("alpha is not used, so all surfaces are opaque");
+        if (unlit) note("unlit materials reflect their colour");
         return to;
     }
 
     // Reads a picture and the transform of its coordinates. Leaves out a picture whose factor is black.
-    void readPicture(GltfMaterial &to, const tinygltf::TextureInfo &info, MeshPicture &picture,
+    void readPicture(GltfMaterial &to, const json &info, MeshPicture &picture,
                      const std::array<float, 3> &tint) {
-        if (info.index < 0) return;
+        const int index = indexOf(info, "index");
+        if (index < 0) return;
         MeshPicture found;
         try {
-            found = file.picture(info.index);
+            found = file.picture(index);
         } catch (const common::Refused &e) { // the model is read without it
             return note(std::string("a picture is damaged: ") + e.what());
         }
@@ -120,31 +101,21 @@ private:
                                                      : "emissiveTexture needs an emissiveFactor");
         picture = found;
         picture.tint = tint;
-        const tinygltf::Texture &texture = file.model.textures[(size_t)info.index];
-        if (texture.sampler >= 0) {
-            const auto &wraps = GltfFile::at(file.model.samplers, texture.sampler, "sampler");
-            picture.clamp = wraps.wrapS == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE && wraps.wrapT == wraps.wrapS;
-            if (wraps.wrapS != wraps.wrapT || wraps.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT)
+        const json &texture = file.root["textures"][(size_t)index];
+        if (const int sampler = indexOf(texture, "sampler"); sampler >= 0) {
+            const json &wraps = itemOf(file.root["samplers"], sampler, "sampler");
+            const int s = valueOf(wraps, "wrapS", kRepeat), t = valueOf(wraps, "wrapT", kRepeat);
+            picture.clamp = s == kClamp && t == s;
+            if (s != t || s == kMirroredRepeat)
                 note("a mirrored picture, or one that repeats along one axis only, repeats along both");
         }
-        to.set = info.texCoord, to.uv = {1, 0, 0, 0, 1, 0};
-        if (const Value *moved = find(info.extensions, "KHR_texture_transform")) {
-            to.set = (int)numberOf(moved, "texCoord", to.set);
-            auto scale = numbersOf(*moved, "scale", std::array<double, 2>{1, 1}),
-                 offset = numbersOf(*moved, "offset", std::array<double, 2>{0, 0});
-            const double turn = numberOf(moved, "rotation", 0), c = std::cos(turn), s = std::sin(turn);
+        to.set = valueOf(info, "texCoord", 0), to.uv = {1, 0, 0, 0, 1, 0};
+        if (const json &moved = extensionOf(info, "KHR_texture_transform"); !moved.empty()) {
+            to.set = valueOf(moved, "texCoord", to.set);
+            const auto scale = numbersOf(moved, "scale", {1, 1}), offset = numbersOf(moved, "offset", {0, 0});
+            const double turn = valueOf(moved, "rotation", 0.), c = std::cos(turn), s = std::sin(turn);
             to.uv = {c * scale[0], s * scale[1], offset[0], -s * scale[0], c * scale[1], offset[1]};
         }
-    }
-
-    void noteUnused(const tinygltf::Material &m, double alpha) {
-        if (m.normalTexture.index >= 0) note("normalTexture is not used");
-        if (m.occlusionTexture.index >= 0) note("occlusionTexture is not used");
-        if (m.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0)
-            note("metallicRoughnessTexture is not used");
-        if (m.alphaMode == "MASK" || m.alphaMode == "BLEND" || alpha < 1)
-            note("alpha is not used, so all surfaces are opaque");
-        if (m.extensions.count("KHR_materials_unlit")) note("unlit materials reflect their colour");
     }
 };
 

@@ -12,13 +12,10 @@ Transform transformOf(const double *m) {
 
 namespace {
 
-Transform localTransform(const tinygltf::Node &n) {
-    auto orDefault = [](const std::vector<double> &given, std::vector<double> otherwise) {
-        return given.empty() ? otherwise : given;
-    };
-    if (!n.matrix.empty()) return transformOf(n.matrix.data());
-    const auto t = orDefault(n.translation, {0, 0, 0}), s = orDefault(n.scale, {1, 1, 1});
-    auto q = orDefault(n.rotation, {0, 0, 0, 1});
+Transform localTransform(const json &n) {
+    if (n.contains("matrix")) return transformOf(numbersOf(n, "matrix", std::vector<double>(16)).data());
+    const auto t = numbersOf(n, "translation", {0, 0, 0}), s = numbersOf(n, "scale", {1, 1, 1});
+    auto q = numbersOf(n, "rotation", {0, 0, 0, 1});
     const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
     need(size > 0, "a node's rotation is 0,0,0,0");
     for (double &k : q) k /= size;
@@ -29,13 +26,17 @@ Transform localTransform(const tinygltf::Node &n) {
             {t[0], t[1], t[2]}};
 }
 
-std::vector<int> rootsOf(const tinygltf::Model &model) {
-    if (model.defaultScene >= 0 || !model.scenes.empty())
-        return GltfFile::at(model.scenes, std::max(model.defaultScene, 0), "scene").nodes;
-    std::vector<bool> inner(model.nodes.size());
-    for (const tinygltf::Node &n : model.nodes)
-        for (int child : n.children)
-            if (child >= 0 && (size_t)child < inner.size()) inner[(size_t)child] = true;
+std::vector<int> childrenOf(const json &node) { return valueOf(node, "children", std::vector<int>()); }
+
+std::vector<int> rootsOf(const GltfFile &file) {
+    const json &scenes = file.root["scenes"], &nodes = file.root["nodes"];
+    const int scene = indexOf(file.root, "scene");
+    if (scene >= 0 || !scenes.empty())
+        return valueOf(itemOf(scenes, std::max(scene, 0), "scene"), "nodes", std::vector<int>());
+    std::vector<bool> inner(nodes.size());
+    for (const json &n : nodes)
+        for (int child : childrenOf(n))
+            if ((size_t)child < inner.size()) inner[(size_t)child] = true;
     std::vector<int> roots;
     for (size_t i = 0; i < inner.size(); ++i)
         if (!inner[i]) roots.push_back((int)i);
@@ -44,23 +45,24 @@ std::vector<int> rootsOf(const tinygltf::Model &model) {
 
 } // namespace
 
-GltfNodes findTransforms(const tinygltf::Model &model) {
+GltfNodes findTransforms(const GltfFile &file) {
     GltfNodes all;
-    all.transforms.resize(model.nodes.size());
-    std::vector<bool> seen(model.nodes.size());
+    const json &nodes = file.root["nodes"];
+    all.transforms.resize(nodes.size());
+    std::vector<bool> seen(nodes.size());
     std::vector<std::pair<int, Transform>> open; // to visit, with their parents' transforms
     auto add = [&](const std::vector<int> &nodes, const Transform &parent) {
         for (size_t k = nodes.size(); k-- > 0;) open.push_back({nodes[k], parent});
     };
-    add(rootsOf(model), {});
+    add(rootsOf(file), {});
     while (!open.empty()) {
         auto [i, parent] = open.back();
         open.pop_back();
-        const tinygltf::Node &n = GltfFile::at(model.nodes, i, "node");
-        need(!seen[(size_t)i], named("node", n.name, i) + " has two parents, or is within itself");
+        const json &n = itemOf(nodes, i, "node");
+        need(!seen[(size_t)i], named("node", n, i) + " has two parents, or is within itself");
         seen[(size_t)i] = true;
         all.order.push_back(i);
-        add(n.children, all.transforms[(size_t)i] = parent * localTransform(n));
+        add(childrenOf(n), all.transforms[(size_t)i] = parent * localTransform(n));
     }
     return all;
 }

@@ -25,10 +25,11 @@ struct GltfNodes {
 };
 
 // The nodes of the default scene, else of the first scene; all nodes if there is no scene. Throws Refused.
-GltfNodes findTransforms(const tinygltf::Model &model);
+GltfNodes findTransforms(const GltfFile &file);
 
 // The kind of an object and its name, or its number if it has none, for messages.
-inline std::string named(const char *what, const std::string &name, int number) {
+inline std::string named(const char *what, const json &object, int number) {
+    const std::string name = textOf(object, "name");
     return what + (" " + (name.empty() ? std::to_string(number) : name));
 }
 

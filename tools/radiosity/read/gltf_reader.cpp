@@ -17,11 +17,21 @@ namespace {
 
 constexpr size_t kMostTriangles = 1 << 26;
 constexpr double kBallShare = 1e-3; // a lamp's diameter, as a share of the model's size
+constexpr char kLights[] = "KHR_lights_punctual";
+// FB_ngon_encoding only groups triangles, which are joined in any case
+const std::set<std::string> kExtensions = {kLights,
+                                           "KHR_materials_emissive_strength",
+                                           "KHR_materials_unlit",
+                                           "KHR_materials_pbrSpecularGlossiness",
+                                           "KHR_mesh_quantization",
+                                           "KHR_texture_transform",
+                                           "FB_ngon_encoding"};
+enum Mode { kTriangles = 4, kStrip, kFan };
 
 class GltfReader {
 public:
     GltfReader(const std::string &path, std::vector<std::string> &notes)
-        : path(path), notes(notes), file(path), model(file.model) {
+        : path(path), notes(notes), file(path) {
         polygons.unit = "triangle";
         checkExtensions();
         materials = readMaterials(file, path, kinds, notes);
@@ -34,21 +44,21 @@ public:
     }
 
     void readScene() {
-        nodes = findTransforms(model);
-        if (model.scenes.size() > 1)
-            notes.push_back(path + ": one of its " + std::to_string(model.scenes.size()) + " scenes is read");
+        nodes = findTransforms(file);
+        if (const size_t scenes = file.root["scenes"].size(); scenes > 1)
+            notes.push_back(path + ": one of its " + std::to_string(scenes) + " scenes is read");
+        const json &all = objectsOf(extensionOf(file.root, kLights), "lights");
         for (int i : nodes.order) {
-            const tinygltf::Node &n = model.nodes[(size_t)i];
-            if (n.mesh >= 0) readMesh(n, i);
-            auto light = n.extensions.find("KHR_lights_punctual");
-            if (light != n.extensions.end() && light->second.Has("light"))
-                readLight(GltfFile::at(model.lights, light->second.Get("light").GetNumberAsInt(), "light"),
-                          nodes.transforms[(size_t)i]);
+            const json &n = file.root["nodes"][(size_t)i];
+            if (n.contains("mesh")) readMesh(n, i);
+            if (const int light = indexOf(extensionOf(n, kLights), "light"); light >= 0)
+                readLight(itemOf(all, light, "light"), nodes.transforms[(size_t)i]);
         }
         need(!polygons.polygons.empty(), "holds no triangle");
         addBalls();
-        for (size_t i = 0; i < model.animations.size(); ++i)
-            kinds["animations are not used"].push_back(named("animation", model.animations[i].name, (int)i));
+        int animations = 0;
+        for (const json &animation : file.root["animations"])
+            kinds["animations are not used"].push_back(named("animation", animation, animations++));
         noteKinds(path, kinds, notes);
     }
 
@@ -59,7 +69,6 @@ private:
     const std::string &path;
     std::vector<std::string> &notes;
     GltfFile file;
-    const tinygltf::Model &model;
     std::vector<GltfMaterial> materials;
     NotedKinds kinds;
     GltfNodes nodes;
@@ -67,10 +76,12 @@ private:
     int spots = 0;
 
     void checkExtensions() {
-        for (const std::string &name : model.extensionsRequired)
-            need(isExtensionRead(name), "needs " + name + ", which is not read: export the model without it");
-        for (const std::string &name : model.extensionsUsed)
-            if (!isExtensionRead(name)) kinds["extensions that are not used"].push_back(name);
+        auto names = [&](const char *list) { return valueOf(file.root, list, std::vector<std::string>()); };
+        for (const std::string &name : names("extensionsRequired"))
+            need(kExtensions.count(name),
+                 "needs " + name + ", which is not read: export the model without it");
+        for (const std::string &name : names("extensionsUsed"))
+            if (!kExtensions.count(name)) kinds["extensions that are not used"].push_back(name);
     }
 
     // The items of an accessor, and their indices in `polygons`; -1: not added yet.
@@ -79,72 +90,71 @@ private:
         std::vector<int> indices;
     };
     using Coordinates = Points;
-    // The points of a node, by accessor and morph targets
-    using PointSets = std::map<std::pair<int, std::vector<std::map<std::string, int>>>, Points>;
+    // The points of a node, by their accessor and those of morph targets
+    using PointSets = std::map<std::pair<int, std::vector<int>>, Points>;
 
-    void readMesh(const tinygltf::Node &n, int node) {
-        const tinygltf::Mesh &mesh = GltfFile::at(model.meshes, n.mesh, "mesh");
+    void readMesh(const json &n, int node) {
+        const int number = indexOf(n, "mesh");
+        const json &mesh = itemOf(file.root["meshes"], number, "mesh");
         Transform transform = nodes.transforms[(size_t)node];
-        if (n.skin >= 0) {
+        if (n.contains("skin")) {
             // In the bind pose, all joints give the mesh the same transform: use the first
-            const tinygltf::Skin &skin = GltfFile::at(model.skins, n.skin, "skin");
-            kinds["skins are not deformed: meshes keep their bind pose"].push_back(
-                named("node", n.name, node));
-            if (!skin.joints.empty()) {
-                GltfFile::at(model.nodes, skin.joints[0], "node");
-                transform = nodes.transforms[(size_t)skin.joints[0]];
-                if (skin.inverseBindMatrices >= 0) {
-                    auto bound = file.numbers(skin.inverseBindMatrices, TINYGLTF_TYPE_MAT4);
+            const json &skin = itemOf(file.root["skins"], indexOf(n, "skin"), "skin");
+            kinds["skins are not deformed: meshes keep their bind pose"].push_back(named("node", n, node));
+            if (const auto joints = valueOf(skin, "joints", std::vector<int>()); !joints.empty()) {
+                itemOf(file.root["nodes"], joints[0], "node");
+                transform = nodes.transforms[(size_t)joints[0]];
+                if (skin.contains("inverseBindMatrices")) {
+                    auto bound = file.numbers(indexOf(skin, "inverseBindMatrices"), "MAT4");
                     need(bound.size() >= 16, "a skin has no matrix");
                     transform = transform * transformOf(bound.data());
                 }
             }
         }
-        polygons.objects.push_back({n.name.empty() ? mesh.name : n.name, ""});
+        const std::string name = textOf(n, "name");
+        polygons.objects.push_back({name.empty() ? textOf(mesh, "name") : name, ""});
+        const auto weights = valueOf(n, "weights", valueOf(mesh, "weights", std::vector<double>()));
         PointSets points;
-        for (const tinygltf::Primitive &p : mesh.primitives)
-            readPrimitive(p, named("mesh", mesh.name, n.mesh), transform,
-                          n.weights.empty() ? mesh.weights : n.weights, points);
+        for (const json &p : objectsOf(mesh, "primitives"))
+            readPrimitive(p, named("mesh", mesh, number), transform, weights, points);
     }
 
-    // Adds the weighted morph targets to the points.
-    void morph(const tinygltf::Primitive &p, const std::string &name, const std::vector<double> &weights,
+    // Adds the weighted morph targets, which are accessors or -1, to the points.
+    void morph(const std::vector<int> &targets, const std::string &name, const std::vector<double> &weights,
                std::vector<double> &points) {
-        for (size_t i = 0; i < std::min(weights.size(), p.targets.size()); ++i) {
-            auto found = p.targets[i].find("POSITION");
-            if (weights[i] == 0 || found == p.targets[i].end()) continue;
-            const std::vector<double> moved = file.numbers(found->second, TINYGLTF_TYPE_VEC3);
+        for (size_t i = 0; i < std::min(weights.size(), targets.size()); ++i) {
+            if (weights[i] == 0 || targets[i] < 0) continue;
+            const std::vector<double> moved = file.numbers(targets[i], "VEC3");
             need(moved.size() == points.size(), name + " has a morph target with another number of points");
             for (size_t k = 0; k < moved.size(); ++k) points[k] += weights[i] * moved[k];
         }
     }
 
-    static int attribute(const tinygltf::Primitive &p, const std::string &name) {
-        auto found = p.attributes.find(name);
-        return found == p.attributes.end() ? -1 : found->second;
-    }
-
-    void readPrimitive(const tinygltf::Primitive &p, const std::string &name, const Transform &transform,
+    void readPrimitive(const json &p, const std::string &name, const Transform &transform,
                        const std::vector<double> &weights, PointSets &pointSets) {
-        if (p.mode >= 0 && p.mode < TINYGLTF_MODE_TRIANGLES)
-            return kinds["points and lines are left out"].push_back(name);
-        need(p.mode <= TINYGLTF_MODE_TRIANGLE_FAN, name + " has a primitive of an unknown mode");
-        if (attribute(p, "COLOR_0") >= 0) kinds["colours of points (COLOR_0) are not used"].push_back(name);
-        const int accessor = attribute(p, "POSITION");
+        const int mode = valueOf(p, "mode", (int)kTriangles);
+        if (mode < kTriangles) return kinds["points and lines are left out"].push_back(name);
+        need(mode <= kFan, name + " has a primitive of an unknown mode");
+        const json &attributes = objectOf(p, "attributes");
+        if (attributes.contains("COLOR_0")) kinds["colours of points (COLOR_0) are not used"].push_back(name);
+        const int accessor = indexOf(attributes, "POSITION"), number = indexOf(p, "material");
         if (accessor < 0) return kinds["primitives without POSITION are left out"].push_back(name);
-        auto [entry, added] = pointSets.try_emplace({accessor, p.targets});
+        std::vector<int> targets;
+        for (const json &target : objectsOf(p, "targets")) targets.push_back(indexOf(target, "POSITION"));
+        auto [entry, added] = pointSets.try_emplace({accessor, targets});
         Points &points = entry->second;
         if (added) {
-            points.given = file.numbers(accessor, TINYGLTF_TYPE_VEC3);
-            morph(p, name, weights, points.given);
+            points.given = file.numbers(accessor, "VEC3");
+            morph(targets, name, weights, points.given);
             points.indices.assign(points.given.size() / 3, -1);
         }
-        const GltfMaterial *material =
-            p.material < 0 ? nullptr : &GltfFile::at(materials, p.material, "material");
+        if (number >= 0) itemOf(file.root["materials"], number, "material");
+        const GltfMaterial *material = number < 0 ? nullptr : &materials[(size_t)number];
         Coordinates coordinates;
         if (material && material->mesh.hasPicture())
-            if (int set = attribute(p, "TEXCOORD_" + std::to_string(material->set)); set >= 0)
-                coordinates.given = file.numbers(set, TINYGLTF_TYPE_VEC2);
+            if (int set = indexOf(attributes, ("TEXCOORD_" + std::to_string(material->set)).c_str());
+                set >= 0)
+                coordinates.given = file.numbers(set, "VEC2");
         coordinates.indices.assign(coordinates.given.size() / 2, -1);
         readTriangles(p, name, transform.mirrors(), points.indices.size(), [&](size_t i) {
             return Polygons::Corner{pointIndex(points, i, transform, name),
@@ -154,19 +164,20 @@ private:
 
     // Adds the triangles. `cornerOf` returns the corner at one of the `count` points.
     template <class CornerOf>
-    void readTriangles(const tinygltf::Primitive &p, const std::string &name, bool mirrored, size_t count,
+    void readTriangles(const json &p, const std::string &name, bool mirrored, size_t count,
                        const CornerOf &cornerOf) {
+        const int mode = valueOf(p, "mode", (int)kTriangles), material = indexOf(p, "material"),
+                  indices = indexOf(p, "indices");
         std::vector<double> order;
-        if (p.indices >= 0) order = file.numbers(p.indices, TINYGLTF_TYPE_SCALAR);
-        const size_t corners = p.indices >= 0 ? order.size() : count,
-                     step = p.mode == TINYGLTF_MODE_TRIANGLES || p.mode < 0 ? 3 : 1;
+        if (indices >= 0) order = file.numbers(indices, "SCALAR");
+        const size_t corners = indices >= 0 ? order.size() : count, step = mode == kTriangles ? 3 : 1;
         for (size_t i = 0; i + 2 < corners; i += step) {
             std::array<size_t, 3> three = {i, i + 1, i + 2};
-            if (p.mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2) std::swap(three[1], three[2]);
-            if (p.mode == TINYGLTF_MODE_TRIANGLE_FAN) three[0] = 0;
+            if (mode == kStrip && i % 2) std::swap(three[1], three[2]);
+            if (mode == kFan) three[0] = 0;
             if (mirrored) std::swap(three[1], three[2]);
             for (size_t &k : three) {
-                if (p.indices < 0) continue;
+                if (indices < 0) continue;
                 if (!(order[k] >= 0 && order[k] < (double)count))
                     throw common::Refused(name + " has an index beyond its " + std::to_string(count) +
                                           " points");
@@ -177,7 +188,7 @@ private:
             const size_t before = polygons.polygons.size();
             need(before < kMostTriangles, "has more than 2^26 triangles");
             polygons.polygons.push_back(
-                {polygons.corners.size(), p.material, (int)before + 1, (int)polygons.objects.size() - 1});
+                {polygons.corners.size(), material, (int)before + 1, (int)polygons.objects.size() - 1});
             for (size_t k : three) polygons.corners.push_back(cornerOf(k));
         }
         if (step == 3 && corners % 3) kinds["corners that make no triangle are left out"].push_back(name);
@@ -207,21 +218,21 @@ private:
         return index = (int)polygons.coordinates.size() - 1;
     }
 
-    void readLight(const tinygltf::Light &light, const Transform &transform) {
-        Vec3d colour = {1, 1, 1};
-        for (size_t k = 0; k < light.color.size(); ++k) colour[k] = light.color[k];
-        colour = colour * light.intensity;
+    void readLight(const json &light, const Transform &transform) {
+        const std::vector<double> c = numbersOf(light, "color", {1, 1, 1});
+        const Vec3d colour = Vec3d{c[0], c[1], c[2]} * valueOf(light, "intensity", 1.);
+        const std::string type = textOf(light, "type");
         for (size_t k = 0; k < 3; ++k)
             need(colour[k] >= 0 && colour[k] <= kMostPower, "a light's intensity must be 0 to 1e12");
         if (colour == Vec3d{}) return;
-        if (light.type == "directional") {
+        if (type == "directional") {
             // It shines along -z; lux over pi is the radiance of a white surface
             need(length(transform.z) > 0 && length(transform.z) < 1e18, "a sun has no direction");
             lights.suns.push_back({toFloat(normalize(transform.z)), toFloat(colour / std::numbers::pi)});
             return;
         }
-        need(light.type == "point" || light.type == "spot", "a light is of an unknown type: " + light.type);
-        spots += light.type == "spot";
+        need(type == "point" || type == "spot", "a light is of an unknown type: " + type);
+        spots += type == "spot";
         bulbs.push_back({transform.origin, colour});
     }
 
