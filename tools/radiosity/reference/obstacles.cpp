@@ -18,10 +18,6 @@ struct Box {
         hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
     }
     void add(const Box &b) { add(b.lo), add(b.hi); }
-    double area() const {
-        Vec3d d = hi - lo;
-        return d.x * d.y + d.y * d.z + d.z * d.x;
-    }
 };
 
 } // namespace
@@ -31,10 +27,6 @@ struct Obstacles::Builder {
         Box box;
         Vec3d middle;
         int number;
-    };
-    struct Range {
-        size_t begin, end;
-        double cost; // expected cost of testing all of its triangles; 0: it is a leaf
     };
     const std::vector<Triangle> &triangles;
     Obstacles &tree;
@@ -49,49 +41,31 @@ struct Obstacles::Builder {
         tree.nodes.emplace_back();
         fill(0, 0, items.size());
     }
-    Box boxOf(size_t begin, size_t end) const {
-        Box box;
-        for (size_t i = begin; i < end; ++i) box.add(items[i].box);
-        return box;
-    }
-    Range range(size_t begin, size_t end) const {
-        size_t count = end - begin;
-        return {begin, end, count > 4 ? boxOf(begin, end).area() * (double)count : 0};
-    }
-    // Makes a node of a range of triangles: divides the part with the highest cost until there are four.
+    // Makes a node of a range of triangles, whose children have a quarter of them each.
     void fill(size_t node, size_t begin, size_t end) {
-        std::vector<Range> parts = {range(begin, end)};
-        while (parts.size() < 4) {
-            auto most = std::max_element(parts.begin(), parts.end(),
-                                         [](const Range &a, const Range &b) { return a.cost < b.cost; });
-            if (most->end - most->begin <= 4) break;
-            size_t middle = divide(most->begin, most->end), last = most->end;
-            *most = range(most->begin, middle);
-            parts.push_back(range(middle, last));
-        }
+        const size_t middle = divide(begin, end),
+                     cuts[] = {begin, divide(begin, middle), middle, divide(middle, end), end};
         for (size_t k = 0; k < 4; ++k) {
-            Box box = k < parts.size() ? boxOf(parts[k].begin, parts[k].end) : Box{};
+            Box box;
+            for (size_t i = cuts[k]; i < cuts[k + 1]; ++i) box.add(items[i].box);
             for (size_t axis = 0; axis < 3; ++axis) {
                 tree.nodes[node].bound[0][axis][k] = box.lo[axis];
                 tree.nodes[node].bound[1][axis][k] = box.hi[axis];
             }
-            tree.nodes[node].child[k] = 0;
-            if (k < parts.size()) {
-                int child = childOf(parts[k]); // may move the nodes
-                tree.nodes[node].child[k] = child;
-            }
+            const int child = childOf(cuts[k], cuts[k + 1]); // may move the nodes
+            tree.nodes[node].child[k] = child;
         }
     }
-    int childOf(const Range &part) {
-        if (part.end - part.begin > 4) {
+    int childOf(size_t begin, size_t end) {
+        if (end - begin > 4) {
             size_t node = tree.nodes.size();
             tree.nodes.emplace_back();
-            fill(node, part.begin, part.end);
+            fill(node, begin, end);
             return (int)node;
         }
         Leaf leaf = {};
         for (size_t k = 0; k < 4; ++k) {
-            leaf.number[k] = part.begin + k < part.end ? items[part.begin + k].number : -1;
+            leaf.number[k] = begin + k < end ? items[begin + k].number : -1;
             if (leaf.number[k] < 0) continue;
             for (size_t corner = 0; corner < 3; ++corner)
                 for (size_t axis = 0; axis < 3; ++axis)
@@ -100,45 +74,16 @@ struct Obstacles::Builder {
         tree.leaves.push_back(leaf);
         return ~(int)(tree.leaves.size() - 1);
     }
-    // Divides a range between two bins along its longest axis, such that area times count, summed over both
-    // parts, is least. Reorders the items, and returns the index of the second part.
+    // Sorts a range into halves along its longest axis. Returns the index of the second half.
     size_t divide(size_t begin, size_t end) {
-        constexpr int kBins = 16;
         Box middles;
         for (size_t i = begin; i < end; ++i) middles.add(items[i].middle);
-        Vec3d size = middles.hi - middles.lo;
-        size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        if (!(size[axis] > 0)) return (begin + end) / 2;
-        auto binOf = [&](const Item &item) {
-            return std::min(kBins - 1, (int)((item.middle[axis] - middles.lo[axis]) / size[axis] * kBins));
-        };
-        Box bins[kBins];
-        int counts[kBins] = {};
-        for (size_t i = begin; i < end; ++i) {
-            int bin = binOf(items[i]);
-            bins[bin].add(items[i].box);
-            ++counts[bin];
-        }
-        // The first and the last bin are never empty, so neither part is empty
-        double upper[kBins], least = INFINITY;
-        Box box;
-        int count = 0, best = 1;
-        for (int k = kBins - 1; k > 0; --k) {
-            box.add(bins[k]);
-            count += counts[k];
-            upper[k] = box.area() * count;
-        }
-        box = {}, count = 0;
-        for (int k = 1; k < kBins; ++k) {
-            box.add(bins[k - 1]);
-            count += counts[k - 1];
-            double cost = box.area() * count + upper[k];
-            if (cost < least) least = cost, best = k;
-        }
-        auto from = items.begin();
-        return (size_t)(std::partition(from + (long)begin, from + (long)end,
-                                       [&](const Item &item) { return binOf(item) < best; }) -
-                        from);
+        const Vec3d size = middles.hi - middles.lo;
+        const size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        auto at = [&](size_t i) { return items.begin() + (long)i; };
+        std::nth_element(at(begin), at((begin + end) / 2), at(end),
+                         [&](const Item &a, const Item &b) { return a.middle[axis] < b.middle[axis]; });
+        return (begin + end) / 2;
     }
 };
 

@@ -1,8 +1,8 @@
 // Finds the triangles that rays hit, in double precision, for references to compare solutions with.
 //
 // The code shares nothing with the trees of intro/trace and rays/, because a reference must not have the
-// faults that it should find. Triangles are in a tree of boxes with four children, divided by the surface
-// area heuristic in bins (Wald, 2007), and are tested by Moeller and Trumbore's method (1997).
+// faults that it should find. Triangles are in a tree of boxes with four children, which halve them twice
+// along the longest axis, and are tested by Moeller and Trumbore's method (1997).
 #pragma once
 
 #include "tools/support/vec3d.h"
