@@ -20,10 +20,6 @@ namespace {
 constexpr double kLumensOfWatt = 179;
 constexpr double kMostOfFloat = 3e38;
 
-// Converts CIE XYZ to linear red, green and blue with sRGB's primaries and white (IEC 61966-2-1).
-constexpr double kRgbOfXyz[3][3] = {
-    {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}};
-
 class HdrReader {
 public:
     explicit HdrReader(std::string_view file) : file(file) {}
@@ -174,17 +170,12 @@ private:
     }
 
     void addPixel(const uint8_t *p) {
-        double scale = p[3] ? std::ldexp(1., p[3] - 136) : 0, c[3];
+        const double scale = p[3] ? std::ldexp(1., p[3] - 136) / (xyz ? kLumensOfWatt : 1) : 0;
+        std::array<double, 3> c;
         for (size_t k = 0; k < 3; ++k) c[k] = p[k] * scale / multiplied[k];
-        for (size_t k = 0; k < 3; ++k) {
-            double light = c[k];
-            if (xyz) {
-                light = 0;
-                for (size_t i = 0; i < 3; ++i) light += kRgbOfXyz[k][i] * c[i] / kLumensOfWatt;
-            }
-            // Clamp colours outside the gamut, which are below 0
-            picture.light.push_back((float)std::clamp(light, 0., kMostOfFloat));
-        }
+        if (xyz) c = rgbOfXyz(c);
+        // Clamp colours outside the gamut, which are below 0
+        for (double light : c) picture.light.push_back((float)std::clamp(light, 0., kMostOfFloat));
     }
 
     // Sorts the pixels into rows from top to bottom, each from left to right.

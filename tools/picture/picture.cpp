@@ -11,10 +11,12 @@
 #include <strings.h>
 
 #include <tinyexr.h>
+#define STB_IMAGE_RESIZE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"
+#include <stb/stb_image_resize.h>
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
@@ -54,6 +56,12 @@ std::array<float, 3> Picture::linear(size_t pixel) const {
     return all;
 }
 
+std::array<double, 3> rgbOfXyz(const std::array<double, 3> &c) {
+    const auto [x, y, z] = c;
+    return {3.2406 * x - 1.5372 * y - 0.4986 * z, -0.9689 * x + 1.8758 * y + 0.0415 * z,
+            0.0557 * x - 0.2040 * y + 1.0570 * z};
+}
+
 static uint8_t eightBits(double linear) { return (uint8_t)(srgbOfLinear((float)linear) * 255 + 0.5f); }
 
 Image toImage(const Picture &p) {
@@ -84,24 +92,20 @@ Image linearToImage(const Picture &p, int by) {
     return image;
 }
 
-static void append(void *to, void *bytes, int size) {
-    ((std::string *)to)->append((const char *)bytes, (size_t)size);
-}
-static void write(const std::string &path, const std::string &file, int made) {
-    if (!made) throw std::runtime_error("not enough memory for " + path);
+static void write(const std::string &path, const Image &p, Format format) {
+    stbi_write_png_compression_level = 9;
+    std::string file;
+    auto append = [](void *to, void *bytes, int size) {
+        ((std::string *)to)->append((const char *)bytes, (size_t)size);
+    };
+    if (!(format == Format::Png
+              ? stbi_write_png_to_func(append, &file, p.width, p.height, 3, p.rgb.data(), p.width * 3)
+              : stbi_write_jpg_to_func(append, &file, p.width, p.height, 3, p.rgb.data(), 84)))
+        throw std::runtime_error("not enough memory for " + path);
     common::writeWhole(path, file);
 }
-void writePng(const std::string &path, const Image &p) {
-    stbi_write_png_compression_level = 9;
-    std::string png;
-    int made = stbi_write_png_to_func(append, &png, p.width, p.height, 3, p.rgb.data(), p.width * 3);
-    write(path, png, made);
-}
-void writeJpeg(const std::string &path, const Image &p) {
-    std::string jpeg;
-    int made = stbi_write_jpg_to_func(append, &jpeg, p.width, p.height, 3, p.rgb.data(), 84);
-    write(path, jpeg, made);
-}
+void writePng(const std::string &path, const Image &p) { write(path, p, Format::Png); }
+void writeImage(const std::string &path, const Image &p) { write(path, p, formatNamed(path, Format::Jpeg)); }
 
 void writeExr(const std::string &path, int width, int height, const std::vector<float> &rgb) {
     common::TemporaryFolder folder;
@@ -121,28 +125,14 @@ Format formatNamed(const std::string &path, Format other) {
                           (other == Format::Png ? "" : std::string(" or ") + kEndings[(int)other]));
 }
 
-void writeImage(const std::string &path, const Image &p) {
-    (formatNamed(path, Format::Jpeg) == Format::Jpeg ? writeJpeg : writePng)(path, p);
-}
-
 Image shrink(const Image &p, int width) {
     Image small;
     small.width = std::min(width, p.width);
     small.height = std::max(1, (int)((int64_t)p.height * small.width / p.width));
     small.rgb.resize((size_t)small.width * (size_t)small.height * 3);
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x) {
-            int x0 = x * p.width / small.width, x1 = std::max(x0 + 1, (x + 1) * p.width / small.width);
-            int y0 = y * p.height / small.height, y1 = std::max(y0 + 1, (y + 1) * p.height / small.height);
-            for (int c = 0; c < 3; ++c) {
-                int sum = 0, area = (x1 - x0) * (y1 - y0);
-                for (int v = y0; v < y1; ++v)
-                    for (int u = x0; u < x1; ++u)
-                        sum += p.rgb[((size_t)v * (size_t)p.width + (size_t)u) * 3 + (size_t)c];
-                small.rgb[((size_t)y * (size_t)small.width + (size_t)x) * 3 + (size_t)c] =
-                    (uint8_t)((sum + area / 2) / area);
-            }
-        }
+    stbir_resize_uint8_generic(p.rgb.data(), p.width, p.height, 0, small.rgb.data(), small.width,
+                               small.height, 0, 3, STBIR_ALPHA_CHANNEL_NONE, 0, STBIR_EDGE_CLAMP,
+                               STBIR_FILTER_BOX, STBIR_COLORSPACE_LINEAR, nullptr);
     return small;
 }
 

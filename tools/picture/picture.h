@@ -37,6 +37,9 @@ struct Picture {
     std::array<float, 3> linear(size_t pixel) const;
 };
 
+// Converts CIE XYZ to linear red, green and blue with sRGB's primaries and white (IEC 61966-2-1).
+std::array<double, 3> rgbOfXyz(const std::array<double, 3> &xyz);
+
 // The largest readable picture: a sky of 16,384 x 8,192.
 constexpr int64_t kMostPixels = 1 << 27;
 
@@ -50,9 +53,8 @@ Image toImage(const Picture &picture);
 // Refused if the size is no multiple of `by`.
 Image linearToImage(const Picture &picture, int by);
 
-// Write a file whole or not at all. Throw std::runtime_error.
+// Writes a file whole or not at all. Throws std::runtime_error.
 void writePng(const std::string &path, const Image &picture);
-void writeJpeg(const std::string &path, const Image &picture);
 
 // Writes linear red, green and blue, the top row first, as OpenEXR of 32-bit floats. Throws likewise.
 void writeExr(const std::string &path, int width, int height, const std::vector<float> &rgb);
@@ -62,7 +64,7 @@ void writeExr(const std::string &path, int width, int height, const std::vector<
 enum class Format { Png, Jpeg, Exr };
 Format formatNamed(const std::string &path, Format other = Format::Png);
 
-// Writes PNG or JPEG, by the name.
+// Writes PNG or JPEG, by the name, likewise.
 void writeImage(const std::string &path, const Image &picture);
 
 // Shrinks a picture to `width` by averaging areas. It is never enlarged.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <stb/stb_image_resize.h>
+
 namespace odraz::radiosity {
 
 namespace {
@@ -46,32 +48,10 @@ ReflectancePicture::ReflectancePicture(const pictures::Picture &picture) {
 // A texel of the smaller picture covers two by two texels; along an odd side, parts of three.
 ReflectancePicture::Level ReflectancePicture::halved(const Level &of) {
     Level to = {(of.width + 1) / 2, (of.height + 1) / 2, {}};
-    struct Tap {
-        int at;
-        double share;
-    };
-    auto taps = [](int i, int count, int of) {
-        double from = (double)i * of / count, end = (double)(i + 1) * of / count;
-        std::vector<Tap> all;
-        for (int k = (int)from; k < std::min((int)std::ceil(end - 1e-9), of); ++k)
-            all.push_back({k, (std::min(k + 1., end) - std::max((double)k, from)) / (end - from)});
-        return all;
-    };
-    std::vector<std::vector<Tap>> columns;
-    for (int i = 0; i < to.width; ++i) columns.push_back(taps(i, to.width, of.width));
-    for (int j = 0; j < to.height; ++j) {
-        auto rows = taps(j, to.height, of.height);
-        for (const auto &column : columns) {
-            double sum[3] = {};
-            for (const Tap &y : rows)
-                for (const Tap &x : column)
-                    for (size_t k = 0; k < 3; ++k)
-                        sum[k] +=
-                            y.share * x.share * of.texels[(size_t)y.at * (size_t)of.width + (size_t)x.at][k];
-            to.texels.push_back(
-                {(uint16_t)(sum[0] + 0.5), (uint16_t)(sum[1] + 0.5), (uint16_t)(sum[2] + 0.5)});
-        }
-    }
+    to.texels.resize((size_t)to.width * (size_t)to.height);
+    stbir_resize_uint16_generic(of.texels[0].data(), of.width, of.height, 0, to.texels[0].data(), to.width,
+                                to.height, 0, 3, STBIR_ALPHA_CHANNEL_NONE, 0, STBIR_EDGE_CLAMP,
+                                STBIR_FILTER_BOX, STBIR_COLORSPACE_LINEAR, nullptr);
     return to;
 }
 
