@@ -140,21 +140,6 @@ private:
         }
     }
 
-    // The points of a series that none of its other points beats. -1: takes all series as one
-    std::vector<PlotPoint> front(int series) const {
-        double signX = plot.lessIsBetterX ? 1 : -1, signY = plot.lessIsBetterY ? 1 : -1;
-        auto counts = [&](const PlotPoint &p) { return series < 0 || p.series == series; };
-        std::vector<PlotPoint> all;
-        for (const PlotPoint &p : plot.points)
-            if (counts(p) && std::none_of(plot.points.begin(), plot.points.end(), [&](const PlotPoint &q) {
-                    double dx = (q.x - p.x) * signX, dy = (q.y - p.y) * signY;
-                    return counts(q) && dx <= 0 && dy <= 0 && (dx < 0 || dy < 0);
-                }))
-                all.push_back(p);
-        std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.x < b.x; });
-        return all;
-    }
-
     std::vector<PlotPoint> ofSeries(int series) const {
         std::vector<PlotPoint> all;
         for (const PlotPoint &p : plot.points)
@@ -162,15 +147,26 @@ private:
         return all;
     }
 
+    // The points of a series that none of its other points beats
+    std::vector<PlotPoint> front(int series) const {
+        const std::vector<PlotPoint> all = ofSeries(series);
+        std::vector<PlotPoint> best;
+        for (const PlotPoint &p : all)
+            if (std::none_of(all.begin(), all.end(), [&](const PlotPoint &q) {
+                    return q.x <= p.x && q.y <= p.y && (q.x < p.x || q.y < p.y);
+                }))
+                best.push_back(p);
+        std::sort(best.begin(), best.end(), [](auto &a, auto &b) { return a.x < b.x; });
+        return best;
+    }
+
     // Draws the fronts, or lines through all points of each series
     void fronts() {
-        bool each = plot.frontOfEach || plot.joined;
-        for (int series = each ? 0 : -1; series < (each ? (int)plot.series.size() : 0); ++series) {
+        for (int series = 0; series < (int)plot.series.size(); ++series) {
             std::string path;
             for (const PlotPoint &p : plot.joined ? ofSeries(series) : front(series))
                 path += format("%s%.1f %.1f", path.empty() ? "M" : "L", x.position(p.x), y.position(p.y));
-            out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" +
-                   (series < 0 ? "#999" : kColours[series % kColourCount]) +
+            out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + kColours[series % kColourCount] +
                    (plot.joined ? "\" stroke-width=\"1.5\"/>\n" : "\" stroke-dasharray=\"4 3\"/>\n");
         }
     }

@@ -86,8 +86,7 @@ public:
             .series = {"OpenGL", "rays"},
             .points = {},
             .logarithmicX = true,
-            .logarithmicY = true,
-            .frontOfEach = true};
+            .logarithmicY = true};
         std::printf(
             "\n| pixels | cells along a patch | samples in it | patches | noon, rms %% | evening, rms %% | s "
             "by OpenGL | s by rays |\n|---|---|---|---|---|---|---|---|\n");

@@ -38,9 +38,7 @@ std::string shown(double number, int digits) {
 
 pictures::Plot errorPlot(const std::string &title, const std::string &xName, const std::string &yName,
                          std::vector<std::string> series) {
-    pictures::Plot plot = {title, xName, yName, std::move(series), {}, true, true};
-    plot.frontOfEach = true;
-    return plot;
+    return {title, xName, yName, std::move(series), {}, true, true};
 }
 
 void Page::write(const std::string &file, const std::string &content) {

@@ -63,8 +63,6 @@ TEST(Plot, TheFrontJoinsWhatNothingBeats) {
     Plot plot = {
         "title", "x", "y", {"all"}, {{1, 3, "", false, 0}, {2, 4, "", false, 0}, {3, 1, "", false, 0}}};
     EXPECT_EQ(all(svg(plot), "d=\"(M[-0-9. ]+L[-0-9. ]+)\" fill=\"none\"").size(), 1u);
-    plot.lessIsBetterY = false;
-    EXPECT_EQ(all(svg(plot), "d=\"(M[-0-9. ]+L[-0-9. ]+)\" fill=\"none\"").size(), 1u);
     plot.joined = true;
     EXPECT_EQ(all(svg(plot), "d=\"(M[-0-9. ]+L[-0-9. ]+L[-0-9. ]+)\" fill=\"none\"").size(), 1u);
 }
