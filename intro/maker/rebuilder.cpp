@@ -146,7 +146,7 @@ uint64_t Rebuilder::solverHash() const {
     for (const std::string &file : objects())
         if (std::any_of(std::begin(kSolvers), std::end(kSolvers),
                         [&](const char *part) { return file.find(part) != file.npos; }))
-            hash = common::fnv1a(common::readWholeFile(file).view(), hash);
+            hash = common::fnv1a(common::readWhole(file), hash);
     return hash;
 }
 

@@ -14,8 +14,8 @@ namespace pack {
 
 // Reads a whole file. Errors are thrown as in tools/common/whole_file.h
 inline Bytes readBytes(const std::string &path) {
-    common::WholeFile file = common::readWholeFile(path);
-    return {file.view().begin(), file.view().end()};
+    const std::string file = common::readWhole(path);
+    return {file.begin(), file.end()};
 }
 
 // Returns the permissions of a file, in chmod's form.

@@ -4,9 +4,9 @@
 #include "report_page_script.h"
 #include "report_page_style.h"
 #include "tools/common/text.h"
+#include "tools/common/whole_file.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -22,17 +22,6 @@ namespace {
 
 using nlohmann::json;
 
-// Returns the output of a command. Throws std::runtime_error if it cannot be started.
-std::string outputOf(const std::string &command) {
-    std::FILE *printed = popen(command.c_str(), "r");
-    if (!printed) throw std::runtime_error("cannot run " + command + ": " + std::strerror(errno));
-    std::string output;
-    char buffer[1 << 16];
-    while (size_t size = std::fread(buffer, 1, sizeof buffer, printed)) output.append(buffer, size);
-    pclose(printed);
-    return output;
-}
-
 // Returns the text in Intel's syntax; after " # " the address of an operand relative to rip. Removes the
 // symbol and aligning spaces from "mov    eax,DWORD PTR [rip+0x10]        # 404010 <name>".
 std::string tidy(const std::string &line) {
@@ -46,7 +35,7 @@ std::string tidy(const std::string &line) {
 std::string readCode(const std::string &path, const Program &program) {
     std::map<uint64_t, std::string> all; // a line of each instruction, by offset
     std::istringstream lines(
-        outputOf("objdump -d -w -z -M intel -- " + common::shellWord(path) + " 2>/dev/null"));
+        common::outputOf("objdump -d -w -z -M intel -- " + common::shellWord(path) + " 2>/dev/null"));
     // "  404a10:\t48 89 e5             \tmov    rbp,rsp"
     for (std::string line; std::getline(lines, line);) {
         size_t numbersAt = line.find(":\t"), text = line.find('\t', numbersAt + 2);

@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -35,28 +36,37 @@ static OpenFile openRegular(const std::string &path, struct stat &s) {
     return file;
 }
 
-WholeFile readWholeFile(const std::string &path) {
+// Reads at most this number of bytes.
+static std::string readFrom(std::FILE *file, const std::string &path, size_t size) {
+    std::string bytes(size, '\0');
+    bytes.resize(std::fread(bytes.data(), 1, size, file));
+    if (std::ferror(file)) throw Refused(cannot("read", path));
+    return bytes;
+}
+
+std::string readWhole(const std::string &path) {
     struct stat s;
     noteInput(path);
     OpenFile f = openRegular(path, s);
     if (s.st_size > kMostBytes) throw Refused("cannot read " + path + ": larger than 4 GB");
-    auto size = (size_t)s.st_size;
-    WholeFile file = {std::make_unique_for_overwrite<char[]>(size), 0};
-    file.size = std::fread(file.bytes.get(), 1, size, f.get());
-    if (std::ferror(f.get())) throw Refused(cannot("read", path));
-    return file;
+    return readFrom(f.get(), path, (size_t)s.st_size);
 }
 
 std::string readStart(const std::string &path, size_t size) {
     struct stat s;
-    OpenFile f = openRegular(path, s);
-    std::string start(size, '\0');
-    start.resize(std::fread(start.data(), 1, size, f.get()));
-    if (std::ferror(f.get())) throw Refused(cannot("read", path));
-    return start;
+    return readFrom(openRegular(path, s).get(), path, size);
 }
 
-std::string readWhole(const std::string &path) { return std::string(readWholeFile(path).view()); }
+std::string outputOf(const std::string &command, int *status) {
+    std::FILE *printed = popen(command.c_str(), "r");
+    if (!printed) throw std::runtime_error("cannot run " + command + ": " + std::strerror(errno));
+    std::string output;
+    char buffer[1 << 16];
+    while (size_t size = std::fread(buffer, 1, sizeof buffer, printed)) output.append(buffer, size);
+    const int ended = pclose(printed);
+    if (status) *status = ended;
+    return output;
+}
 
 // What a path names, after following symbolic links.
 struct Target {

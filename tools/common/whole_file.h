@@ -4,7 +4,6 @@
 
 #include "tools/common/command_line.h"
 
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -12,14 +11,6 @@ namespace common {
 
 // Reads a regular file of at most 4 GB. Throws Refused (command_line.h) with the file's name and the reason.
 std::string readWhole(const std::string &path);
-
-// The same without copying the bytes into a string. They are aligned like memory from new.
-struct WholeFile {
-    std::unique_ptr<char[]> bytes;
-    size_t size = 0;
-    std::string_view view() const { return {bytes.get(), size}; }
-};
-WholeFile readWholeFile(const std::string &path);
 
 // Reads the first `size` bytes of a file, or all if it has fewer.
 std::string readStart(const std::string &path, size_t size);
@@ -40,10 +31,14 @@ template <class Parse> auto parseFile(const std::string &path, Parse parse) {
     return inFile(path, [&] { return parse(text); });
 }
 
+// Runs a shell's command. Returns what it prints; sets `status` to that of wait(2). Throws
+// std::runtime_error.
+std::string outputOf(const std::string &command, int *status = nullptr);
+
 // Throws Refused if the file certainly cannot be written, so that minutes of work are not lost.
 void checkWritable(const std::string &path);
 
-// Notes an input of a run. readWhole() and readWholeFile() do so themselves. Throws WouldReplace if the file,
+// Notes an input of a run. readWhole() does so itself. Throws WouldReplace if the file,
 // by whatever name, is an output.
 void noteInput(const std::string &path);
 // Claims an output that the user named, before work begins. Throws Refused if it cannot be written, or is an

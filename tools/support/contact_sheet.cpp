@@ -44,11 +44,10 @@ void writeText(Image &picture, const PixelBox &box, const char *text, const Text
 
 // Writes minutes:seconds in the lower left corner of the picture.
 void label(Image &picture, int seconds) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%d:%02d", seconds / 60, seconds % 60);
+    const std::string text = common::format("%d:%02d", seconds / 60, seconds % 60);
     static constexpr uint8_t kGrey[3] = {230, 230, 230};
     int height = std::min(20, picture.height);
-    writeText(picture, {0, picture.height - height, 64, height}, text,
+    writeText(picture, {0, picture.height - height, 64, height}, text.c_str(),
               {10, 0.13f, Align::Left, {1, 1, 1}, 1, 1}, kGrey, 0.75f);
 }
 
@@ -60,14 +59,9 @@ std::vector<Image> dumpFrames(const std::string &program, const std::string &opt
     std::string command = common::shellWord(program) + " --dump - " + options + " --quality " +
                           common::shellWord(quality) + " --size " + std::to_string(traced) + "x" +
                           std::to_string(traced * 9 / 16);
-    std::FILE *film = popen(command.c_str(), "r");
-    if (!film) throw std::runtime_error("cannot run " + program);
-    std::string dump(1 << 20, '\0');
-    size_t size = 0;
-    while (size_t read = std::fread(&dump[size], 1, dump.size() - size, film))
-        if ((size += read) == dump.size()) dump.resize(2 * size);
-    dump.resize(size);
-    if (pclose(film) != 0 || dump.empty()) throw std::runtime_error(program + ": its --dump failed");
+    int status;
+    std::string dump = common::outputOf(command, &status);
+    if (status != 0 || dump.empty()) throw std::runtime_error(program + ": its --dump failed");
     std::vector<Image> frames;
     for (PictureFile file(program, std::move(dump)); file.more();)
         frames.push_back(shrink(toImage(file.next()), width));

@@ -18,8 +18,8 @@ void SavedState::save(const std::string &path) const {
     common::writeWhole(path, withChecksum(kStateMagic, body));
 }
 
-SavedState::SavedState(const std::string &path) : file(common::readWholeFile(path)) {
-    std::string_view all = file.view(), padding;
+SavedState::SavedState(const std::string &path) : file(common::readWhole(path)) {
+    std::string_view all = file, padding;
     size_t at = bodyOf(all, kStateMagic);
     if (!at) throw common::Refused(path + ": is not a state of 'radiosity solve' of this version");
     std::vector<uint64_t> head;

@@ -26,7 +26,7 @@ struct SavedState {
     std::string_view rows;          // as SolveSettings::keep gets them
 
 private:
-    common::WholeFile file; // the file that was read, which `rows` points into
+    std::string file; // the file that was read, which `rows` points into
 };
 
 // The checksum of the points, triangles, materials with their pictures, and sky.
