@@ -2,10 +2,10 @@
 #include "tools/radiosity/export/atlas.h"
 
 #include "tools/common/folders.h"
-#include "tools/common/statistics.h"
 #include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture.h"
+#include "tools/radiosity/export/points_export.h"
 
 #include <algorithm>
 
@@ -14,18 +14,6 @@
 namespace odraz::radiosity {
 
 namespace {
-
-// The light that 1 stands for in a PNG: the 99th percentile of the texels divided by 0.9.
-float lightOfOne(const Solution &b, bool radiosity) {
-    std::vector<float> all;
-    for (size_t i = 0; i < b.texels.size(); ++i) {
-        size_t chart = (size_t)b.texels[i].chart;
-        if (radiosity && maxComponent(b.emits[chart]) > 0) continue;
-        float light = maxComponent(radiosity ? b.light[i] * b.reflects[chart] : b.light[i]);
-        if (light > 0) all.push_back(light);
-    }
-    return all.empty() ? 1 : std::max(common::quantile(std::move(all), 0.99) / 0.9f, 1e-20f);
-}
 
 void writePng(const common::NewFolder &folder, const std::string &name, const AtlasPage &size,
               const std::vector<float> &texels, float one) {

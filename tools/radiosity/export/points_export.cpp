@@ -7,59 +7,27 @@
 #include "tools/radiosity/read/mesh.h"
 
 #include <algorithm>
-#include <cstring>
+#include <unordered_map>
 
 namespace odraz::radiosity {
 
 namespace {
 
-// Converts radiosity to sRGB, 0 .. 1. The 99th percentile of the points becomes 0.9 in linear light.
-struct ColourScale {
-    float scale = 1;
-    explicit ColourScale(const Solution &solution) {
-        std::vector<float> all;
-        solution.forPieces([&](int chart, int, const std::vector<SolutionPoint> &piece) {
-            if (maxComponent(solution.emits[(size_t)chart]) > 0) return;
-            for (const SolutionPoint &p : piece) all.push_back(maxComponent(p.radiosity));
-        });
-        if (all.empty()) return;
-        float high = common::quantile(std::move(all), 0.99);
-        if (high > 1e-30f) scale = 0.9f / high; // the inverse of a smaller value may be infinite
-    }
-    float operator()(float x) const { return pictures::srgbOfLinear(x * scale); }
-};
-
-// The pieces of elements as faces, and their corners with radiosity.
+// The pieces of elements as faces, and their corners with radiosity. Equal corners are merged.
 struct LitCorners {
     std::vector<SolutionPoint> points;
     std::vector<std::vector<size_t>> faces;
     explicit LitCorners(const Solution &solution) {
+        std::unordered_map<std::string, size_t> numbers; // by the bytes of a corner
         solution.forPieces([&](int, int, const std::vector<SolutionPoint> &piece) {
-            std::vector<size_t> face;
+            std::vector<size_t> &face = faces.emplace_back();
             for (const SolutionPoint &p : piece) {
-                face.push_back(points.size());
-                points.push_back(p);
+                auto [entry, added] =
+                    numbers.try_emplace(std::string((const char *)&p, sizeof p), points.size());
+                if (added) points.push_back(p);
+                face.push_back(entry->second);
             }
-            faces.push_back(face);
         });
-        weld();
-    }
-    // Merges points of equal position and radiosity.
-    void weld() {
-        std::vector<size_t> order(points.size()), to(points.size());
-        for (size_t i = 0; i < order.size(); ++i) order[i] = i;
-        auto less = [&](size_t a, size_t b) {
-            return std::memcmp(&points[a], &points[b], sizeof(SolutionPoint)) < 0;
-        };
-        std::sort(order.begin(), order.end(), less);
-        std::vector<SolutionPoint> kept;
-        for (size_t i = 0; i < order.size(); ++i) {
-            if (i == 0 || less(order[i - 1], order[i])) kept.push_back(points[order[i]]);
-            to[order[i]] = kept.size() - 1;
-        }
-        for (auto &face : faces)
-            for (size_t &corner : face) corner = to[corner];
-        points = kept;
     }
 };
 
@@ -71,6 +39,17 @@ std::string pointText(const Solution &solution, const Vec3 &point) {
 }
 
 } // namespace
+
+float lightOfOne(const Solution &b, bool radiosity) {
+    std::vector<float> all;
+    for (size_t i = 0; i < b.texels.size(); ++i) {
+        size_t chart = (size_t)b.texels[i].chart;
+        if (radiosity && maxComponent(b.emits[chart]) > 0) continue;
+        float light = maxComponent(radiosity ? b.light[i] * b.reflects[chart] : b.light[i]);
+        if (light > 0) all.push_back(light);
+    }
+    return all.empty() ? 1 : std::max(common::quantile(std::move(all), 0.99) / 0.9f, 1e-20f);
+}
 
 std::string csvField(const std::string &text) {
     if (text.find_first_of(",\"\n\r") == text.npos) return text;
@@ -102,14 +81,14 @@ void exportCsv(const Solution &solution, const std::string &path) {
 }
 
 void exportPolygons(const Solution &solution, const std::string &path, bool ply) {
-    ColourScale colour(solution);
+    const float one = lightOfOne(solution, true);
     LitCorners corners(solution);
     const char *type = length(solution.origin) > 0 ? "double" : "float";
     std::string text;
     common::append(text,
                    ply ? "ply\nformat ascii 1.0\ncomment %s; colours are sRGB, 1 stands for %g\n"
                        : "%s: colours after the coordinates are sRGB, 1 stands for %g\n",
-                   kExportedObj, 1 / (double)colour.scale);
+                   kExportedObj, (double)one);
     if (ply)
         common::append(text,
                        "element vertex %zu\nproperty %s x\nproperty %s y\nproperty %s z\n"
@@ -118,9 +97,11 @@ void exportPolygons(const Solution &solution, const std::string &path, bool ply)
                        corners.points.size(), type, type, type, corners.faces.size());
     for (const SolutionPoint &p : corners.points) {
         text += (ply ? "" : "v ") + pointText(solution, p.p);
-        for (float c : {colour(p.radiosity.x), colour(p.radiosity.y), colour(p.radiosity.z)})
+        for (float light : {p.radiosity.x, p.radiosity.y, p.radiosity.z}) {
+            const float c = pictures::srgbOfLinear(light / one);
             ply ? common::append(text, " %d", (int)(c * 255 + 0.5f))
                 : common::append(text, " %.4f", (double)c);
+        }
         text += '\n';
     }
     for (const auto &face : corners.faces) {

@@ -6,6 +6,10 @@
 
 namespace odraz::radiosity {
 
+// The light (or radiosity) that 1 stands for in a picture: the 99th percentile of the texels (of surfaces
+// that do not emit) divided by 0.9.
+float lightOfOne(const Solution &solution, bool radiosity);
+
 // A field of CSV, in quotes where it needs them (RFC 4180).
 std::string csvField(const std::string &text);
 
