@@ -30,22 +30,17 @@ struct ModelWriter : ObjWriter {
     // A rectangle that is lit on the side of u x v. If `area` requires it, it is divided into smaller
     // rectangles, whose sides differ by a factor of 2 at most.
     void rect(const char *mtl, Vec3d corner, Vec3d u, Vec3d v) {
-        use(mtl);
-        int across = 1, down = 1;
         if (area > 0) {
-            double side = std::sqrt(2 * area);
-            across = (int)std::ceil(length(u) / side - 1e-9), down = (int)std::ceil(length(v) / side - 1e-9);
+            const double side = std::sqrt(2 * area);
+            auto parts = [&](Vec3d along) { return (int)std::ceil(length(along) / side - 1e-9); };
+            return surface(mtl, parts(u), parts(v), false,
+                           [&](double x, double y) { return corner + u * x + v * y; });
         }
-        auto at = [&](int i, int j) { return number(corner + u * i / across + v * j / down); };
-        for (int j = 0; j < down; ++j)
-            for (int i = 0; i < across; ++i) {
-                int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-                if (area > 0)
-                    common::append(faces, "f %d %d %d\nf %d %d %d\n", a, b, c, a, c, d);
-                else
-                    common::append(faces, "f %d %d %d %d\n", a, b, c, d);
-                triangles += 2;
-            }
+        use(mtl);
+        const int a = number(corner), b = number(corner + u), c = number(corner + u + v),
+                  d = number(corner + v);
+        common::append(faces, "f %d %d %d %d\n", a, b, c, d);
+        triangles += 2;
     }
     // A box seen from outside. It has a bottom if `bottom` names a material, and a top if hi.y is below 10.
     void box(const char *mtl, Vec3d lo, Vec3d hi, const char *bottom) {

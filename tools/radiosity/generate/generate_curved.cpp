@@ -150,9 +150,7 @@ void makeTerrain(ObjWriter &w) {
     });
     // Begin the walls below the hills
     auto wall = [&](const char *mtl, Vec3d corner, Vec3d u, Vec3d v) {
-        int a = w.number(corner), b = w.number(corner + u), d = w.number(corner + u + v),
-            e = w.number(corner + v);
-        w.triangle(mtl, a, b, d), w.triangle(mtl, a, d, e);
+        w.surface(mtl, 1, 1, false, [&](double x, double y) { return corner + u * x + v * y; });
     };
     double y = high - low, s = 2 * half;
     wall("red", {-half, low, -half}, {0, y, 0}, {0, 0, s});
