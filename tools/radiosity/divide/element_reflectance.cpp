@@ -15,16 +15,10 @@ namespace {
 class ChartTriangle {
 public:
     ChartTriangle(const Mesh &mesh, size_t number, const Chart &c, const MeshPicture &picture) {
-        const Triangle &t = mesh.triangles[number];
+        const std::array<Vec3d, 3> points = cornersOf(mesh, mesh.triangles[number]);
         for (size_t k = 0; k < 3; ++k) {
-            Vec3d p = mesh.points[(size_t)t.corners[k]];
-            double from[3] = {p[0] - (double)c.corner.x, p[1] - (double)c.corner.y,
-                              p[2] - (double)c.corner.z};
-            auto along = [&](const Vec3 &axis) {
-                return (float)(from[0] * (double)axis.x + from[1] * (double)axis.y +
-                               from[2] * (double)axis.z);
-            };
-            corners.push_back({along(c.u), along(c.v)});
+            const Vec3d from = points[k] - toDouble(c.corner);
+            corners.push_back({(float)dot(from, toDouble(c.u)), (float)dot(from, toDouble(c.v))});
             for (size_t i = 0; i < 2; ++i)
                 at[k][i] = (double)mesh.coordinates[number][k * 2 + i] * (double)picture.scale[i] +
                            (double)picture.offset[i];
@@ -54,18 +48,11 @@ private:
 };
 
 struct ColourSum {
-    double area = 0, light[3] = {};
-    void add(double part, const Rgb &c) {
-        area += part;
-        light[0] += part * (double)c.x, light[1] += part * (double)c.y, light[2] += part * (double)c.z;
-    }
-    void add(const ColourSum &s) {
-        area += s.area;
-        for (int k = 0; k < 3; ++k) light[k] += s.light[k];
-    }
-    Rgb mean() const {
-        return {(float)(light[0] / area), (float)(light[1] / area), (float)(light[2] / area)};
-    }
+    double area = 0;
+    Vec3d light = {};
+    void add(double part, const Rgb &c) { area += part, light = light + toDouble(c) * part; }
+    void add(const ColourSum &s) { area += s.area, light = light + s.light; }
+    Rgb mean() const { return toFloat(light / area); }
 };
 
 // Adds the part of a triangle inside a cell.
@@ -138,23 +125,20 @@ void ElementReflectance::compute(const Mesh &mesh, const std::vector<int> &chart
     for (size_t i = 0; i < chartOf.size(); ++i)
         if (chartOf[i] >= 0)
             material[(size_t)chartOf[i]] = &mesh.materials[(size_t)mesh.triangles[i].material];
+    // The colour of a part of a chart; `otherwise` if the picture does not cover it
+    auto colourOf = [&](const ColourSum &sum, size_t chart, const Rgb &otherwise) {
+        if (!(sum.area > 0)) return otherwise;
+        const auto &tint = material[chart]->picture.tint;
+        return sum.mean() * Rgb{tint[0], tint[1], tint[2]};
+    };
     for (size_t i = 0; i < all.size(); ++i) {
-        if (!material[i]) { // the chart has no triangle
-            ofChart.push_back({});
-            continue;
-        }
-        const auto &kd = material[i]->reflects, &tint = material[i]->picture.tint;
-        ofChart.push_back(all[i].area > 0 ? all[i].mean() * Rgb{tint[0], tint[1], tint[2]}
-                                          : Rgb{kd[0], kd[1], kd[2]});
+        const auto kd =
+            material[i] ? material[i]->reflects : std::array<float, 3>{}; // it may have no triangle
+        ofChart.push_back(colourOf(all[i], i, {kd[0], kd[1], kd[2]}));
     }
     for (size_t i = 0; i < sums.size(); ++i) {
-        size_t chart = (size_t)cells[i].chart;
-        if (!(sums[i].area > 0)) {
-            ofCell.push_back(ofChart[chart]);
-            continue;
-        }
-        const auto &tint = material[chart]->picture.tint;
-        ofCell.push_back(sums[i].mean() * Rgb{tint[0], tint[1], tint[2]});
+        const auto chart = (size_t)cells[i].chart;
+        ofCell.push_back(colourOf(sums[i], chart, ofChart[chart]));
     }
 }
 

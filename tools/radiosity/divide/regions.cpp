@@ -80,6 +80,7 @@ std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &bor
 struct Edge {
     int low, high, triangle;
     bool forward; // from low to high
+    auto operator<=>(const Edge &) const = default;
 };
 
 std::vector<Edge> sortedEdges(const Mesh &mesh) {
@@ -90,9 +91,7 @@ std::vector<Edge> sortedEdges(const Mesh &mesh) {
             int a = mesh.triangles[i].corners[k], b = mesh.triangles[i].corners[(k + 1) % 3];
             edges.push_back({std::min(a, b), std::max(a, b), (int)i, a < b});
         }
-    std::sort(edges.begin(), edges.end(), [](const Edge &a, const Edge &b) {
-        return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
-    });
+    std::sort(edges.begin(), edges.end());
     return edges;
 }
 
@@ -103,24 +102,6 @@ struct Union {
     int root(int i) {
         while (parent[(size_t)i] != i) i = parent[(size_t)i] = parent[(size_t)parent[(size_t)i]];
         return i;
-    }
-};
-
-// Items grouped by the set that they belong to.
-template <class T> struct Grouped {
-    std::vector<size_t> first; // index of each set's first item, and the end of the last set
-    std::vector<T> items;
-
-    // root(i): the set of the i-th of `count` items, or -1; item(i): the item itself.
-    template <class Root, class Item> Grouped(size_t sets, size_t count, Root &&root, Item &&item) {
-        first.resize(sets + 2);
-        for (size_t i = 0; i < count; ++i) ++first[(size_t)(root(i) + 2)];
-        for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-        items.resize(first.back());
-        for (size_t i = 0; i < count; ++i) items[first[(size_t)(root(i) + 1)]++] = item(i);
-    }
-    std::span<const T> of(size_t set) const {
-        return {items.data() + first[set], first[set + 1] - first[set]};
     }
 };
 
@@ -250,15 +231,17 @@ public:
     }
 
     // The triangles of each set; sets are sorted by their first triangle.
-    Grouped<int> members() const {
-        return Grouped<int>(
-            roots.size(), roots.size(), [&](size_t i) { return roots[i]; }, [](size_t i) { return (int)i; });
+    std::vector<std::vector<int>> members() const {
+        std::vector<std::vector<int>> all(roots.size());
+        for (size_t i = 0; i < roots.size(); ++i) all[(size_t)roots[i]].push_back((int)i);
+        return all;
     }
     // The border of each set: its edges that do not occur in both directions.
-    Grouped<Edge> borders() const {
-        return Grouped<Edge>(
-            roots.size(), edges.size(), [&](size_t i) { return borderOf(i); },
-            [&](size_t i) { return edges[i]; });
+    std::vector<std::vector<Edge>> borders() const {
+        std::vector<std::vector<Edge>> all(roots.size());
+        for (size_t i = 0; i < edges.size(); ++i)
+            if (int set = borderOf(i); set >= 0) all[(size_t)set].push_back(edges[i]);
+        return all;
     }
 
 private:
@@ -333,13 +316,13 @@ Regions joinRegions(const Mesh &mesh, double cell) {
     const double tiny = mesh.size() * 5e-6;
     regions.chartOf.resize(count);
     RegionGrower grower(mesh, tiny);
-    Grouped<int> members = grower.members();
-    Grouped<Edge> borders = grower.borders();
+    const auto members = grower.members();
+    const auto borders = grower.borders();
     ChartBuilder builder = {mesh, regions, tiny, cell};
     for (size_t i = 0; i < count; ++i) {
-        if (members.of(i).empty() || builder.add(members.of(i), borders.of(i))) continue;
+        if (members[i].empty() || builder.add(members[i], borders[i])) continue;
         // The region fills too little of its rectangle: make a chart of each triangle
-        for (int t : members.of(i)) {
+        for (int t : members[i]) {
             const auto &c = mesh.triangles[(size_t)t].corners;
             const Edge sides[] = {{c[0], c[1], t, true}, {c[1], c[2], t, true}, {c[2], c[0], t, true}};
             builder.add({&t, 1}, sides);

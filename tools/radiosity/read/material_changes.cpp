@@ -9,8 +9,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-bool emits(const MeshMaterial &m) { return m.emits[0] + m.emits[1] + m.emits[2] > 0; }
-
 [[noreturn]] void refuse(const MaterialChange &c, const std::string &why) {
     throw common::Refused(c.option + " " + c.text + ": " + why);
 }
@@ -93,7 +91,7 @@ void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<boo
             if (!used[i] || (!c.name.empty() && m.name != c.name)) continue;
             named = true;
             // A factor has no effect on a material that does not emit
-            if (c.power && (c.factor || c.name.empty()) && !emits(m)) continue;
+            if (c.power && (c.factor || c.name.empty()) && !m.shines()) continue;
             apply(m, c);
             changed = true;
         }

@@ -6,8 +6,8 @@
 #include "tools/radiosity/read/mesh_builder.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
+#include <strings.h>
 
 namespace odraz::radiosity {
 
@@ -17,16 +17,19 @@ pictures::Picture MeshPicture::read() const {
     return p;
 }
 
+std::array<Vec3d, 3> cornersOf(const Mesh &m, const Triangle &t) {
+    auto corner = [&](size_t k) { return m.points[(size_t)t.corners[k]]; };
+    return {corner(0), corner(1), corner(2)};
+}
+
 Vec3d normalOf(const Mesh &m, const Triangle &t) {
-    Vec3d a = m.points[(size_t)t.corners[0]];
-    return cross(m.points[(size_t)t.corners[1]] - a, m.points[(size_t)t.corners[2]] - a);
+    auto [a, b, c] = cornersOf(m, t);
+    return cross(b - a, c - a);
 }
 
 bool emitsLight(const Mesh &m) {
-    return std::any_of(m.triangles.begin(), m.triangles.end(), [&](const Triangle &t) {
-        const auto &e = m.materials[(size_t)t.material].emits;
-        return e[0] + e[1] + e[2] > 0;
-    });
+    return std::any_of(m.triangles.begin(), m.triangles.end(),
+                       [&](const Triangle &t) { return m.materials[(size_t)t.material].shines(); });
 }
 
 double areaOf(const Mesh &m) {
@@ -52,49 +55,23 @@ Vec3d Mesh::middle() const {
     return (lo + hi) / 2;
 }
 
-// --- The formats of models that can be read: a row each ---
+// --- The formats of models ---
 
-namespace {
+static constexpr size_t kStart = 4096;
 
-struct Format {
-    std::vector<const char *> endings; // ends of file names, in lower case
-    bool (*begins)(std::string_view start);
-    bool sure; // no other format begins like this
-    decltype(&readModel) read;
-};
-
-const Format kFormats[] = {{{".gltf", ".glb"}, isGltf, true, readGltf}, {{".obj"}, isObj, false, readObj}};
-
-constexpr size_t kStart = 4096;
-
-bool isNamed(const Format &format, std::string path) {
-    std::transform(path.begin(), path.end(), path.begin(), [](unsigned char c) { return std::tolower(c); });
-    return std::any_of(format.endings.begin(), format.endings.end(),
-                       [&](const char *ending) { return path.ends_with(ending); });
+// Whether the name of a file has this ending, in any case.
+static bool isNamed(const std::string &path, const char *ending) {
+    return !strcasecmp(std::filesystem::path(path).extension().c_str(), ending);
 }
-
-// The format by content; if no format matches, by name, so that the right reader reports the damage.
-const Format &formatOf(const std::string &path) {
-    const std::string start = common::readStart(path, kStart);
-    common::need(!start.starts_with(kSolutionStart), path + ": is a solution: give the model");
-    for (const Format &format : kFormats)
-        if (format.begins(start)) return format;
-    for (const Format &format : kFormats)
-        if (isNamed(format, path)) return format;
-    return std::end(kFormats)[-1];
-}
-
-} // namespace
 
 bool isModel(const std::string &path) {
-    std::string start;
+    for (const char *ending : {".obj", ".gltf", ".glb"})
+        if (isNamed(path, ending)) return true;
     try {
-        start = common::readStart(path, kStart);
+        return isGltf(common::readStart(path, kStart));
     } catch (const common::Refused &) { // the reader will report the error
+        return false;
     }
-    return std::any_of(std::begin(kFormats), std::end(kFormats), [&](const Format &format) {
-        return isNamed(format, path) || (format.sure && format.begins(start));
-    });
 }
 
 bool claimOutput(const std::string &path) {
@@ -106,8 +83,13 @@ bool claimOutput(const std::string &path) {
     return common::claimOutput(path);
 }
 
+// The content selects the format. If it is neither's, the name does, so that the right reader reports the
+// damage.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
-    return formatOf(path).read(path, settings, notes);
+    const std::string start = common::readStart(path, kStart);
+    common::need(!start.starts_with(kSolutionStart), path + ": is a solution: give the model");
+    const bool gltf = isGltf(start) || (!isObj(start) && (isNamed(path, ".gltf") || isNamed(path, ".glb")));
+    return (gltf ? readGltf : readObj)(path, settings, notes);
 }
 
 } // namespace odraz::radiosity

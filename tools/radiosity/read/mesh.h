@@ -35,6 +35,7 @@ struct MeshMaterial {
     std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka if that is above 1
     MeshPicture picture = {}, emissionPicture = {};
     bool twoSided = false; // both sides are lit
+    bool shines() const { return emits[0] + emits[1] + emits[2] > 0; }
     bool hasPicture() const { return !(picture.path.empty() && emissionPicture.path.empty()); }
 };
 
@@ -84,6 +85,8 @@ bool claimOutput(const std::string &path);
 // selects the format: glTF 2.0, otherwise Wavefront OBJ. Adds a line to `notes` for everything that was
 // repaired or ignored. Throws ModelError, or Refused for changes that do not fit the model.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
+
+std::array<Vec3d, 3> cornersOf(const Mesh &mesh, const Triangle &t);
 
 // The triangle's normal, with a length of twice its area.
 Vec3d normalOf(const Mesh &mesh, const Triangle &t);

@@ -5,15 +5,14 @@
 #include "tools/radiosity/read/triangulator.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <unordered_map>
 
 namespace odraz::radiosity {
 
-MeshMaterial noMaterial() { return {kNoMaterial, {0.7f, 0.7f, 0.7f}, {}}; }
-
-void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
-               std::vector<std::string> &notes) {
+// Adds notes about used materials that are black. If all are black, they become grey.
+static void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used,
+                      const std::string &path, std::vector<std::string> &notes) {
     std::vector<MeshMaterial *> black;
     int visible = 0;
     for (size_t i = 0; i < used.size(); ++i) {
@@ -57,19 +56,14 @@ void noteKinds(const std::string &path, const NotedKinds &kinds, std::vector<std
     }
 }
 
-std::vector<int> findMaterials(const std::vector<std::string> &names,
-                               const std::vector<MeshMaterial> &materials) {
-    std::map<std::string, int> indexOf;
-    for (size_t i = 0; i < materials.size(); ++i) indexOf.try_emplace(materials[i].name, (int)i);
-    std::vector<int> found;
-    for (const std::string &name : names) {
-        auto at = indexOf.find(name);
-        found.push_back(at == indexOf.end() ? -1 : at->second);
-    }
-    return found;
-}
-
 namespace {
+
+using Indices = std::array<int, 3>;
+struct Hash {
+    size_t operator()(const Indices &i) const {
+        return std::hash<std::string_view>()({(const char *)i.data(), sizeof i});
+    }
+};
 
 class MeshBuilder {
 public:
@@ -149,26 +143,15 @@ private:
         if (!(length(middle) < 1e15)) throw ModelError(path + ": lies further than 1e15 from the origin");
         if (size < length(middle) * 1e-11)
             notes.push_back(path + ": lies too far from the origin for precise coordinates: move it closer");
-        // Merge points in the same cell of the grid, by a hash table
-        using GridCell = std::array<int, 3>;
-        std::vector<GridCell> cells;
-        std::vector<int> table(std::bit_ceil(given.points.size() * 2), -1);
-        number.reserve(given.points.size());
+        // Merge points in the same cell of the grid
+        std::unordered_map<Indices, int, Hash> pointIn;
+        pointIn.reserve(given.points.size()), number.reserve(given.points.size());
         for (const Vec3d &p : given.points) {
-            GridCell cell;
+            Indices cell;
             for (size_t k = 0; k < 3; ++k) cell[k] = (int)std::lround((p[k] - lo[k]) / grid);
-            size_t at = ((size_t)cell[0] * 0x9e3779b97f4a7c15 + (size_t)cell[1]) * 0x9e3779b97f4a7c15 +
-                        (size_t)cell[2] * 0xc2b2ae3d27d4eb4f;
-            for (at ^= at >> 32;; ++at) {
-                int &entry = table[at & (table.size() - 1)];
-                if (entry < 0) {
-                    entry = (int)cells.size();
-                    cells.push_back(cell), mesh.points.push_back(p - toDouble(mesh.origin));
-                } else if (cells[(size_t)entry] != cell)
-                    continue;
-                number.push_back(entry);
-                break;
-            }
+            auto [entry, added] = pointIn.try_emplace(cell, (int)mesh.points.size());
+            if (added) mesh.points.push_back(p - toDouble(mesh.origin));
+            number.push_back(entry->second);
         }
         given.points = {};
     }
@@ -208,7 +191,7 @@ private:
             // Do not cut a large polygon that crosses itself: too many of its triangles overlap
             polygonOf.resize(mesh.triangles.size(), crosses && count < 1000 ? ~(int)i : (int)i);
         }
-        if (plain) mesh.materials.push_back(noMaterial());
+        if (plain) mesh.materials.push_back({"(none)", {0.7f, 0.7f, 0.7f}, {}}); // of polygons without one
     }
 
     void add(const std::vector<Polygons::Corner> &corners, const std::array<int, 3> &which, int material,
@@ -242,16 +225,14 @@ private:
 
     // Whether the triangle's height is less than two steps of the grid.
     bool isFlat(const Triangle &t) const {
-        double longest = 0;
-        for (size_t k = 0; k < 3; ++k)
-            longest = std::max(longest, length(mesh.points[(size_t)t.corners[k]] -
-                                               mesh.points[(size_t)t.corners[(k + 1) % 3]]));
+        auto [a, b, c] = cornersOf(mesh, t);
+        const double longest = std::max({length(b - a), length(c - b), length(a - c)});
         return !(length(normalOf(mesh, t)) > longest * grid * 2);
     }
 
     // Drops triangles that have the same corners in the same order as an earlier one.
     void dropDuplicates() {
-        using Key = std::pair<std::array<int, 3>, int>; // corners, the smallest first; triangle
+        using Key = std::pair<Indices, int>; // corners, the smallest first; triangle
         std::vector<Key> keys;
         for (const Triangle &t : mesh.triangles) {
             auto c = t.corners;

@@ -28,9 +28,6 @@ struct Polygons {
     std::vector<MeshObject> objects;
 };
 
-inline constexpr char kNoMaterial[] = "(none)"; // the material of polygons without one
-MeshMaterial noMaterial();
-
 // Sets a material's reflectance and emission. `names`: what its file calls the two. Reflectance above 1
 // becomes 1, with a note. Throws ModelError if a value is below 0 or above kMostPower.
 void setColours(MeshMaterial &material, const std::array<double, 3> &reflects,
@@ -45,13 +42,6 @@ void noteKinds(const std::string &path, const NotedKinds &kinds, std::vector<std
 // with `path`. Throws ModelError if nothing is left, or for a model that is too large or too small.
 Mesh buildMesh(const std::string &path, Polygons polygons, std::vector<MeshMaterial> materials,
                const ReadSettings &settings, std::vector<std::string> &notes);
-
-// Finds each name's material: its index in `materials`, or -1.
-std::vector<int> findMaterials(const std::vector<std::string> &names,
-                               const std::vector<MeshMaterial> &materials);
-// Adds notes about used materials that are black. If all are black, they become grey.
-void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
-               std::vector<std::string> &notes);
 
 // Divides triangles whose material has an emissionPicture until each part has about one colour. Equal
 // colours share a material, with the original's name. Adds a note for a picture that cannot be read; its

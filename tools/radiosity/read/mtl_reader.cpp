@@ -74,9 +74,7 @@ struct MtlReader {
                 refuse(std::string(line.word) + ": " + std::string(takeWord(rest)) + " is not a number");
         }
         if (!xyz) return true;
-        auto [x, y, z] = c;
-        c = {3.2406 * x - 1.5372 * y - 0.4986 * z, -0.9689 * x + 1.8758 * y + 0.0415 * z,
-             0.0557 * x - 0.2040 * y + 1.0570 * z};
+        c = pictures::rgbOfXyz(c);
         for (double &v : c) v = std::max(v, 0.); // negative values are outside the gamut
         return true;
     }
@@ -154,39 +152,23 @@ struct MtlReader {
                 continue;
             }
             if (!open) continue;
-            switch (keyword) {
-            case kDiffuse:
+            if (keyword == kDiffuse)
                 hasKd = readColour(lines, kd);
-                break;
-            case kEmission:
-                readColour(lines, ke);
-                break;
-            case kAmbient:
-                readColour(lines, ka);
-                break;
-            case kDiffuseMap:
-                picture(folderOf(path), lines, m.picture);
-                break;
-            case kEmissionMap:
-                picture(folderOf(path), lines, m.emissionPicture);
-                break;
-            case kMetal:
-            case kCoat:
-            case kSheen:
-                if (double x; takeNumber(lines.rest, x) && x > 0)
-                    note(keyword == kMetal ? "metal counts as diffuse"
-                                           : "clearcoat and sheen (Pc, Ps) are not used");
-                break;
-            default:
-                if (isMap(lines.word) && !rest.empty())
-                    note(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
-                // In some files a Tr of 1 means transparent, in others opaque
-                const bool isD = lines.word == "d";
-                if (isD && lines.rest.starts_with("-halo")) takeWord(lines.rest);
-                if (double x;
-                    (isD || lines.word == "Tr") && takeNumber(lines.rest, x) && x < 1 && (isD || x > 0))
-                    note("opacity is not used, so all surfaces are opaque");
-            }
+            else if (keyword == kEmission || keyword == kAmbient)
+                readColour(lines, keyword == kEmission ? ke : ka);
+            else if (keyword == kDiffuseMap || keyword == kEmissionMap)
+                picture(folderOf(path), lines, keyword == kDiffuseMap ? m.picture : m.emissionPicture);
+            else if (double x; keyword >= 0 && takeNumber(lines.rest, x) && x > 0)
+                note(keyword == kMetal ? "metal counts as diffuse"
+                                       : "clearcoat and sheen (Pc, Ps) are not used");
+            if (keyword >= 0) continue;
+            if (isMap(lines.word) && !rest.empty())
+                note(std::string(lines.word) + " is not used"), picture(folderOf(path), lines, other);
+            // In some files a Tr of 1 means transparent, in others opaque
+            const bool isD = lines.word == "d";
+            if (isD && lines.rest.starts_with("-halo")) takeWord(lines.rest);
+            if (double x; (isD || lines.word == "Tr") && takeNumber(lines.rest, x) && x < 1 && (isD || x > 0))
+                note("opacity is not used, so all surfaces are opaque");
         }
         finish();
         for (const auto &[word, keyword] : lines.otherCase)

@@ -18,8 +18,7 @@ namespace odraz::radiosity {
 namespace {
 
 constexpr const char *kKeywords[] = {"v", "vt", "f", "fo", "usemtl", "mtllib", "o", "g"};
-// In their order
-enum Keyword { kPoint, kCoordinate, kPolygon, kOldPolygon, kUse, kLibrary, kObjectName, kGroupName };
+constexpr int kFirstOfNames = 4; // names follow the keywords from here on
 // Notes on lines that are left out, by keyword
 const std::map<std::string_view, const char *> kLeftOut = {
     {"p", "points and lines are left out"},     {"l", "points and lines are left out"},
@@ -46,31 +45,18 @@ public:
             int keyword = lines.keyword(kKeywords);
             commands += keyword >= 0 || kCommands.count(lines.word);
             // Remove a comment. Names may contain a #
-            if (keyword < kUse) lines.rest = lines.rest.substr(0, lines.rest.find('#'));
-            switch (keyword) {
-            case kPoint:
-                readPoint();
-                break;
-            case kCoordinate:
-                readCoordinate();
-                break;
-            case kPolygon:
-            case kOldPolygon:
-                readPolygon();
-                break;
-            case kUse:
-                use();
-                break;
-            case kLibrary:
-                if (!lines.rest.empty()) libraries.emplace_back(lines.rest);
-                break;
-            case kObjectName:
-            case kGroupName:
-                beginObject(keyword);
-                break;
-            default:
-                if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end()) note(found->second);
-            }
+            if (keyword < kFirstOfNames) lines.rest = lines.rest.substr(0, lines.rest.find('#'));
+            // In the order of the keywords
+            static constexpr void (ObjReader::*kReaders[])() = {
+                &ObjReader::readPoint,   &ObjReader::readCoordinate,
+                &ObjReader::readPolygon, &ObjReader::readPolygon,
+                &ObjReader::use,         &ObjReader::addLibrary,
+                &ObjReader::beginObject, &ObjReader::beginGroup};
+            static_assert(std::size(kReaders) == std::size(kKeywords));
+            if (keyword >= 0)
+                (this->*kReaders[keyword])();
+            else if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end())
+                note(found->second);
         }
         if (polygons.points.empty() && lines.number > 0 && !commands) refuseFormat();
         if (largest > (int)polygons.points.size())
@@ -157,10 +143,15 @@ private:
         return {point < 0 ? before + point : point - 1, coordinate};
     }
 
+    void addLibrary() {
+        if (!lines.rest.empty()) libraries.emplace_back(lines.rest);
+    }
+
     // An `o` ends the group, because most programs write only one of the two.
-    void beginObject(int keyword) {
-        object = keyword == kObjectName ? MeshObject{std::string(lines.rest), ""}
-                                        : MeshObject{object.name, std::string(lines.rest)};
+    void beginObject() { begin({std::string(lines.rest), ""}); }
+    void beginGroup() { begin({object.name, std::string(lines.rest)}); }
+    void begin(const MeshObject &next) {
+        object = next;
         objectNumber = objects.emplace(object, (int)objects.size()).first->second;
         if ((size_t)objectNumber == polygons.objects.size()) polygons.objects.push_back(object);
     }
@@ -189,6 +180,19 @@ size_t editDistance(const std::string &a, const std::string &b) {
     return row[b.size()];
 }
 
+// Finds each name's material: its index in `materials`, or -1.
+std::vector<int> findMaterials(const std::vector<std::string> &names,
+                               const std::vector<MeshMaterial> &materials) {
+    std::map<std::string, int> indexOf;
+    for (size_t i = 0; i < materials.size(); ++i) indexOf.try_emplace(materials[i].name, (int)i);
+    std::vector<int> found;
+    for (const std::string &name : names) {
+        auto at = indexOf.find(name);
+        found.push_back(at == indexOf.end() ? -1 : at->second);
+    }
+    return found;
+}
+
 // Adds a note for each used name that no material has, with the nearest name.
 void noteUnknown(const std::string &path, const ObjContent &content, const std::vector<int> &found,
                  const std::vector<bool> &used, const std::vector<MeshMaterial> &materials,
@@ -213,7 +217,7 @@ void noteUnknown(const std::string &path, const ObjContent &content, const std::
 bool hasOpenLamps(const Mesh &mesh) {
     std::set<std::pair<int, int>> edges;
     for (const Triangle &t : mesh.triangles)
-        if (const auto &e = mesh.materials[(size_t)t.material].emits; e[0] + e[1] + e[2] > 0)
+        if (mesh.materials[(size_t)t.material].shines())
             for (size_t k = 0; k < 3; ++k) edges.emplace(t.corners[k], t.corners[(k + 1) % 3]);
     return std::any_of(edges.begin(), edges.end(), [&](auto e) { return !edges.count({e.second, e.first}); });
 }

@@ -19,8 +19,7 @@ public:
         : mesh(mesh), polygonOf(polygonOf), tiny(tiny) {
         boxes.reserve(mesh.triangles.size());
         for (const Triangle &t : mesh.triangles) {
-            const Vec3d &p = mesh.points[(size_t)t.corners[0]], &q = mesh.points[(size_t)t.corners[1]],
-                        &r = mesh.points[(size_t)t.corners[2]];
+            auto [p, q, r] = cornersOf(mesh, t);
             TriangleBox box = {{}, {}, (int)boxes.size()};
             for (size_t k = 0; k < 3; ++k) {
                 auto [lo, hi] = std::minmax({p[k], q[k], r[k]});
@@ -31,12 +30,8 @@ public:
     }
 
     // For each triangle that is partly covered: the triangles in front of it.
-    std::map<int, std::vector<int>> find() {
+    std::map<int, std::set<int>> find() {
         find(boxes, 0);
-        for (auto &[behind, fronts] : found) {
-            std::sort(fronts.begin(), fronts.end());
-            fronts.erase(std::unique(fronts.begin(), fronts.end()), fronts.end());
-        }
         return std::move(found);
     }
 
@@ -49,7 +44,7 @@ private:
     const std::vector<int> &polygonOf;
     double tiny;
     std::vector<TriangleBox> boxes;
-    std::map<int, std::vector<int>> found;
+    std::map<int, std::set<int>> found;
 
     // Divides a set of triangles into two, until it is small or no axis separates them; triangles that cross
     // the middle are in both halves. Then tests all pairs.
@@ -87,7 +82,7 @@ private:
                     s.lo[axes[2]] > t.hi[axes[2]] || t.lo[axes[2]] > s.hi[axes[2]])
                     continue;
                 auto [front, behind] = std::minmax(s.triangle, t.triangle);
-                if (overlap(front, behind)) found[behind].push_back(front);
+                if (overlap(front, behind)) found[behind].insert(front);
             }
     }
 
@@ -109,12 +104,10 @@ private:
         if (!(dot(n, other) > 0.9 * length(n) * length(other))) return false;
         if (dot(other, other) > dot(n, n)) std::swap(a, b), n = other; // use the larger one's plane
         n = normalize(n);
-        Vec3d p[2][3];
-        for (size_t k = 0; k < 3; ++k) {
-            p[0][k] = mesh.points[(size_t)mesh.triangles[(size_t)a].corners[k]];
-            p[1][k] = mesh.points[(size_t)mesh.triangles[(size_t)b].corners[k]];
-            if (std::fabs(dot(p[1][k] - p[0][0], n)) > tiny) return false;
-        }
+        const std::array<Vec3d, 3> p[2] = {cornersOf(mesh, mesh.triangles[(size_t)a]),
+                                           cornersOf(mesh, mesh.triangles[(size_t)b])};
+        for (const Vec3d &q : p[1])
+            if (std::fabs(dot(q - p[0][0], n)) > tiny) return false;
         // They overlap unless a line along one of their sides separates them
         for (const auto &triangle : p)
             for (size_t k = 0; k < 3; ++k) {
@@ -202,7 +195,7 @@ private:
     }
 
     // Adds the part of a triangle that no triangle in front covers.
-    void addRest(const std::vector<Triangle> &triangles, const std::vector<int> &fronts, const Triangle &t,
+    void addRest(const std::vector<Triangle> &triangles, const std::set<int> &fronts, const Triangle &t,
                  const float *at) {
         Piece whole;
         for (size_t k = 0; k < 3; ++k)

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
+#include <locale>
 #include <strings.h>
 
 namespace odraz::radiosity {
@@ -20,30 +21,21 @@ std::string_view trimmed(std::string_view s) {
     return s;
 }
 
-void appendUtf8(std::string &to, uint32_t c) {
-    if (c < 0x80) {
-        to += (char)c;
-        return;
-    }
-    int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
-    to += (char)((0xff00 >> (more + 1) & 0xff) | c >> (6 * more)); // begins with a 1 for each byte
-    while (more--) to += (char)(0x80 | (c >> (6 * more) & 0x3f));
-}
-
 // UTF-16 as UTF-8; `high` is the index of each unit's high byte.
-std::string fromUtf16(std::string_view s, size_t high) {
-    std::string to;
-    uint32_t first = 0; // unit of a surrogate pair
-    for (size_t i = 0; i + 1 < s.size(); i += 2) {
-        uint32_t unit = (uint32_t)(uint8_t)s[i + high] << 8 | (uint8_t)s[i + 1 - high];
-        if (unit >> 10 == 0x36)
-            first = unit;
-        else if (unit >> 10 == 0x37)
-            appendUtf8(to, first ? 0x10000 + ((first & 0x3ff) << 10 | (unit & 0x3ff)) : 0xfffd);
-        else
-            appendUtf8(to, unit);
-        if (unit >> 10 != 0x36) first = 0;
-    }
+std::string fromUtf16(std::string_view s, size_t high, const std::string &path) {
+    std::u16string units;
+    for (size_t i = 0; i + 1 < s.size(); i += 2)
+        units += (char16_t)((uint8_t)s[i + high] << 8 | (uint8_t)s[i + 1 - high]);
+    std::string to(units.size() * 3, '\0');
+    std::mbstate_t state = {};
+    const char16_t *read;
+    char8_t *written, *begin = (char8_t *)to.data();
+    using Utf = std::codecvt<char16_t, char8_t, std::mbstate_t>;
+    if (std::use_facet<Utf>(std::locale::classic())
+            .out(state, units.data(), units.data() + units.size(), read, begin, begin + to.size(), written) !=
+        Utf::ok)
+        throw common::Refused(path + ": its UTF-16 is damaged: save it as UTF-8");
+    to.resize((size_t)(written - begin));
     return to;
 }
 
@@ -55,8 +47,8 @@ std::string decoded(std::string text, const std::string &path) {
     const bool little = begins("\xff\xfe");
     if (zero == 0b1110 || zero == 0b0111 || (little && zero == 0b0011) || begins({"\0\0\xfe\xff", 4}))
         throw common::Refused(path + ": it is UTF-32: save it as UTF-8");
-    if (little || begins("\xfe\xff")) return fromUtf16(std::string_view(text).substr(2), little);
-    if (zero == 0b0101 || zero == 0b1010) return fromUtf16(text, zero == 0b0101);
+    if (little || begins("\xfe\xff")) return fromUtf16(std::string_view(text).substr(2), little, path);
+    if (zero == 0b0101 || zero == 0b1010) return fromUtf16(text, zero == 0b0101, path);
     return begins("\xef\xbb\xbf") ? text.substr(3) : text;
 }
 

@@ -25,10 +25,7 @@ double maxOf(Vec3d c) { return std::max({c.x, c.y, c.z}); }
 
 std::vector<Obstacles::Triangle> trianglesOf(const Mesh &mesh) {
     std::vector<Obstacles::Triangle> all;
-    for (const Triangle &t : mesh.triangles) {
-        auto corner = [&](size_t k) { return mesh.points[(size_t)t.corners[k]]; };
-        all.push_back({corner(0), corner(1), corner(2)});
-    }
+    for (const Triangle &t : mesh.triangles) all.push_back(cornersOf(mesh, t));
     return all;
 }
 

@@ -87,6 +87,8 @@ TEST(ObjReader, TakesAllKindsOfText) {
                                                     : '\0';
             EXPECT_EQ(ReadObj(wide).error, "m.obj: it is UTF-32: save it as UTF-8");
         }
+    EXPECT_EQ(ReadObj(std::string("\xff\xfe\0\xd8v\0", 6)).error, // half of a surrogate pair
+              "m.obj: its UTF-16 is damaged: save it as UTF-8");
     // Names beyond ASCII are the same in both files
     std::string obj = utf16("mtllib m.mtl\n" + kObjSquare + "usemtl caf?\nf 1 2 3 4\n", true, false);
     obj[obj.find('?')] = '\xe9';
