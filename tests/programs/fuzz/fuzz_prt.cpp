@@ -2,6 +2,7 @@
 // The input is the file without its checksum, which is appended. Writes into the current folder.
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
+#include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/transfer/environment.h"
 #include "tools/radiosity/transfer/relight.h"
 #include "tools/support/machine.h"
@@ -13,7 +14,7 @@ using namespace odraz;
 using namespace odraz::radiosity;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    std::ofstream("a.prt") << TransferRoom::withChecksum({(const char *)data, size});
+    std::ofstream("a.prt") << withChecksum(kTransferMagic, {(const char *)data, size});
     try {
         TransferRoom room = TransferRoom::read("a.prt");
         Workers workers = serialWorkers();

@@ -14,8 +14,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kPictureRows = 512;
-
 // Adds a lobe around a direction, as wide as the cosine to the power of `exponent`.
 void addLobe(BandLight &to, int bands, const Vec3 &towards, float exponent, const Rgb &colour) {
     Float8 y[kMostSh];
@@ -46,28 +44,9 @@ std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ) {
     return all;
 }
 
-SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ) {
-    SkyPicture sky = {2 * kPictureRows, kPictureRows, {}, upIsZ};
-    for (int j = 0; j < sky.height; ++j)
-        for (int first = 0; first < sky.width; first += 8) {
-            double down = std::numbers::pi * (j + 0.5) / sky.height;
-            Vec3x8 d;
-            for (int k = 0; k < 8; ++k) {
-                double around = 2 * std::numbers::pi * ((first + k + 0.5) / sky.width - 0.5);
-                Vec3 q = asInModel({(float)(std::sin(down) * std::sin(around)), (float)std::cos(down),
-                                    (float)(-std::sin(down) * std::cos(around))},
-                                   upIsZ);
-                d.x[k] = q.x, d.y[k] = q.y, d.z[k] = q.z;
-            }
-            Float8 y[kMostSh];
-            evaluateBands(d, bands, y);
-            Rgb8 sum = {};
-            for (int k = 0; k < bands * bands; ++k) sum = fmadd(broadcast(light[(size_t)k]), y[k], sum);
-            for (int k = 0; k < 8; ++k) sky.pixels.push_back({sum.x[k], sum.y[k], sum.z[k]});
-        }
-    return sky;
-}
+namespace {
 
+// The root mean square of a - b, as a share of the root mean square of b.
 double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     double lost = 0, all = 0;
     for (size_t i = 0; i < a.size(); ++i) {
@@ -76,8 +55,6 @@ double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     }
     return all > 0 ? std::sqrt(lost / all) : lost > 0 ? INFINITY : 0;
 }
-
-namespace {
 
 // Compares a room with solutions. Each print function returns false when `stop` is set.
 class RoomCheck {
@@ -139,9 +116,7 @@ public:
         stopping.abort = stop;
         for (int rank : ranks) {
             Clusters many = room.clusters;
-            if (rank != many.rank)
-                many = findClusters(rows, room.columns(), scale, blocksOf(room.model, many.count), many.count,
-                                    rank, stopping);
+            if (rank != many.rank) many = clustersOf(room, many.count, rank, stopping);
             if (stopped()) return false;
             size_t floats = many.floats(rank);
             std::printf("%7.2f %6d %12.3f %13.3f", (double)floats * 4e-6, rank,
@@ -218,7 +193,7 @@ private:
         int rank = 1;
         while (one.floats(rank) < floats) ++rank;
         if (rank > kMostRank) return one;
-        return findClusters(rows, one.columns, scale, one.of, 1, rank, stopping);
+        return findClusters(rows, one.columns, scale, one.of, {1, rank}, stopping);
     }
 };
 

@@ -19,11 +19,6 @@ struct TriedSky {
 
 // Environments that `bands` bands represent exactly: even, gradient, glow, two lights, random coefficients.
 std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ);
-// A band-limited light as a picture, whose pixels are small enough for an error of 1e-4.
-SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ);
-
-// The root mean square of a - b, as a share of the root mean square of b.
-double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b);
 
 // Prints two tables: the errors of rows and clusters under band-limited skies, all lamps, and `skies` (with
 // the energy that the bands lose); and the errors of one subspace (PCA) and of clusters (CPCA) with equal

@@ -1,8 +1,8 @@
 #include "tools/radiosity/transfer/clusters.h"
 
+#include "base/float8.h"
+#include "base/random.h"
 #include "tools/radiosity/solution/solution.h"
-#include "tools/radiosity/transfer/clustered_pca.h"
-#include "tools/support/heap_arena.h"
 
 #include <algorithm>
 #include <array>
@@ -56,55 +56,196 @@ private:
     }
 };
 
-// Rotates a cluster's axes to the principal axes, sorts them, and keeps the first to.rank.
-void sortAxes(const ClusteredPca &p, int c, const std::vector<float> &scale, Clusters &to) {
-    int dimensions = p.dimensions, columns = p.columns;
-    std::vector<double> moments((size_t)(dimensions * dimensions));
-    for (int m = p.first[c]; m < p.first[c + 1]; ++m) {
-        const float *w = p.weights + (size_t)p.members[m] * (size_t)dimensions;
-        for (int i = 0; i < dimensions; ++i)
-            for (int j = 0; j < dimensions; ++j)
-                moments[(size_t)(i * dimensions + j)] += (double)w[i] * (double)w[j];
+class Clustering {
+public:
+    Clustering(std::vector<float> rows, int columns, std::vector<int> seeds, const ClusterSettings &s)
+        : data(std::move(rows)), settings(s),
+          p({s.count, (s.rank + 7) & ~7, columns, std::move(seeds), {}, {}}), members((size_t)p.count) {
+        p.axes.resize((size_t)p.count * (size_t)(1 + p.rank) * (size_t)columns);
+        // Begin with random weights, because any will do
+        for (size_t i = 0; i < p.of.size() * (size_t)p.rank; ++i)
+            p.weights.push_back(unitFloat(pcg((uint32_t)i)) - 0.5f);
     }
-    Eigenvectors turn(std::move(moments), dimensions);
-    const float *from = p.axesOf(c);
-    float *axes = &to.axes[(size_t)c * (size_t)(1 + to.rank) * (size_t)columns];
-    for (int k = 0; k < columns; ++k) {
-        axes[k] = from[k] / scale[(size_t)k];
-        for (int d = 0; d < to.rank; ++d) {
-            double sum = 0;
-            for (int i = 0; i < dimensions; ++i) sum += turn.at(i, d) * (double)from[(1 + i) * columns + k];
-            axes[(1 + d) * columns + k] = (float)sum / scale[(size_t)k];
+
+    void find(Workers &workers) {
+        for (int round = 0;; ++round) {
+            for (std::vector<int> &m : members) m.clear();
+            for (size_t r = 0; r < p.of.size(); ++r) members[(size_t)p.of[r]].push_back((int)r);
+            parallelFor(workers, p.count, [&](int c, int) { fit(c); });
+            if (round == settings.rounds) return;
+            parallelRanges(workers, (int)p.of.size(), 64, [&](int first, int end, int) {
+                for (int r = first; r < end; ++r) assign(r);
+            });
         }
     }
-    for (int m = p.first[c]; m < p.first[c + 1]; ++m) {
-        auto texel = (size_t)p.members[m];
-        for (int d = 0; d < to.rank; ++d) {
-            double sum = 0;
+
+    // The clusters, with their axes rotated to the principal axes and sorted, and the first ones kept.
+    Clusters sorted(const std::vector<float> &scale, Workers &workers) const {
+        Clusters to = {p.count, settings.rank, p.columns, p.of, {}, {}};
+        to.axes.resize((size_t)to.count * (size_t)(1 + to.rank) * (size_t)to.columns);
+        to.weights.resize(p.of.size() * (size_t)to.rank);
+        parallelFor(workers, p.count, [&](int c, int) { sortAxes(c, scale, to); });
+        return to;
+    }
+
+private:
+    const std::vector<float> data; // [rows][columns], scaled
+    const ClusterSettings settings;
+    Clusters p;                            // its rank is a multiple of 8
+    std::vector<std::vector<int>> members; // the rows of each cluster
+
+    float *axesOf(int c) { return const_cast<float *>(p.axesOf(c)); }
+    const float *rowOf(int r) const { return data.data() + (size_t)r * (size_t)p.columns; }
+    float *weightsOf(int r) { return p.weights.data() + (size_t)r * (size_t)p.rank; }
+
+    // The squared distance of a row from a cluster's subspace, or from its mean if `weights` is null. Writes
+    // the row's coordinates in the subspace to `weights`.
+    float project(int r, int c, float *weights) const {
+        const float *row = rowOf(r), *mean = p.axesOf(c);
+        Float8 squares = {};
+        for (int i = 0; i < p.columns; i += 8) {
+            Float8 offset = load(row + i) - load(mean + i);
+            squares = fmadd(offset, offset, squares);
+        }
+        float square = total(squares);
+        for (int d = 0; weights && d < p.rank; d += 8) {
+            const float *axes = mean + (size_t)(1 + d) * (size_t)p.columns;
+            Float8 sum[8] = {};
+            for (int i = 0; i < p.columns; i += 8) {
+                Float8 offset = load(row + i) - load(mean + i);
+                const float *axis = axes + i;
+#pragma GCC unroll 8
+                for (int k = 0; k < 8; ++k, axis += p.columns) sum[k] = fmadd(offset, load(axis), sum[k]);
+            }
+            for (int k = 0; k < 8; ++k) {
+                float w = weights[d + k] = total(sum[k]);
+                square -= w * w;
+            }
+        }
+        return max(square, 0.f);
+    }
+
+    // Orthonormalises by Gram-Schmidt, twice, so that no rounding error remains. An axis that depends on
+    // earlier axes becomes zero, because only noise remains of it.
+    void orthonormalize(float *axes) const {
+        auto dotOf = [&](const float *a, const float *b) {
+            Float8 sum = {};
+            for (int i = 0; i < p.columns; i += 8) sum = fmadd(load(a + i), load(b + i), sum);
+            return total(sum);
+        };
+        for (int d = 0; d < p.rank; ++d) {
+            float *axis = axes + (size_t)d * (size_t)p.columns;
+            // Scale the axis so that its square does not overflow or vanish
+            Float8 largest = broadcast(1e-35f);
+            for (int i = 0; i < p.columns; i += 8) largest = max(abs(load(axis + i)), largest);
+            float size = 1 / -least(-largest);
+            for (int i = 0; i < p.columns; i += 8) store(axis + i, load(axis + i) * size);
+            float before = dotOf(axis, axis);
+            // axis = (axis + other * factor) * scale
+            auto add = [&](const float *other, float factor, float scale) {
+                for (int i = 0; i < p.columns; i += 8)
+                    store(axis + i, fmadd(load(other + i), factor, load(axis + i)) * scale);
+            };
+            for (int e = 0; e < 2 * d; ++e) {
+                const float *other = axes + (size_t)(e % d) * (size_t)p.columns;
+                add(other, -dotOf(axis, other), 1);
+            }
+            float after = dotOf(axis, axis);
+            add(axis, 0, after > before * 1e-10f ? 1 / sqrt(after) : 0);
+        }
+    }
+
+    // Finds a cluster's mean and axes from its members and their weights.
+    void fit(int c) {
+        const std::vector<int> &rows = members[(size_t)c];
+        float *mean = axesOf(c), *axes = mean + p.columns;
+        if (rows.empty()) return;
+        for (int i = 0; i < p.columns; i += 8) {
+            Float8 sum = {};
+            for (int r : rows) sum += load(rowOf(r) + i);
+            store(mean + i, sum * (1.f / (float)rows.size()));
+        }
+        for (int step = 0; step < settings.iterations; ++step) {
+            for (int d = 0; d < p.rank; d += 8)
+                for (int i = 0; i < p.columns; i += 8) {
+                    Float8 sum[8] = {};
+                    for (int r : rows) {
+                        Float8 offset = load(rowOf(r) + i) - load(mean + i);
+                        const float *weights = weightsOf(r) + d;
+#pragma GCC unroll 8
+                        for (int k = 0; k < 8; ++k) sum[k] = fmadd(offset, weights[k], sum[k]);
+                    }
+                    for (int k = 0; k < 8; ++k) store(axes + (size_t)(d + k) * (size_t)p.columns + i, sum[k]);
+                }
+            orthonormalize(axes);
+            for (int r : rows) project(r, c, weightsOf(r));
+        }
+    }
+
+    // Assigns a row to the cluster with the nearest subspace. The candidates are its present cluster and
+    // those with the nearest means.
+    void assign(int r) {
+        int candidates[8], count = 0, best = p.of[(size_t)r];
+        float distances[8], weights[kMostRank], least = project(r, best, weightsOf(r));
+        for (int c = 0; c < p.count; ++c) {
+            if (members[(size_t)c].empty() || c == p.of[(size_t)r]) continue;
+            float distance = project(r, c, nullptr);
+            int at = count;
+            for (; at > 0 && distance < distances[at - 1]; --at)
+                if (at < settings.tried)
+                    distances[at] = distances[at - 1], candidates[at] = candidates[at - 1];
+            if (at == settings.tried) continue;
+            distances[at] = distance, candidates[at] = c;
+            count = std::min(count + 1, settings.tried);
+        }
+        for (int k = 0; k < count; ++k) {
+            float distance = project(r, candidates[k], weights);
+            if (!(distance < least)) continue;
+            least = distance, best = candidates[k];
+            for (int d = 0; d < p.rank; ++d) weightsOf(r)[d] = weights[d];
+        }
+        p.of[(size_t)r] = best;
+    }
+
+    void sortAxes(int c, const std::vector<float> &scale, Clusters &to) const {
+        const std::vector<int> &rows = members[(size_t)c];
+        const int dimensions = p.rank, columns = p.columns;
+        std::vector<double> moments((size_t)(dimensions * dimensions));
+        for (int r : rows) {
+            const float *w = &p.weights[(size_t)r * (size_t)dimensions];
             for (int i = 0; i < dimensions; ++i)
-                sum += turn.at(i, d) * (double)p.weights[texel * (size_t)dimensions + (size_t)i];
-            to.weights[texel * (size_t)to.rank + (size_t)d] = (float)sum;
+                for (int j = 0; j < dimensions; ++j)
+                    moments[(size_t)(i * dimensions + j)] += (double)w[i] * (double)w[j];
         }
+        Eigenvectors turn(std::move(moments), dimensions);
+        // Coordinate d of a vector whose present coordinates are `from`, `step` apart
+        auto turned = [&](const float *from, int step, int d) {
+            double sum = 0;
+            for (int i = 0; i < dimensions; ++i) sum += turn.at(i, d) * (double)from[i * step];
+            return (float)sum;
+        };
+        const float *from = p.axesOf(c);
+        float *axes = const_cast<float *>(to.axesOf(c));
+        for (int k = 0; k < columns; ++k) {
+            axes[k] = from[k] / scale[(size_t)k];
+            for (int d = 0; d < to.rank; ++d)
+                axes[(1 + d) * columns + k] = turned(from + columns + k, columns, d) / scale[(size_t)k];
+        }
+        for (int r : rows)
+            for (int d = 0; d < to.rank; ++d)
+                to.weights[(size_t)r * (size_t)to.rank + (size_t)d] =
+                    turned(&p.weights[(size_t)r * (size_t)dimensions], 1, d);
     }
-}
+};
 
 } // namespace
 
-Clusters findClusters(const std::vector<float> &rows, int columns, const std::vector<float> &scale,
-                      std::vector<int> seeds, int count, int rank, Workers &workers) {
-    auto width = (size_t)columns;
-    std::vector<float> scaled(rows.size());
-    for (size_t i = 0; i < rows.size(); ++i) scaled[i] = rows[i] * scale[i % width];
-    PcaSettings settings = {.clusters = count, .dimensions = (rank + 7) & ~7};
-    HeapArena memory(compressBytes((int)seeds.size(), columns, settings));
-    ClusteredPca p = {};
-    p.rows = (int)seeds.size(), p.columns = columns, p.data = scaled.data(), p.cluster = seeds.data();
-    if (!compress(p, settings, memory.arena, workers)) throw std::runtime_error("there is not enough memory");
-    Clusters to = {count, rank, columns, std::vector<int>(p.cluster, p.cluster + p.rows), {}, {}};
-    to.axes.resize((size_t)count * (size_t)(1 + rank) * width);
-    to.weights.resize(seeds.size() * (size_t)rank);
-    parallelFor(workers, count, [&](int c, int) { sortAxes(p, c, scale, to); });
-    return to;
+Clusters findClusters(std::vector<float> rows, int columns, const std::vector<float> &scale,
+                      std::vector<int> seeds, const ClusterSettings &settings, Workers &workers) {
+    for (size_t i = 0; i < rows.size(); ++i) rows[i] *= scale[i % (size_t)columns];
+    Clustering work(std::move(rows), columns, std::move(seeds), settings);
+    work.find(workers);
+    return work.sorted(scale, workers);
 }
 
 std::vector<int> blocksOf(const Solution &model, int count) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tools/picture/picture.h"
+#include "tools/radiosity/read/surroundings.h"
 #include "tools/radiosity/transfer/bands.h"
 
 #include <string>
@@ -18,6 +19,9 @@ struct Projected {
 // Projects a picture of all directions, laid out as in surroundings.h, at its full resolution.
 Projected project(const pictures::Picture &picture, bool upIsZ);
 Projected project(const Rgb &even);
+
+// A band-limited light as a picture, whose pixels are small enough for an error of 1e-4.
+SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ);
 
 // Reads the value of --sky: R,G,B or the name of a picture, with notes as by readPanorama(). Throws Refused.
 Projected readEnvironment(const std::string &sky, bool upIsZ, std::vector<std::string> *notes = nullptr);

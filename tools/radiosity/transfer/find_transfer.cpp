@@ -61,6 +61,16 @@ void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes) 
     lamps.resize((size_t)kMaxLamps);
 }
 
+// The default numbers of clusters, of axes, and of rays from each site.
+int usualClusters(size_t texels, int bands) {
+    return std::clamp(bands * bands * 4, 1, (int)std::max(texels / 64, (size_t)1));
+}
+int usualRank(int bands) { return bands <= 2 ? 8 : bands <= 4 ? 16 : bands == 5 ? 24 : 32; }
+
+int usualRays(size_t sites) {
+    return (int)std::clamp(24000000 / std::max(sites, (size_t)1), (size_t)32, (size_t)256);
+}
+
 class TransferFinder {
 public:
     TransferFinder(const Mesh &mesh, const TransferSettings &s, Workers &workers,
@@ -226,12 +236,9 @@ private:
 
     void compressRows() {
         show("clusters", 0);
-        std::vector<float> rows = room.rows();
         int most = (int)std::min(room.texels(), (size_t)kMostClusters),
             clusters = std::min(s.clusters > 0 ? s.clusters : usualClusters(room.texels(), s.bands), most);
-        room.clusters =
-            findClusters(rows, room.columns(), columnScale(room, rows), blocksOf(room.model, clusters),
-                         clusters, s.rank > 0 ? s.rank : usualRank(s.bands), workers);
+        room.clusters = clustersOf(room, clusters, s.rank > 0 ? s.rank : usualRank(s.bands), workers);
     }
 
     void findGlossyCharts(const ColumnSystem &columns, const LightGrid &grid, const RayTree &tree) {
@@ -279,25 +286,14 @@ private:
         };
         for (size_t i = 0; i < charts.size(); ++i) {
             show("gloss", (float)i / (float)charts.size());
-            const Chart &c = room.model.charts[charts[i]];
-            room.gloss.push_back(squaresOf(c, (int)charts[i], lights(), side));
-            findGloss(room.gloss.back(), c, s.glossRays, s.exponent, arrives, workers);
+            room.gloss.push_back(findGloss(room.model.charts[charts[i]], (int)charts[i], lights(), side,
+                                           s.glossRays, s.exponent, arrives, workers));
             report.squares += room.gloss.back().across * room.gloss.back().down;
         }
     }
 };
 
 } // namespace
-
-int usualClusters(size_t texels, int bands) {
-    int wanted = bands * bands * 4;
-    return std::clamp(wanted, 1, (int)std::max(texels / 64, (size_t)1));
-}
-int usualRank(int bands) { return bands <= 2 ? 8 : bands <= 4 ? 16 : bands == 5 ? 24 : 32; }
-
-int usualRays(size_t sites) {
-    return (int)std::clamp(24000000 / std::max(sites, (size_t)1), (size_t)32, (size_t)256);
-}
 
 std::vector<float> columnScale(const TransferRoom &room, const std::vector<float> &rows) {
     auto width = (size_t)room.columns(), skies = (size_t)(3 * room.functions());
@@ -312,6 +308,12 @@ std::vector<float> columnScale(const TransferRoom &room, const std::vector<float
         scale[k] = size > 0 ? (float)(1 / size) : 1;
     }
     return scale;
+}
+
+Clusters clustersOf(const TransferRoom &room, int count, int rank, Workers &workers) {
+    std::vector<float> rows = room.rows(), scale = columnScale(room, rows);
+    return findClusters(std::move(rows), room.columns(), scale, blocksOf(room.model, count), {count, rank},
+                        workers);
 }
 
 TransferRoom findTransfer(const Mesh &mesh, const TransferSettings &settings, Workers &workers,

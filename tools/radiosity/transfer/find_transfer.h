@@ -27,15 +27,11 @@ struct TransferReport {
     std::vector<std::string> notes;
 };
 
-// The default numbers of clusters and of axes.
-int usualClusters(size_t texels, int bands);
-int usualRank(int bands);
-
-// The default number of rays from each site: 256, or fewer if there are many sites.
-int usualRays(size_t sites);
-
 // Column weights for findClusters(), which give the environment and each lamp the same weight.
 std::vector<float> columnScale(const TransferRoom &room, const std::vector<float> &rows);
+
+// Clusters of the room's rows: `count`, with `rank` axes each.
+Clusters clustersOf(const TransferRoom &room, int count, int rank, Workers &workers);
 
 // Reports progress: a step and the share of it that is done. Throws ModelError or std::runtime_error.
 TransferRoom findTransfer(const Mesh &mesh, const TransferSettings &settings, Workers &workers,

@@ -2,8 +2,6 @@
 
 #include "tools/radiosity/solution/solution.h"
 #include "tools/radiosity/transfer/bands.h"
-#include "tools/radiosity/transfer/clustered_pca.h"
-#include "tools/support/heap_arena.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +24,13 @@ std::vector<Vec3> halfSpace(int count) {
 }
 
 // Computes the matrix of a square: [bases][kGlossOutputs], each coefficient times its band's window.
-void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vector<Vec3> &directions,
-                float exponent, const Arrives &arrives, float *matrix) {
+void findMatrix(const GlossyChart &g, int bases, const Chart &c, int square,
+                const std::vector<Vec3> &directions, float exponent, const Arrives &arrives, float *matrix) {
     Vec3 p = c.at(((float)(square % g.across) + 0.5f) * c.width / (float)g.across,
                   ((float)(square / g.across) + 0.5f) * c.height / (float)g.down) +
              c.n * c.off();
     constexpr int kPadded = 32; // 25 coefficients
-    int columns = 3 * g.bases;
+    int columns = 3 * bases;
     std::vector<float> radiances((size_t)columns), sums((size_t)(columns * kPadded));
     auto solidAngle = (float)(2 * std::numbers::pi / (double)directions.size());
     for (const Vec3 &local : directions) {
@@ -58,68 +56,50 @@ void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vec
 }
 
 // The squares' coefficients under a light: [squares][kGlossOutputs].
-std::vector<float> arriving(const GlossyChart &g, const LightVector &light) {
-    auto dimensions = (size_t)g.dimensions;
-    std::vector<float> all(g.members.size() * kGlossOutputs);
-    for (size_t c = 0; c < (size_t)g.clusters; ++c) {
-        // Apply the light to the cluster's mean and axes
-        std::vector<float> lit((1 + dimensions) * kGlossOutputs);
-        const float *axis = &g.axes[c * (1 + dimensions) * (size_t)g.bases * kGlossOutputs];
-        for (size_t d = 0; d <= dimensions; ++d)
-            for (int k = 0; k < g.bases; ++k, axis += kGlossOutputs) {
-                Rgb l = light.bounced[k];
-                for (size_t j = 0; j < 3 * kSh; ++j)
-                    lit[d * kGlossOutputs + j] += axis[j] * (j < kSh ? l.x : j < 2 * kSh ? l.y : l.z);
-            }
-        for (int i = g.first[c]; i < g.first[c + 1]; ++i) {
-            auto square = (size_t)g.members[(size_t)i];
-            float *to = &all[square * kGlossOutputs];
-            for (size_t d = 0; d <= dimensions; ++d) {
-                float weight = d ? g.weights[square * dimensions + d - 1] : 1;
-                for (size_t j = 0; j < kGlossOutputs; ++j) to[j] += weight * lit[d * kGlossOutputs + j];
-            }
+std::vector<float> arriving(const Clusters &c, const LightVector &light) {
+    // Apply the light to the means and axes
+    std::vector<float> lit((size_t)c.count * (size_t)(1 + c.rank) * kGlossOutputs), all;
+    const float *axis = c.axes.data();
+    for (size_t at = 0; at < lit.size(); at += kGlossOutputs)
+        for (int k = 0; k < c.columns / kGlossOutputs; ++k, axis += kGlossOutputs) {
+            Rgb l = light.bounced[k];
+            for (size_t j = 0; j < 3 * kSh; ++j)
+                lit[at + j] += axis[j] * (j < kSh ? l.x : j < 2 * kSh ? l.y : l.z);
         }
+    for (size_t square = 0; square < c.of.size(); ++square) {
+        const float *from = &lit[(size_t)c.of[square] * (size_t)(1 + c.rank) * kGlossOutputs],
+                    *weights = c.weights.data() + square * (size_t)c.rank;
+        all.insert(all.end(), from, from + kGlossOutputs);
+        for (int d = 0; d < c.rank; ++d)
+            for (int j = 0; j < kGlossOutputs; ++j)
+                all[square * kGlossOutputs + (size_t)j] += weights[d] * from[(1 + d) * kGlossOutputs + j];
     }
     return all;
 }
 
 } // namespace
 
-GlossyChart squaresOf(const Chart &c, int number, int bases, float side) {
-    GlossyChart g;
+GlossyChart findGloss(const Chart &c, int number, int bases, float side, int rays, float exponent,
+                      const Arrives &arrives, Workers &workers) {
     auto squares = [&](float length) { return std::clamp((int)std::lround(length / side), 1, 1024); };
-    g.chart = number, g.bases = bases;
-    g.across = squares(c.width), g.down = squares(c.height);
-    return g;
-}
-
-void findGloss(GlossyChart &g, const Chart &c, int rays, float exponent, const Arrives &arrives,
-               Workers &workers) {
-    int count = g.across * g.down, columns = g.bases * kGlossOutputs;
+    GlossyChart g = {number, squares(c.width), squares(c.height), {}};
+    int count = g.across * g.down, columns = bases * kGlossOutputs;
     auto width = (size_t)columns;
     std::vector<float> matrices((size_t)count * width);
     const std::vector<Vec3> directions = halfSpace(rays);
     parallelFor(workers, count, [&](int i, int) {
-        findMatrix(g, c, i, directions, exponent, arrives, &matrices[(size_t)i * width]);
+        findMatrix(g, bases, c, i, directions, exponent, arrives, &matrices[(size_t)i * width]);
     });
     // Begin with clusters that are blocks, about as wide as high
-    g.clusters = std::clamp(count / 32, 1, kMostGlossClusters);
-    int nx = std::clamp((int)std::lround(std::sqrt((double)g.clusters * g.across / g.down)), 1, g.clusters),
-        ny = g.clusters / nx;
-    PcaSettings settings = {.clusters = g.clusters, .dimensions = count > 1 ? 16 : 0, .rounds = 2};
-    HeapArena memory(compressBytes(count, columns, settings));
-    ClusteredPca p = {};
-    p.rows = count, p.columns = columns, p.data = matrices.data();
-    std::vector<int> seeds((size_t)count);
+    int clusters = std::clamp(count / 32, 1, kMostGlossClusters),
+        nx = std::clamp((int)std::lround(std::sqrt((double)clusters * g.across / g.down)), 1, clusters),
+        ny = clusters / nx;
+    std::vector<int> seeds;
     for (int i = 0; i < count; ++i)
-        seeds[(size_t)i] = i / g.across * ny / g.down * nx + i % g.across * nx / g.across;
-    p.cluster = seeds.data();
-    if (!compress(p, settings, memory.arena, workers)) throw std::runtime_error("there is not enough memory");
-    g.dimensions = p.dimensions;
-    g.members.assign(p.members, p.members + count);
-    g.first.assign(p.first, p.first + g.clusters + 1);
-    g.axes.assign(p.axes, p.axes + (size_t)g.clusters * (size_t)(1 + p.dimensions) * width);
-    g.weights.assign(p.weights, p.weights + (size_t)count * (size_t)p.dimensions);
+        seeds.push_back(i / g.across * ny / g.down * nx + i % g.across * nx / g.across);
+    g.clusters = findClusters(std::move(matrices), columns, std::vector<float>(width, 1.f), std::move(seeds),
+                              {.count = clusters, .rank = count > 1 ? 16 : 0, .rounds = 2}, workers);
+    return g;
 }
 
 void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const LightVector &light,
@@ -131,7 +111,7 @@ void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const Lig
         int count = chart.across * chart.down;
         std::vector<float> planes((size_t)(3 * count));
         // Use one basis of strength 1, because the light is already in the matrices
-        std::vector<float> matrices = arriving(chart, light);
+        std::vector<float> matrices = arriving(chart.clusters, light);
         Glossy g = {&c, 1, chart.across, chart.down, matrices.data(), {}};
         for (int k = 0; k < 3; ++k) g.plane[k] = &planes[(size_t)(k * count)];
         if (dot(eye - c.corner, c.n) > 0) relightGlossy(g, {{{1, 1, 1}}, {}}, eye, polish, 1);

@@ -12,7 +12,8 @@ BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn,
     return turned(sky, room.bands, turnAbout({1, 0, 0}, tilt) * turnAbout(up, -turn));
 }
 
-LightVector lightVector(const TransferRoom &room, const Lighting &l) {
+// The weight of each of the room's bases.
+static LightVector lightVector(const TransferRoom &room, const Lighting &l) {
     LightVector v = {};
     int used = std::min(room.bands, l.bands);
     for (int k = 0; k < used * used; ++k) v.bounced[k] = l.sky[(size_t)k];

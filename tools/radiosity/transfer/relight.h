@@ -20,9 +20,6 @@ struct Lighting {
 // +x, then by `tilt` degrees about x, which moves the middle of the picture upwards.
 BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn, double tilt);
 
-// The weight of each of the room's bases.
-LightVector lightVector(const TransferRoom &room, const Lighting &lighting);
-
 // Sums the light of a room. The room must outlive the Relighter.
 class Relighter {
 public:

@@ -99,9 +99,7 @@ void RelightOptions::changeClusters(TransferRoom &room, Workers &workers) const 
     if (!clusters || clusters == room.clusters.count) return;
     if ((size_t)clusters > room.texels())
         throw common::Refused("--clusters: the room has " + std::to_string(room.texels()) + " texels");
-    std::vector<float> rows = room.rows();
-    room.clusters = findClusters(rows, room.columns(), columnScale(room, rows),
-                                 blocksOf(room.model, clusters), clusters, room.clusters.rank, workers);
+    room.clusters = clustersOf(room, clusters, room.clusters.rank, workers);
 }
 
 Solution readLit(const std::string &path, const RelightOptions &options, const common::CommandLine &line,

@@ -2,7 +2,6 @@
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solution/arrays.h"
-#include "tools/radiosity/transfer/clustered_pca.h"
 #include "tools/radiosity/transfer/transfer_room.h"
 
 #include <algorithm>
@@ -12,8 +11,6 @@
 namespace odraz::radiosity {
 
 namespace {
-
-constexpr char kTransferMagic[] = "odraz transfer 5\n";
 
 bool finite(const std::vector<float> &list) {
     return std::all_of(list.begin(), list.end(), [](float x) { return std::fabs(x) < 1e18f; });
@@ -27,37 +24,23 @@ void putClusters(std::string &to, const Clusters &c) {
     put(to, std::vector<int>{c.count, c.rank, c.columns}, c.of, c.axes, c.weights);
 }
 
-bool getClusters(const std::string &from, size_t &at, Clusters &c, const TransferRoom &room) {
+bool getClusters(std::string_view from, size_t &at, Clusters &c, size_t rows, int columns) {
     std::vector<int> sizes;
     if (!get(from, at, sizes, c.of, c.axes, c.weights) || sizes.size() != 3) return false;
     c.count = sizes[0], c.rank = sizes[1], c.columns = sizes[2];
-    return between(c.count, 1, kMostClusters) && between(c.rank, 0, kMostRank) &&
-           c.columns == room.columns() && c.of.size() == room.texels() && within(c.of, 0, c.count) &&
-           finite(c.axes) && finite(c.weights) &&
+    return between(c.count, 1, kMostClusters) && between(c.rank, 0, kMostRank) && c.columns == columns &&
+           c.of.size() == rows && within(c.of, 0, c.count) && finite(c.axes) && finite(c.weights) &&
            c.axes.size() == (size_t)c.count * (size_t)(1 + c.rank) * (size_t)c.columns &&
            c.weights.size() == c.of.size() * (size_t)c.rank;
 }
 
-void putGlossy(std::string &to, const GlossyChart &g) {
-    put(to, std::vector<int>{g.chart, g.bases, g.across, g.down, g.clusters, g.dimensions}, g.members,
-        g.first, g.axes, g.weights);
-}
-
-bool getGlossy(const std::string &from, size_t &at, GlossyChart &g, const TransferRoom &room) {
+bool getGlossy(std::string_view from, size_t &at, GlossyChart &g, const TransferRoom &room) {
     std::vector<int> sizes;
-    if (!get(from, at, sizes, g.members, g.first, g.axes, g.weights) || sizes.size() != 6) return false;
-    g.chart = sizes[0], g.bases = sizes[1], g.across = sizes[2], g.down = sizes[3], g.clusters = sizes[4],
-    g.dimensions = sizes[5];
-    if (!between(g.across, 1, 1024) || !between(g.down, 1, 1024) || !between(g.clusters, 1, kMostClusters) ||
-        !between(g.dimensions, 0, kMaxDimensions) || g.dimensions % 8 || g.bases != room.bases())
-        return false;
-    int count = g.across * g.down;
-    return between(g.chart, 0, (int)room.model.charts.size() - 1) && g.members.size() == (size_t)count &&
-           within(g.members, 0, count) && g.first.size() == (size_t)g.clusters + 1 &&
-           within(g.first, 0, count + 1) && std::is_sorted(g.first.begin(), g.first.end()) &&
-           finite(g.axes) && finite(g.weights) && g.weights.size() == (size_t)count * (size_t)g.dimensions &&
-           g.axes.size() ==
-               (size_t)g.clusters * (size_t)(1 + g.dimensions) * (size_t)(g.bases * kGlossOutputs);
+    if (!get(from, at, sizes) || sizes.size() != 3) return false;
+    g.chart = sizes[0], g.across = sizes[1], g.down = sizes[2];
+    return between(g.chart, 0, (int)room.model.charts.size() - 1) && between(g.across, 1, 1024) &&
+           between(g.down, 1, 1024) &&
+           getClusters(from, at, g.clusters, (size_t)(g.across * g.down), room.bases() * kGlossOutputs);
 }
 
 // Whether the texels of glossy charts have the layout that showGloss() assumes.
@@ -87,7 +70,7 @@ bool getRoom(const std::string &from, size_t &at, TransferRoom &room) {
         !get(from, at, room.lampOf, room.planes) || room.lampOf.size() != room.model.charts.size() ||
         !within(room.lampOf, -1, numbers[2]) || room.texels() > 1u << 27 ||
         room.planes.size() != (size_t)room.bases() * 3 * room.stride() || !finite(room.planes) ||
-        !getClusters(from, at, room.clusters, room))
+        !getClusters(from, at, room.clusters, room.texels(), room.columns()))
         return false;
     room.gloss.resize((size_t)numbers[3]);
     for (GlossyChart &g : room.gloss)
@@ -106,10 +89,6 @@ std::vector<float> TransferRoom::rows() const {
     return all;
 }
 
-std::string TransferRoom::withChecksum(const std::string &body) {
-    return radiosity::withChecksum(kTransferMagic, body);
-}
-
 void TransferRoom::save(const std::string &path) const {
     std::string body, names; // `names`: each followed by a 0
     for (const std::string &name : lamps) names.append(name.c_str(), name.size() + 1);
@@ -117,8 +96,9 @@ void TransferRoom::save(const std::string &path) const {
         std::vector<float>{polish});
     model.put(body);
     put(body, lampOf, planes), putClusters(body, clusters);
-    for (const GlossyChart &g : gloss) putGlossy(body, g);
-    common::writeWhole(path, withChecksum(body));
+    for (const GlossyChart &g : gloss)
+        put(body, std::vector<int>{g.chart, g.across, g.down}), putClusters(body, g.clusters);
+    common::writeWhole(path, withChecksum(kTransferMagic, body));
 }
 
 bool TransferRoom::is(const std::string &path) {

@@ -17,6 +17,9 @@
 
 namespace odraz::radiosity {
 
+// The first line of a file.
+inline constexpr char kTransferMagic[] = "odraz transfer 6\n";
+
 struct TransferRoom {
     int bands = 0; // 1 .. kMostBands
     bool upIsZ = false;
@@ -48,8 +51,6 @@ struct TransferRoom {
     static bool is(const std::string &path);
     // Writes a temporary file next to `path` and renames it. Throws likewise.
     void save(const std::string &path) const;
-    // The bytes of a file whose part after the checksum is `body`.
-    static std::string withChecksum(const std::string &body);
 };
 
 } // namespace odraz::radiosity

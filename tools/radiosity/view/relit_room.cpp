@@ -37,7 +37,6 @@ RelitRoom::~RelitRoom() {
 
 // Waits for requests and finds clusters. A new request replaces one that has not begun.
 void RelitRoom::findOthers() {
-    std::vector<float> rows, scale;
     Workers serial = serialWorkers(); // the other threads draw
     for (;;) {
         int count;
@@ -50,9 +49,7 @@ void RelitRoom::findOthers() {
         Clusters others;
         std::string why; // the reason if they could not be found
         try {
-            if (scale.empty()) rows = room.rows(), scale = columnScale(room, rows);
-            others = findClusters(rows, room.columns(), scale, blocksOf(room.model, count), count,
-                                  room.clusters.rank, serial);
+            others = clustersOf(room, count, room.clusters.rank, serial);
         } catch (const std::bad_alloc &) {
             why = "there is not enough memory";
         } catch (const std::exception &e) {

@@ -43,10 +43,10 @@ TEST(File, SurvivesDamage) {
     std::string file = fileOf(transferOf(openRoom(), settings)), body = file.substr(file.find('\n') + 1 + 8);
     ASSERT_TRUE(accepted(file));
     EXPECT_FALSE(accepted(file + "x"));
-    EXPECT_FALSE(accepted(TransferRoom::withChecksum(body + "x")));
+    EXPECT_FALSE(accepted(withChecksum(kTransferMagic, body + "x")));
     for (size_t end = 0; end < body.size(); end += body.size() / 40) {
         EXPECT_FALSE(accepted(file.substr(0, end))) << end;
-        EXPECT_FALSE(accepted(TransferRoom::withChecksum(body.substr(0, end)))) << end;
+        EXPECT_FALSE(accepted(withChecksum(kTransferMagic, body.substr(0, end)))) << end;
         std::string flipped = file;
         flipped[file.size() - body.size() + end] ^= 4;
         EXPECT_FALSE(accepted(flipped)) << end;

@@ -1,15 +1,13 @@
 // Tests clustered PCA on data with known singular values or structure, and on extreme data.
-#include "tools/radiosity/transfer/clustered_pca.h"
+#include "tools/radiosity/transfer/clusters.h"
 
 #include "tests/support/dice.h"
-#include "tools/support/heap_arena.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <vector>
 
 using namespace odraz;
 using namespace odraz::radiosity;
@@ -28,26 +26,25 @@ struct Data {
     float at(int r, int c) const { return values[(size_t)r * (size_t)columns + (size_t)c]; }
 };
 
-struct Result {
-    HeapArena memory{(size_t)16 << 20};
-    ClusteredPca p = {};
+struct Result : Clusters {
     double error = 0, size = 0; // squared Frobenius norms
-    std::vector<int> cluster;
 
     Result(
-        const Data &d, PcaSettings settings, const std::function<int(int)> &seed = [](int) { return 0; }) {
-        cluster.resize((size_t)d.rows);
-        for (int r = 0; r < d.rows; ++r) cluster[(size_t)r] = seed(r);
-        p.rows = d.rows, p.columns = d.columns, p.data = d.values.data(), p.cluster = cluster.data();
+        const Data &d, const ClusterSettings &settings,
+        int (*seed)(int row, int count) = [](int row, int count) { return row % count; }) {
+        std::vector<int> seeds;
+        for (int r = 0; r < d.rows; ++r) seeds.push_back(seed(r, settings.count));
         Workers workers = serialWorkers();
-        EXPECT_TRUE(compress(p, settings, memory.arena, workers));
+        std::vector<float> even((size_t)d.columns, 1.f);
+        (Clusters &)*this = findClusters(d.values, d.columns, even, std::move(seeds), settings, workers);
         for (int r = 0; r < d.rows; ++r) {
-            EXPECT_TRUE(cluster[(size_t)r] >= 0 && cluster[(size_t)r] < settings.clusters);
+            int cluster = of[(size_t)r];
+            EXPECT_TRUE(cluster >= 0 && cluster < count);
             for (int c = 0; c < d.columns; ++c) {
-                const float *axes = p.axesOf(cluster[(size_t)r]);
-                double v = (double)axes[c], exact = (double)d.at(r, c);
-                for (int k = 0; k < p.dimensions; ++k)
-                    v += (double)p.weights[r * p.dimensions + k] * (double)axes[(1 + k) * d.columns + c];
+                double v = (double)axesOf(cluster)[c], exact = (double)d.at(r, c);
+                for (int k = 0; k < rank; ++k)
+                    v += (double)weights[(size_t)(r * rank + k)] *
+                         (double)axesOf(cluster)[(1 + k) * d.columns + c];
                 EXPECT_TRUE(std::isfinite(v));
                 error += (v - exact) * (v - exact), size += exact * exact;
             }
@@ -107,7 +104,7 @@ TEST(Pca, LeavesNoMoreThanTheBestSubspace) {
     for (double half : {1., 3., 10.})
         for (int dimensions : {8, 16, 24}) {
             Data d = falling(300, 64, half);
-            Result r(d, {.clusters = 1, .dimensions = dimensions, .rounds = 0, .iterations = 12});
+            Result r(d, {.count = 1, .rank = dimensions, .rounds = 0, .iterations = 12});
             double best = bestLeft(d, half, dimensions), noise = r.size * 1e-13; // rounding
             EXPECT_LT(r.error, best * 1.05 + noise); // so the rms error is at most 2.5 % more
             EXPECT_GT(r.error, best * 0.999 - noise);
@@ -116,19 +113,19 @@ TEST(Pca, LeavesNoMoreThanTheBestSubspace) {
 
 TEST(Pca, WideRowsToo) { // more columns than rows, like the floor's matrices
     Data d = falling(60, 2000, 4);
-    Result r(d, {.clusters = 1, .dimensions = 16, .rounds = 0, .iterations = 12});
+    Result r(d, {.count = 1, .rank = 16, .rounds = 0, .iterations = 12});
     EXPECT_LT(r.error, bestLeft(d, 4, 16) * 1.05);
 }
 
 TEST(Pca, AxesAreOrthonormal) {
     Data d = falling(300, 64, 3);
-    Result r(d, {.clusters = 3, .dimensions = 16}, [](int row) { return row % 3; });
+    Result r(d, {.count = 3, .rank = 16});
     for (int c = 0; c < 3; ++c)
         for (int a = 0; a < 16; ++a)
             for (int b = 0; b <= a; ++b) {
                 double dot = 0;
                 for (int k = 0; k < 64; ++k)
-                    dot += (double)r.p.axesOf(c)[(1 + a) * 64 + k] * (double)r.p.axesOf(c)[(1 + b) * 64 + k];
+                    dot += (double)r.axesOf(c)[(1 + a) * 64 + k] * (double)r.axesOf(c)[(1 + b) * 64 + k];
                 EXPECT_NEAR(dot, a == b, 1e-5);
             }
 }
@@ -137,11 +134,11 @@ TEST(Pca, AxesAreOrthonormal) {
 // same number of axes cannot represent them.
 TEST(Clustering, FindsTheFlats) {
     Data d = flats(4, 400, 48);
-    PcaSettings settings = {.clusters = 4, .dimensions = 8, .rounds = 8, .iterations = 4, .tried = 4};
-    auto seed = [](int row) { return row % 3 ? row % 4 : (row / 3) % 4; };
+    ClusterSettings settings = {.count = 4, .rank = 8, .rounds = 8, .iterations = 4, .tried = 4};
+    auto seed = [](int row, int) { return row % 3 ? row % 4 : (row / 3) % 4; };
     Result found(d, settings, seed);
     settings.rounds = 0;
-    Result blocks(d, settings, seed), one(d, {.clusters = 1, .dimensions = 8, .rounds = 0, .iterations = 12});
+    Result blocks(d, settings, seed), one(d, {.count = 1, .rank = 8, .rounds = 0, .iterations = 12});
     EXPECT_LT(found.percent(), 0.01);
     EXPECT_GT(one.percent(), 5);
     EXPECT_GT(blocks.percent(), 1);
@@ -152,8 +149,8 @@ TEST(Clustering, Descends) {
     Data d = falling(400, 64, 20);
     double last = 1e30;
     for (int rounds = 0; rounds < 6; ++rounds) {
-        Result r(d, {.clusters = 8, .dimensions = 8, .rounds = rounds, .iterations = 8, .tried = 7},
-                 [](int row) { return row / 50; });
+        Result r(d, {.count = 8, .rank = 8, .rounds = rounds, .iterations = 8, .tried = 7},
+                 [](int row, int) { return row / 50; });
         EXPECT_LT(r.error, last * 1.005) << rounds;
         last = r.error;
     }
@@ -178,19 +175,7 @@ TEST(Extremes, AreHeldExactly) {
          1e-3},
     };
     for (auto &[what, data, clusters, dimensions, most] : kAll) {
-        Result r(data, {.clusters = clusters, .dimensions = dimensions},
-                 [=, rows = data.rows](int row) { return rows < clusters ? row * 4 : row % clusters; });
+        Result r(data, {.count = clusters, .rank = dimensions});
         EXPECT_LE(std::sqrt(r.error), most / 100 * std::sqrt(r.size)) << what;
     }
-}
-
-TEST(Extremes, NoMemory) {
-    Data d = falling(10, 16, 3);
-    std::vector<int> cluster(10);
-    ClusteredPca p = {};
-    p.rows = 10, p.columns = 16, p.data = d.values.data(), p.cluster = cluster.data();
-    unsigned char little[256];
-    Arena arena = {little, sizeof little, 0};
-    Workers workers = serialWorkers();
-    EXPECT_FALSE(compress(p, {.clusters = 4, .dimensions = 8}, arena, workers));
 }
