@@ -23,54 +23,29 @@ RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*w
     for (float &s : strengths) s = s > 0 ? s : 1;
     lastRank = lighting.rank >= 0 ? lighting.rank : clusters.rank;
     shown = std::make_shared<const ViewMesh>(lit);
-    finder = std::thread([this] { findOthers(); });
 }
 
-RelitRoom::~RelitRoom() {
-    {
-        std::lock_guard held(lock);
-        toFind = -1;
-        asked.notify_one();
-    }
-    finder.join();
-}
-
-// Waits for requests and finds clusters. A new request replaces one that has not begun.
+// Finds the requested clusters on another thread.
 void RelitRoom::findOthers() {
-    Workers serial = serialWorkers(); // the other threads draw
-    for (;;) {
-        int count;
-        {
-            std::unique_lock held(lock);
-            asked.wait(held, [this] { return toFind != 0; });
-            if (toFind < 0) return;
-            count = toFind, toFind = 0;
-        }
-        Clusters others;
-        std::string why; // the reason if they could not be found
-        try {
-            others = clustersOf(room, count, room.clusters.rank, serial);
-        } catch (const std::bad_alloc &) {
-            why = "there is not enough memory";
-        } catch (const std::exception &e) {
-            why = e.what();
-        }
-        {
-            std::lock_guard held(lock);
-            if (why.empty())
-                found = std::move(others), isNew = true;
-            else
-                failed = count, whyFailed = why;
-        }
-        wake();
-    }
+    std::packaged_task<Clusters()> task([this, count = requested] {
+        Workers serial = serialWorkers(); // the other threads draw
+        return clustersOf(room, count, room.clusters.rank, serial);
+    });
+    finding = requested, found = task.get_future();
+    finder = std::jthread([task = std::move(task), wake = wake]() mutable { task(), wake(); });
 }
 
-void RelitRoom::setClusters(int count) {
-    requested = std::clamp(count, 1, (int)std::min(room.texels(), (size_t)kMostClusters));
-    std::lock_guard held(lock);
-    toFind = requested;
-    asked.notify_one();
+// Takes the clusters that were found. Keeps the present ones, with a note, if they could not be found.
+void RelitRoom::takeOthers() {
+    try {
+        clusters = found.get();
+        changed = true;
+    } catch (const std::exception &e) {
+        const char *why = dynamic_cast<const std::bad_alloc *>(&e) ? "there is not enough memory" : e.what();
+        std::fprintf(stderr, "radiosity: cannot find %s: %s; keeping the %d\n",
+                     common::counted((size_t)finding, "cluster").c_str(), why, clusters.count);
+        if (requested == finding) requested = clusters.count;
+    }
 }
 
 bool RelitRoom::key(int key, bool shift) {
@@ -90,7 +65,8 @@ bool RelitRoom::key(int key, bool shift) {
     } else if (key == GLFW_KEY_P)
         lighting.rank = lighting.rank < 0 ? lastRank : -1;
     else if (key == GLFW_KEY_COMMA || key == GLFW_KEY_PERIOD) {
-        setClusters(key == GLFW_KEY_COMMA ? requested / 2 : requested * 2);
+        requested = std::clamp(key == GLFW_KEY_COMMA ? requested / 2 : requested * 2, 1,
+                               (int)std::min(room.texels(), (size_t)kMostClusters));
         lighting.rank = lastRank;
     } else
         return false;
@@ -103,17 +79,8 @@ void RelitRoom::turn(double by, double up) {
 }
 
 const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
-    {
-        std::lock_guard held(lock);
-        if (isNew) clusters = std::move(found), isNew = false, changed = true;
-        if (failed) {
-            std::fprintf(stderr, "radiosity: cannot find %s: %s; keeping the %d\n",
-                         common::counted((size_t)failed, "cluster").c_str(), whyFailed.c_str(),
-                         clusters.count);
-            if (requested == failed) requested = clusters.count;
-            failed = 0;
-        }
-    }
+    if (found.valid() && found.wait_for(std::chrono::seconds(0)) == std::future_status::ready) takeOthers();
+    if (!found.valid() && requested != clusters.count) findOthers();
     bool moved = !room.gloss.empty() && length(eye - lastEye) > 0;
     if (!changed && !moved) return nullptr;
     lighting.sky = turnedSky(sky.light, room, around, tilt);

@@ -6,9 +6,8 @@
 #include "tools/radiosity/transfer/relight_options.h"
 #include "tools/radiosity/view/mesh.h"
 
-#include <condition_variable>
+#include <future>
 #include <memory>
-#include <mutex>
 #include <thread>
 
 namespace odraz::radiosity {
@@ -17,7 +16,6 @@ class RelitRoom {
 public:
     // `wake` is called on the thread that finds clusters when it has found them or failed. Throws Refused.
     RelitRoom(TransferRoom room, const RelightOptions &options, void (*wake)());
-    ~RelitRoom();
     RelitRoom(const RelitRoom &) = delete;
 
     const Solution &model() const { return lit; }
@@ -51,19 +49,12 @@ private:
     int requested;     // the number of clusters last asked for
 
     void (*wake)();
-
-    // Used by both threads, under the lock
-    std::mutex lock;
-    std::condition_variable asked;
-    int toFind = 0;     // number of clusters to find; 0: none, -1: end the thread
-    bool isNew = false; // `found` is not in use yet
-    int failed = 0;     // number of clusters that could not be found; 0: none
-    std::string whyFailed;
-    Clusters found;
-    std::thread finder; // last member, because it uses all others
+    int finding = 0; // the number of clusters that `finder` finds
+    std::future<Clusters> found;
+    std::jthread finder; // last member, because it uses others until its end
 
     void findOthers();
-    void setClusters(int count);
+    void takeOthers();
 };
 
 } // namespace odraz::radiosity
