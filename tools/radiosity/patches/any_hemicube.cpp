@@ -1,8 +1,5 @@
 #include "tools/radiosity/patches/any_hemicube.h"
 
-#include "tools/radiosity/solution/solve_task.h"
-
-#include <numeric>
 #include <stdexcept>
 
 namespace odraz::radiosity {
@@ -57,42 +54,6 @@ const std::vector<std::vector<float>> &AnyHemicubes::rows(const Model &m, std::s
         sumHemicube(h, k, sums.data(), found[(size_t)k].data());
     });
     return found;
-}
-
-bool findRows(AnyHemicubes &hemicubes, const Model &m, const RowSettings &settings, FormFactorRows &rows,
-              Workers &workers, const std::function<bool(float)> &progress) {
-    const auto &[lit, memory, each, eyeOf] = settings;
-    auto count = (size_t)m.patchCount, batch = (size_t)(hemicubes.h.batch / each), links = (size_t)0;
-    auto step = (size_t)((double)count * 0.6180339) | 1;
-    while (std::gcd(step, count) != 1) step += 2;
-    for (size_t i = 0, next = 0; i < count;) {
-        std::vector<Eye> eyes;
-        std::vector<size_t> patches;
-        for (; i < count && patches.size() < batch; ++i, next = (next + step) % count) {
-            const Patch &p = m.patches[next];
-            if (p.share == 0 || !lit[next]) continue;
-            for (int k = 0; k < each; ++k)
-                eyes.push_back(eyeOf ? eyeOf(m, (int)next, k)
-                                     : hemicubeEye(p.p, p.n, (uint32_t)next + (uint32_t)k * 0x9e3779b9u));
-            patches.push_back(next);
-        }
-        const auto &found = hemicubes.rows(m, eyes, workers);
-        for (size_t k = 0; k < patches.size(); ++k) {
-            std::vector<Link> &row = rows.of[patches[k]];
-            for (size_t j = 0; j < count; ++j) {
-                float sum = 0;
-                for (size_t e = 0; e < (size_t)each; ++e) sum += found[k * (size_t)each + e][j];
-                if (sum > 0 && lit[j]) row.push_back({(uint32_t)j, sum / (float)each});
-            }
-            row.shrink_to_fit();
-            rows.known[patches[k]] = true;
-            links += row.size();
-        }
-        if (size_t bytes = links * sizeof(Link) / i * count; bytes > memory)
-            refuseMemory(bytes, memory, "larger patches or elements need less");
-        if (!progress((float)i / (float)count)) return false;
-    }
-    return true;
 }
 
 } // namespace odraz::radiosity

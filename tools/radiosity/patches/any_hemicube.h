@@ -8,10 +8,8 @@
 #pragma once
 
 #include "radiosity/form_factor.h"
-#include "tools/radiosity/solution/solve_settings.h"
 #include "tools/support/heap_arena.h"
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -55,21 +53,13 @@ struct FormFactorRows {
         for (const Link &link : of[(size_t)patch]) sum += radiosity[link.patch] * link.share;
         return sum;
     }
+    // The columns of the system: column i has the shares F_ji of patch i in the rows of all patches.
+    std::vector<std::vector<Link>> columns() const {
+        std::vector<std::vector<Link>> all(of.size());
+        for (size_t j = 0; j < of.size(); ++j)
+            for (const Link &link : of[j]) all[link.patch].push_back({(uint32_t)j, link.share});
+        return all;
+    }
 };
-
-// A row is the mean of `each` hemicubes, whose eyes `eyeOf` returns. If `eyeOf` is null, all are at the
-// patch's middle, rotated differently.
-struct RowSettings {
-    std::vector<uint8_t> lit; // patches to find rows for; rows contain only these
-    size_t memory;            // bytes
-    int each = 1;
-    const EyeOf &eyeOf;
-};
-
-// Finds the rows of visible patches, in an order that spreads the first ones over the model. Calls
-// progress(done), 0 .. 1, after every picture; stops, and returns false, if that returns false. Throws
-// std::runtime_error if the rows need more memory.
-bool findRows(AnyHemicubes &hemicubes, const Model &model, const RowSettings &settings, FormFactorRows &rows,
-              Workers &workers, const std::function<bool(float done)> &progress);
 
 } // namespace odraz::radiosity

@@ -29,10 +29,6 @@ struct PatchSystem {
     float sweep(std::vector<Rgb> &radiosity, bool atOnce) const;
 };
 
-// The sky's light at all texels, by rays.
-std::vector<Rgb> skyLight(const SkyPicture &sky, const LightGrid &grid, const RayTree &tree,
-                          Workers &workers);
-
 // Solves a model between patches. Fills task.solution and task.report. Returns the system, for programs that
 // measure it. Throws std::runtime_error, ModelError.
 std::unique_ptr<PatchSystem> solveByPatches(SolveTask &task, const Gl &gl);

@@ -16,28 +16,29 @@ void addBlocks(Shooters &to, const Model &m, const Chart &c, double side) {
     int columns = parts(c.width, c.patchesAcross), lines = parts(c.height, c.patchesDown);
     for (int j = 0; j < lines; ++j)
         for (int i = 0; i < columns; ++i) {
+            std::vector<int> block;
             for (int y = c.patchesDown * j / lines; y < c.patchesDown * (j + 1) / lines; ++y)
                 for (int x = c.patchesAcross * i / columns; x < c.patchesAcross * (i + 1) / columns; ++x) {
                     int patch = c.firstPatch + y * c.patchesAcross + x;
-                    if (m.patches[patch].area > 0) to.patches.push_back(patch);
+                    if (m.patches[patch].area > 0) block.push_back(patch);
                 }
-            if (to.patches.size() > to.first.back()) to.first.push_back(to.patches.size());
+            if (!block.empty()) to.push_back(std::move(block));
         }
 }
 
 } // namespace
 
 Shooters patchesAlone(const Model &m) {
-    Shooters s = {{}, {0}};
+    Shooters s;
     for (int i = 0; i < m.patchCount; ++i)
-        if (m.patches[i].area > 0) s.patches.push_back(i), s.first.push_back(s.patches.size());
+        if (m.patches[i].area > 0) s.push_back({i});
     return s;
 }
 
 Shooters blocksOfPatches(const Model &m, std::span<const Rgb> emits, int count) {
     double areas[2] = {}; // patches that only reflect; patches that emit
     for (int i = 0; i < m.patchCount; ++i) areas[sum(emits[(size_t)i]) > 0] += (double)m.patches[i].area;
-    Shooters s = {{}, {0}};
+    Shooters s;
     for (int i = 0; i < m.chartCount; ++i) {
         const Chart &c = m.charts[i];
         bool lamp = sum(emits[(size_t)c.firstPatch]) > 0;
@@ -48,9 +49,9 @@ Shooters blocksOfPatches(const Model &m, std::span<const Rgb> emits, int count) 
 
 Shooting::Shooting(const Model &model, Shooters given, std::vector<Rgb> emits, std::vector<Rgb> direct)
     : model(model), shooters(std::move(given)), direct(std::move(direct)), arrived((size_t)model.patchCount),
-      unshot(std::move(emits)), shooterOf((size_t)model.patchCount, -1), power(shooters.count()) {
-    for (int s = 0; s < (int)shooters.count(); ++s)
-        for (int i : shooters.of(s)) shooterOf[(size_t)i] = s;
+      unshot(std::move(emits)), shooterOf((size_t)model.patchCount, -1), power(shooters.size()) {
+    for (int s = 0; s < (int)shooters.size(); ++s)
+        for (int i : shooters[(size_t)s]) shooterOf[(size_t)i] = s;
     for (int i = 0; i < model.patchCount; ++i) {
         auto k = (size_t)i;
         if (shooterOf[k] < 0) continue;
@@ -64,10 +65,10 @@ Shooting::Shooting(const Model &model, Shooters given, std::vector<Rgb> emits, s
 float Shooting::powerOf(int i) const { return sum(unshot[(size_t)i]) * model.patches[i].area; }
 
 void Shooting::countPower(Workers &workers) {
-    parallelRanges(workers, (int)shooters.count(), 64, [&](int first, int end, int) {
+    parallelRanges(workers, (int)shooters.size(), 64, [&](int first, int end, int) {
         for (int s = first; s < end; ++s) {
             float all = 0;
-            for (int i : shooters.of(s)) all += powerOf(i);
+            for (int i : shooters[(size_t)s]) all += powerOf(i);
             power[(size_t)s] = all;
         }
     });
@@ -89,7 +90,7 @@ std::vector<int> Shooting::brightest(int count) const {
 Shooting::Shot Shooting::nextShot(int shooter) {
     // Choose the patch by the golden ratio, which spreads the patches of successive shots
     uint32_t turn = ++shots * 0x9e3779b9u;
-    std::span<const int> patches = shooters.of(shooter);
+    const std::vector<int> &patches = shooters[(size_t)shooter];
     float at = (float)(turn >> 8) * 0x1p-24f * power[(size_t)shooter];
     Shot shot = {patches.back(), {}};
     bool found = false;
@@ -135,10 +136,11 @@ void Shooting::distribute(Rgb radiance, std::span<const Link> column) {
 Rgb Shooting::ambient() const {
     Rgb light = {}, reflects = {};
     float area = 0;
-    for (int i : shooters.patches) {
-        float a = model.patches[i].area;
-        light += unshot[(size_t)i] * a, reflects += model.patches[i].reflects * a, area += a;
-    }
+    for (const std::vector<int> &patches : shooters)
+        for (int i : patches) {
+            float a = model.patches[i].area;
+            light += unshot[(size_t)i] * a, reflects += model.patches[i].reflects * a, area += a;
+        }
     if (area == 0) return {};
     auto series = [&](float x, float r) { return x / area / std::max(1 - r / area, 1e-3f); };
     return {series(light.x, reflects.x), series(light.y, reflects.y), series(light.z, reflects.z)};
@@ -158,16 +160,6 @@ int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {
     }
     if (!shots.empty()) shooting.distribute(shots, hemicubes.rows(model, eyes, workers), workers);
     return (int)shots.size();
-}
-
-Columns::Columns(const FormFactorRows &rows) : first(rows.of.size() + 1) {
-    for (const std::vector<Link> &row : rows.of)
-        for (const Link &link : row) ++first[link.patch + 1];
-    for (size_t i = 0; i + 1 < first.size(); ++i) first[i + 1] += first[i];
-    links.resize(first.back());
-    std::vector<size_t> next(first.begin(), first.end() - 1);
-    for (size_t j = 0; j < rows.of.size(); ++j)
-        for (const Link &link : rows.of[j]) links[next[link.patch]++] = {(uint32_t)j, link.share};
 }
 
 } // namespace odraz::radiosity

@@ -15,16 +15,7 @@
 namespace odraz::radiosity {
 
 // The groups of patches that shoot together.
-struct Shooters {
-    std::vector<int> patches;  // sorted by shooter
-    std::vector<size_t> first; // index of each shooter's first patch, and the end of the list
-
-    size_t count() const { return first.size() - 1; }
-    std::span<const int> of(int shooter) const {
-        size_t from = first[(size_t)shooter];
-        return {patches.data() + from, first[(size_t)shooter + 1] - from};
-    }
-};
+using Shooters = std::vector<std::vector<int>>;
 
 // Every patch that has an area shoots alone.
 Shooters patchesAlone(const Model &model);
@@ -72,18 +63,6 @@ private:
     uint32_t shots = 0;
     float powerOf(int patch) const;
     void countPower(Workers &workers);
-};
-
-// The columns of a system: links[first[i]] .. are F_ji, the shares of patch i in the rows of all patches.
-struct Columns {
-    std::vector<Link> links;
-    std::vector<size_t> first;
-
-    explicit Columns(const FormFactorRows &rows);
-    std::span<const Link> of(int patch) const {
-        size_t from = first[(size_t)patch];
-        return {links.data() + from, first[(size_t)patch + 1] - from};
-    }
 };
 
 // Shoots by hemicubes.

@@ -46,11 +46,10 @@ public:
         resume();
         findFirstRows();
         findDirectLight();
-        fillGeometry();
         if (task.watched()) {
             task.solution.light = direct;
             grid.fill(task.solution.light);
-            s.watcher(task.solution, false);
+            s.watcher(task.solution);
         }
         if (s.rays == 0 && report.complete) refineRows();
         report.raysFromSite = system.rows.size() / std::max(grid.sites.size(), (size_t)1);
@@ -78,15 +77,16 @@ private:
         std::vector<uint8_t> flag;
         if (!get(s.saving.resumed, at, flag) || flag.size() != 1 || !system.restore(s.saving.resumed, at) ||
             at != s.saving.resumed.size())
-            refuseResumed();
+            throw std::runtime_error(
+                "the saved state is damaged or belongs to another model: solve the model again");
         s.saving.resumed = {};
         refined = flag[0];
     }
 
-    void keep(bool refinedRows) {
+    void keep() {
         if (!s.saving.save) return;
         std::string rows;
-        put(rows, std::vector<uint8_t>{refinedRows});
+        put(rows, std::vector<uint8_t>{refined});
         system.save(rows);
         s.saving.save(rows);
         savedAt = common::wallSeconds();
@@ -94,7 +94,7 @@ private:
     bool keepIsDue() const { return common::wallSeconds() - savedAt > s.saving.seconds; }
 
     // Finds the missing rows for these numbers of rays. Reports progress in the range `from` .. `to`.
-    void findRows(const std::vector<uint16_t> &rays, bool refinedRows, float from, float to) {
+    void findRows(const std::vector<uint16_t> &rays, float from, float to) {
         size_t missing = system.setRays(rays), count = rays.size(), done = 0;
         size_t piece = std::clamp(count / 100, (size_t)256, (size_t)8192);
         for (size_t first = 0; first < count; first += piece) {
@@ -103,7 +103,7 @@ private:
                       from + (to - from) * (float)done / (float)std::max(missing, (size_t)1));
             bool stopped = task.stopped();
             if (stopped) report.complete = false;
-            if (stopped || keepIsDue()) keep(refinedRows);
+            if (stopped || keepIsDue()) keep();
             if (!report.complete) return;
             for (size_t i = first; i < end; ++i) done += !system.found[i];
             system.findRows(first, end, task.workers);
@@ -114,8 +114,7 @@ private:
 
     void findFirstRows() {
         auto rays = (uint16_t)(s.rays > 0 ? s.rays : RaySystem::kLeastRays);
-        if (!refined)
-            findRows(std::vector<uint16_t>(grid.sites.size(), rays), false, 0, s.rays > 0 ? 1 : kFirst);
+        if (!refined) findRows(std::vector<uint16_t>(grid.sites.size(), rays), 0, s.rays > 0 ? 1 : kFirst);
         system.findsExcluded = false;
         task.lap(SolveStep::kFormFactors);
     }
@@ -134,11 +133,6 @@ private:
         task.show(SolveStep::kDirectLight, 1);
     }
 
-    void fillGeometry() {
-        task.solution.charts = task.regions.charts, task.solution.facets = task.regions.facets;
-        task.solution.cells = grid.cells, task.solution.texels = grid.texels;
-    }
-
     // Estimates from a first solution how many rays each site needs, and finds these rows.
     void refineRows() {
         std::vector<uint16_t> rays(grid.sites.size());
@@ -149,7 +143,8 @@ private:
             task.lap(SolveStep::kSolving);
             rays = system.raysFor(directAtSites, reflects, kError, kShared, task.workers);
         }
-        findRows(rays, true, kFirst, 1);
+        refined = true;
+        findRows(rays, kFirst, 1);
         task.lap(SolveStep::kFormFactors);
     }
 
@@ -157,11 +152,11 @@ private:
         bool counted = s.bounces >= 0;
         auto afterSweep = [&](float residual) {
             report.residual = residual;
-            if (report.complete && keepIsDue()) keep(s.rays == 0);
+            if (report.complete && keepIsDue()) keep();
             task.show(SolveStep::kSolving, task.solvedShare(residual), residual);
             if (task.watched()) {
                 task.solution.light = lightOfTexels(kShared);
-                s.watcher(task.solution, true);
+                s.watcher(task.solution);
             }
             return !task.stopped();
         };
@@ -170,7 +165,7 @@ private:
         bool done = counted ? report.sweeps == s.bounces : report.residual <= s.residual;
         if (report.complete && !done && task.stopped()) {
             report.complete = false;
-            keep(s.rays == 0);
+            keep();
         }
         if (!counted && !done && !task.stopped())
             report.notes.emplace_back(
@@ -190,7 +185,7 @@ private:
         }
         if (task.stopped()) { // keep the light of the sweeps
             report.complete = false;
-            keep(s.rays == 0);
+            keep();
             return;
         }
         task.solution.light = lightOfTexels(kFinalShared);
@@ -220,11 +215,10 @@ void solveByRays(SolveTask &task) {
     LightGrid grid(task.regions, tree, task.workers);
     grid.useSitesAsPatches();
     report.sites = (int)grid.sites.size();
-    task.findPictured(task.regions.charts, grid.cells, report.notes);
+    task.setGeometry(grid.cells, grid.texels);
     task.show(SolveStep::kDividing, 1);
     task.lap(SolveStep::kDividing);
     RaySolver(task, tree, grid).run();
-    if (task.progress) task.progress(nullptr, 1, report.residual);
 }
 
 } // namespace odraz::radiosity

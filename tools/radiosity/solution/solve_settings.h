@@ -19,12 +19,12 @@ enum class SolveMethod { kRays, kPatches };
 using EyeOf = std::function<Eye(const Model &model, int patch, int k)>;
 
 // Reports progress, on the thread that solves: the current step, the share of it that is done (0 .. 1), and
-// the residual during solving (otherwise below 0). At the end `step` is null.
+// the residual during solving (otherwise below 0).
 using SolveProgress = std::function<void(const char *step, float done, float residual)>;
 
 // Receives the light found so far when solving by rays, on the thread that solves: first direct light alone,
-// with `bounced` false, then the light after every sweep.
-using LightWatcher = std::function<void(const Solution &soFar, bool bounced)>;
+// then the light after every sweep.
+using LightWatcher = std::function<void(const Solution &soFar)>;
 
 // Rows of a solution by rays (saved_state.h) that are saved, so that a later run can resume.
 struct RowSaving {

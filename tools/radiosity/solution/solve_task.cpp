@@ -16,10 +16,6 @@ double cellSide(const Mesh &mesh, const SolveSettings &s) {
     return std::sqrt(element);
 }
 
-void refuseResumed() {
-    throw std::runtime_error("the saved state is damaged or belongs to another model: solve the model again");
-}
-
 void refuseMemory(size_t bytes, size_t most, const char *remedy) {
     throw std::runtime_error("needs about " + std::to_string(bytes >> 20) + " MB, more than the " +
                              std::to_string(most >> 20) + " of --memory: " + remedy);
@@ -70,9 +66,10 @@ void SolveTask::lap(SolveStep step) {
     lastLap = now;
 }
 
-void SolveTask::findPictured(std::span<const Chart> charts, std::span<const Cell> cells,
-                             std::vector<std::string> &notes) {
-    pictured.compute(mesh, regions.chartOf, charts, cells, notes);
+void SolveTask::setGeometry(const std::vector<Cell> &cells, const std::vector<Texel> &texels) {
+    solution.charts = regions.charts, solution.facets = regions.facets;
+    solution.cells = cells, solution.texels = texels;
+    pictured.compute(mesh, regions.chartOf, regions.charts, cells, report.notes);
     solution.cellReflects = pictured.ofCell;
     if (!pictured.ofChart.empty()) solution.reflects = pictured.ofChart;
 }

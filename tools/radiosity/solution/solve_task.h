@@ -52,9 +52,8 @@ struct SolveTask {
     // Adds the processor time since the last call to a step.
     void lap(SolveStep step);
     bool stopped() const { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; }
-    // Finds the reflectance of cells and charts whose material has a picture.
-    void findPictured(std::span<const Chart> charts, std::span<const Cell> cells,
-                      std::vector<std::string> &notes);
+    // Sets the solution's geometry, and the reflectance of cells and charts whose material has a picture.
+    void setGeometry(const std::vector<Cell> &cells, const std::vector<Texel> &texels);
     // The share of solving that is done, 0 .. 1: the residual on a logarithmic scale.
     float solvedShare(float residual);
     // Whether to compute light for the watcher now.
@@ -68,8 +67,6 @@ private:
 // The side of a cell, in the model's units.
 double cellSide(const Mesh &mesh, const SolveSettings &settings);
 
-// Throws std::runtime_error because SolveSettings::resumed does not belong to this model.
-[[noreturn]] void refuseResumed();
 // Throws std::runtime_error because `bytes` are needed and `most` are allowed. `remedy` names what to change.
 [[noreturn]] void refuseMemory(size_t bytes, size_t most, const char *remedy);
 

@@ -61,7 +61,7 @@ public:
     Curve shootingRows() {
         Curve curve = {"shooting over the rows", {}};
         Stopwatch watch;
-        Columns columns(patches.rows);
+        const auto columns = patches.rows.columns();
         Shooting shooting(model, patchesAlone(model), std::vector<Rgb>(patches.patches.size()),
                           patches.direct);
         int64_t left = 60 * (int64_t)model.patchCount;
@@ -71,7 +71,7 @@ public:
             for (int k : shooting.brightest(64)) {
                 Shooting::Shot shot = shooting.nextShot(k);
                 shooting.distribute(shot.power * (1 / model.patches[shot.patch].area),
-                                    columns.of(shot.patch));
+                                    columns[(size_t)shot.patch]);
                 ++shots;
             }
             left -= shots;

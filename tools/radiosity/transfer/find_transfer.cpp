@@ -78,7 +78,6 @@ public:
         : mesh(mesh), s(s), workers(workers), progress(progress), report(report),
           task(mesh, s.solve, workers, &kNever, none), lamps(lampsOf(mesh, task.settings.surroundings)) {
         joinLamps(lamps, report.notes);
-        report.notes.insert(report.notes.begin(), task.report.notes.begin(), task.report.notes.end());
     }
 
     TransferRoom find() {
@@ -87,9 +86,7 @@ public:
         RayTree tree(cornersOf(mesh));
         LightGrid grid(task.regions, tree, workers);
         grid.useSitesAsPatches();
-        task.findPictured(task.regions.charts, grid.cells, report.notes);
-        task.solution.charts = task.regions.charts, task.solution.facets = task.regions.facets;
-        task.solution.cells = grid.cells, task.solution.texels = grid.texels;
+        task.setGeometry(grid.cells, grid.texels);
         RaySystem rays(task.regions, grid, tree, dark);
         findRows(rays, grid);
         ColumnSystem columns(rays, rays.reflectance(task.solution), lights());
@@ -101,6 +98,7 @@ public:
         report.seconds[2] = lap();
         findGlossyCharts(columns, grid, tree);
         report.seconds[3] = lap();
+        report.notes.insert(report.notes.begin(), task.report.notes.begin(), task.report.notes.end());
         return std::move(room);
     }
 

@@ -11,30 +11,21 @@ BackgroundSolve::BackgroundSolve(Mesh mesh, SolveSettings settings, const Render
                                  void (*wake)())
     : mesh(std::move(mesh)), settings(std::move(settings)), camera(camera), wake(wake) {
     this->settings.lightIsDue = [this] { return lightIsDue(); };
-    this->settings.watcher = [this](const Solution &soFar, bool) { receive(soFar); };
-    std::unique_lock held(lock);
-    thread = std::thread([this] { run(); });
-    opened.wait(held, [this] { return open; });
-}
-
-BackgroundSolve::~BackgroundSolve() {
-    stop();
-    thread.join();
+    this->settings.watcher = [this](const Solution &soFar) { receive(soFar); };
+    thread = std::jthread([this] { run(); });
+    opened.acquire();
 }
 
 void BackgroundSolve::run() {
     auto change = [this](auto how) {
         std::lock_guard held(lock);
         how();
-        open = true;
-        opened.notify_one();
     };
     try {
         Gl gl = openGl();
         Workers workers = allProcessors();
-        change([] {});
+        opened.release();
         auto progress = [&](const char *step, float done, float residual) {
-            if (!step) return;
             std::string text = common::format("%s %.0f %%", step, (double)done * 100);
             if (residual >= 0) common::append(text, ", residual %.1e", (double)residual);
             change([&] { currentStep = text; });
@@ -49,6 +40,7 @@ void BackgroundSolve::run() {
         change([&] { currentStep = ""; });
     } catch (...) {
         change([this] { error = std::current_exception(); });
+        opened.release();
     }
     wake();
 }

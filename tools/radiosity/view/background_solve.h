@@ -6,10 +6,10 @@
 #include "tools/radiosity/solution/solve_settings.h"
 #include "tools/radiosity/view/mesh.h"
 
-#include <condition_variable>
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <semaphore>
 #include <thread>
 
 namespace odraz::radiosity {
@@ -29,7 +29,7 @@ public:
     // thread may read meanwhile. `wake` is called on the solver's thread after each change.
     BackgroundSolve(Mesh mesh, SolveSettings settings, const RenderSettings &camera, void (*wake)());
     BackgroundSolve(const BackgroundSolve &) = delete;
-    ~BackgroundSolve(); // stops the solver and waits for its thread
+    ~BackgroundSolve() { stop(); } // `thread` waits for its end
 
     // Returns the news. Throws the error that ended the thread.
     SolveNews takeNews();
@@ -54,12 +54,11 @@ private:
     bool computing = false;     // light is being computed, since `began`
     // Used by both threads, under the lock
     std::mutex lock;
-    std::condition_variable opened;
+    std::counting_semaphore<2> opened{0}; // released when OpenGL is open, and after an error
     SolveNews news;
     std::string currentStep = "starting";
-    bool open = false;
     std::exception_ptr error;
-    std::thread thread; // last member, because it uses all others
+    std::jthread thread; // last member, because it uses all others
 };
 
 } // namespace odraz::radiosity

@@ -73,12 +73,13 @@ struct RandomSystem {
 
     // Shoots until less than the residual is left. Returns the number of shots
     int shoot(Shooting &shooting, double residual) const {
-        Columns columns(system.rows);
+        const auto columns = system.rows.columns();
         int shots = 0;
         for (; shooting.left() > residual && shots < 1000000; ++shots) {
             int k = shooting.brightest(1)[0];
             Shooting::Shot shot = shooting.nextShot(k);
-            shooting.distribute(shot.power * (1 / patches[(size_t)shot.patch].area), columns.of(shot.patch));
+            shooting.distribute(shot.power * (1 / patches[(size_t)shot.patch].area),
+                                columns[(size_t)shot.patch]);
         }
         return shots;
     }
