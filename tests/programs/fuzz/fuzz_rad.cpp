@@ -4,6 +4,7 @@
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
+#include "tools/radiosity/solution/arrays.h"
 #include "tools/support/machine.h"
 
 #include <filesystem>
@@ -14,7 +15,7 @@ using namespace odraz;
 using namespace odraz::radiosity;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
-    std::ofstream("a.rad") << Solution::withChecksum({(const char *)data, size});
+    std::ofstream("a.rad") << withChecksum(kSolutionMagic, {(const char *)data, size});
     try {
         Solution solution("a.rad");
         exportCsv(solution, "a.csv");

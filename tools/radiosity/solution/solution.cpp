@@ -72,12 +72,6 @@ bool valid(const Solution &b) {
            all(b.cells, [&](const Cell &c) { return valid(c, b); });
 }
 
-namespace {
-
-constexpr char kSolutionMagic[] = "odraz radiosity 6\n";
-
-} // namespace
-
 void Solution::put(std::string &to) const {
     const std::vector<Vec3> origins = {origin};
     radiosity::put(to, origins, charts, facets, cells, texels, light, reflects, emits, cellReflects, material,
@@ -99,11 +93,7 @@ void Solution::save(const std::string &path) const {
         throw std::runtime_error(path + ": is not written: its numbers are too large for a solution");
     std::string body;
     put(body);
-    common::writeWhole(path, withChecksum(body));
-}
-
-std::string Solution::withChecksum(const std::string &body) {
-    return radiosity::withChecksum(kSolutionMagic, body);
+    common::writeWhole(path, withChecksum(kSolutionMagic, body));
 }
 
 Solution::Solution(const std::string &path) {

@@ -19,6 +19,9 @@ struct SolutionPoint {
     Rgb radiosity;
 };
 
+// The first line of a file.
+inline constexpr char kSolutionMagic[] = "odraz radiosity 6\n";
+
 struct Solution {
     Vec3 origin = {}; // in model coordinates, which files and options use; all points are relative to it
     std::vector<Chart> charts;
@@ -44,8 +47,6 @@ struct Solution {
     void put(std::string &to) const;
     // Reads them from offset `at` on. False if they are damaged or not valid().
     bool get(const std::string &from, size_t &at);
-    // The bytes of a file whose part after the checksum is `body`.
-    static std::string withChecksum(const std::string &body);
 
     // Cuts every element by the facets that it overlaps, and visits the convex outline of each piece.
     void forPieces(

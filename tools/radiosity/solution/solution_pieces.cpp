@@ -4,7 +4,6 @@
 #include "tools/radiosity/divide/facets.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace odraz::radiosity {
 
@@ -31,22 +30,23 @@ namespace {
 // Lists, for each cell, the facets that may overlap it, so that a cell need not search all facets.
 class FacetsByCell {
 public:
-    FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets) : charts(charts) {
-        for (const Chart &c : charts) {
+    FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets)
+        : charts(charts), grids(charts.size()) {
+        for (size_t i = 0; i < charts.size(); ++i) {
+            const Chart &c = charts[i];
             if (c.facetCount <= kFewFacets) continue;
-            auto &lists = grids[&c];
+            Grid &lists = grids[i];
             lists.resize((size_t)c.across * (size_t)c.down);
             // Limit the work: facets in one plane do not overlap, except in forged files
             int64_t room = 64 * ((int64_t)lists.size() + c.facetCount);
             for (int f = c.firstFacet; f < c.firstFacet + c.facetCount && room >= 0; ++f)
                 room -= list(f, outlineOf(facets[(size_t)f]), c, lists);
-            if (room < 0) grids.erase(&c);
+            if (room < 0) lists.clear();
         }
     }
     const std::vector<int> &of(int chart, int x, int y) {
         const Chart &c = charts[(size_t)chart];
-        if (auto found = grids.find(&c); found != grids.end())
-            return found->second[(size_t)(y * c.across + x)];
+        if (const Grid &grid = grids[(size_t)chart]; !grid.empty()) return grid[(size_t)(y * c.across + x)];
         allFacets.clear();
         for (int f = c.firstFacet; f < c.firstFacet + c.facetCount; ++f) allFacets.push_back(f);
         return allFacets;
@@ -54,11 +54,11 @@ public:
 
 private:
     static constexpr int kFewFacets = 16;
+    using Grid = std::vector<std::vector<int>>; // of each cell of a chart; empty: of none
     const std::vector<Chart> &charts;
 
     // Adds a facet to its cells' lists, by rows, since slivers cross many cells. Returns the number of steps.
-    static int64_t list(int facet, const Outline &outline, const Chart &c,
-                        std::vector<std::vector<int>> &lists) {
+    static int64_t list(int facet, const Outline &outline, const Chart &c, Grid &lists) {
         float du = c.width / (float)c.across, dv = c.height / (float)c.down, low = c.height, high = 0;
         for (const PlanePoint &p : outline) low = std::min(low, p.v), high = std::max(high, p.v);
         auto cell = [](float at, float size, int count) {
@@ -77,7 +77,7 @@ private:
         }
         return work;
     }
-    std::unordered_map<const Chart *, std::vector<std::vector<int>>> grids;
+    std::vector<Grid> grids;
     std::vector<int> allFacets;
 };
 

@@ -9,55 +9,46 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <optional>
 
 namespace odraz::radiosity {
 
 namespace {
 
-// The parsed command line.
 struct SolveJob {
-    // Reads the words after `solve`. Throws Refused.
-    explicit SolveJob(std::vector<std::string> words) : line("radiosity solve", std::move(words)) {
-        line.about("Computes the light in a model and writes it to OUT, a solution for the other commands.\n"
-                   "Ctrl-C stops early and writes the light found so far; by rays, also OUT.state.");
-        line.argument("MODEL", model,
-                      "a Wavefront OBJ or glTF. Polygons are lit on the side from which their points run "
-                      "counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke, map_Ke)",
-                      false);
-        line.option("-o", "OUT", out, "the file of the solution");
-        line.option("--resume", "OUT.state", resume,
-                    "continue a stopped run with its options, to the same result; takes no other option");
-        line.option("--keep-every", "S", keepEvery, {0.01, 1e9}, "by rays: write OUT.state every S seconds");
-        options.addTo(line, SolveOptions::For::kSolve);
-        line.parse();
-        if (!resume.empty()) return;
-        if (model.empty()) throw common::Refused("name a model: radiosity solve MODEL.obj -o OUT");
-        if (out.empty()) throw common::Refused("name a file for the solution with -o OUT");
-        options.finish(line);
-    }
-    SolveJob(const SolveJob &) = delete;
-
-    common::CommandLine line;
     std::string model, out, resume; // resume: the file of a saved state to continue from
     double keepEvery = 60;          // seconds
     bool keeps = false;             // OUT is a file, not a device, so OUT.state can be written next to it
-    std::string state() const { return out + ".state"; }
     SolveOptions options;
-    std::unique_ptr<SavedState> saved; // read from `resume`; null: none
+    std::optional<SavedState> saved; // read from `resume`
+    std::string state() const { return out + ".state"; }
 };
 
 // Reads the command line, or with --resume the one in the saved state. Throws Refused.
-std::unique_ptr<SolveJob> readSolveJob(const std::vector<std::string> &words) {
-    auto job = std::make_unique<SolveJob>(words);
-    if (std::string state = job->resume; !state.empty()) {
-        if (job->line.given().size() > 1 || !job->model.empty())
+void readSolveJob(common::CommandLine &line, SolveJob &job) {
+    line.about("Computes the light in a model and writes it to OUT, a solution for the other commands.\n"
+               "Ctrl-C stops early and writes the light found so far; by rays, also OUT.state.");
+    line.argument("MODEL", job.model,
+                  "a Wavefront OBJ or glTF. Polygons are lit on the side from which their points run "
+                  "counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke, map_Ke)",
+                  false);
+    line.option("-o", "OUT", job.out, "the file of the solution");
+    line.option("--resume", "OUT.state", job.resume,
+                "continue a stopped run with its options, to the same result; takes no other option");
+    line.option("--keep-every", "S", job.keepEvery, {0.01, 1e9}, "by rays: write OUT.state every S seconds");
+    job.options.addTo(line, SolveOptions::For::kSolve);
+    line.parse();
+    if (!job.resume.empty() && !job.saved) {
+        if (line.given().size() > 1 || !job.model.empty())
             throw common::Refused("--resume takes no other option: it continues with the original ones");
-        auto saved = std::make_unique<SavedState>(state);
-        job = std::make_unique<SolveJob>(saved->words);
-        job->resume = state, job->saved = std::move(saved);
+        job.saved.emplace(job.resume);
+        common::CommandLine original("radiosity solve", job.saved->words);
+        return readSolveJob(original, job);
     }
-    if ((job->keeps = claimOutput(job->out))) common::claimOutput(job->state());
-    return job;
+    if (job.model.empty()) throw common::Refused("name a model: radiosity solve MODEL.obj -o OUT");
+    if (job.out.empty()) throw common::Refused("name a file for the solution with -o OUT");
+    job.options.finish(line);
+    if ((job.keeps = claimOutput(job.out))) common::claimOutput(job.state());
 }
 
 // Whether the polygons' fronts stay dark: the only light is an even sky, outside a closed model.
@@ -126,9 +117,7 @@ void printMeans(const Solution &solution) {
 // Solves a model. If an even sky lights no front, solves it again with both sides lit.
 class SolveCommand {
 public:
-    explicit SolveCommand(SolveJob &job) : job(job) {
-        state.words = job.saved ? job.saved->words : job.line.words();
-    }
+    SolveCommand(SolveJob &job, const std::vector<std::string> &words) : job(job) { state.words = words; }
 
     void run() {
         // Print the notes only when nothing can be refused any more, because a refusal prints one line
@@ -193,9 +182,7 @@ private:
     }
 
     Solved solve() {
-        auto progress = [this](const char *step, float done, float residual) {
-            if (step) bar->show(step, done, residual);
-        };
+        auto progress = [this](auto... shown) { bar->show(shown...); };
         SolveSettings &settings = job.options.settings;
         Solved solved = solveNamed(job.model, [&] {
             if (settings.method == SolveMethod::kPatches) gl = openGl();
@@ -221,8 +208,9 @@ private:
 } // namespace
 
 int runSolve(common::CommandLine &line) {
-    std::unique_ptr<SolveJob> job = readSolveJob(line.words());
-    SolveCommand(*job).run();
+    SolveJob job;
+    readSolveJob(line, job);
+    SolveCommand(job, job.saved ? job.saved->words : line.words()).run();
     return 0;
 }
 

@@ -5,6 +5,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
+#include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/solution/saved_state.h"
 
 #include <cmath>
@@ -51,7 +52,7 @@ protected:
     bool taken(const Solution &b) {
         std::string body;
         b.put(body);
-        common::writeWhole(path, Solution::withChecksum(body));
+        common::writeWhole(path, withChecksum(kSolutionMagic, body));
         std::string wrong = thrown([&] {
             Solution again(path);
             exportCsv(again, folder / "a.csv");
