@@ -56,16 +56,16 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
     }
 }
 
-Gathering::Result Gathering::measure(const Layout &layout) {
+Gathering::Result Gathering::measure(int px, int each, bool corners) {
     if (patches.empty()) return {errorsOf(expected, expected), NAN, {}};
-    AnyHemicubes hemicubes(study.gl, layout.px);
-    const size_t each = layout.corners ? 4 : (size_t)layout.turns, batch = (size_t)hemicubes.h.batch;
+    AnyHemicubes hemicubes(study.gl, px);
+    const auto batch = (size_t)hemicubes.h.batch;
     std::vector<Eye> eyes;
     for (int i : patches)
-        for (int k = 0; k < (int)each; ++k)
-            eyes.push_back(layout.corners ? cornerEye(model, i, k)
-                                          : hemicubeEye(model.patches[i].p, model.patches[i].n,
-                                                        (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
+        for (int k = 0; k < each; ++k)
+            eyes.push_back(corners ? cornerEye(model, i, k)
+                                   : hemicubeEye(model.patches[i].p, model.patches[i].n,
+                                                 (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
     // Draw once untimed, because the first picture takes longer. Measure a few patches several times
     hemicubes.draw(model, {&eyes[0], 1});
     Workers serial = serialWorkers();
@@ -82,7 +82,7 @@ Gathering::Result Gathering::measure(const Layout &layout) {
                 float sum = 0;
                 for (size_t j = 0; j < radiosity.size(); ++j)
                     if (rows[k][j] > 0) sum += rows[k][j] * luminance(radiosity[j]);
-                light[(first + k) / each] += sum / (float)each;
+                light[(first + k) / (size_t)each] += sum / (float)each;
             }
         }
     }

@@ -13,22 +13,19 @@ Eye cornerEye(const Model &model, int patch, int k);
 
 class Gathering {
 public:
-    // `divided`: from Study::divide(); it must outlive this. Up to `count` patches gather.
+    // `divided`: a solution by patches, whose light is not used; it must outlive this. Up to `count` patches
+    // gather.
     Gathering(Study &study, const Solved &divided, int count);
 
     size_t count() const { return patches.size(); }
 
-    // The hemicubes of a patch: one, several that are rotated differently, or four at its corners.
-    struct Layout {
-        int px, turns;
-        bool corners;
-    };
     struct Result {
         MeshErrors errors;        // errors of the light that arrives at the patches
         double seconds;           // processor time per patch
         std::vector<float> light; // luminance of the light that arrives at each patch
     };
-    Result measure(const Layout &layout);
+    // Gathers by `each` hemicubes at each patch: in its middle, rotated differently, or four at its corners.
+    Result measure(int px, int each, bool corners);
 
     // The picture in a patch's hemicube, unfolded around its top face, by logarithmicTone().
     pictures::Image unfolded(int patch, int px);

@@ -1,6 +1,5 @@
 #include "tools/radiosity/study/study.h"
 
-#include "tools/common/clock.h"
 #include "tools/common/text.h"
 #include "tools/radiosity/divide/regions.h"
 
@@ -8,10 +7,6 @@
 #include <cmath>
 
 namespace odraz::radiosity {
-
-Stopwatch::Stopwatch() : startProcessor(common::processorSeconds()), startWall(common::wallSeconds()) {}
-double Stopwatch::processor() const { return common::processorSeconds() - startProcessor; }
-double Stopwatch::wall() const { return common::wallSeconds() - startWall; }
 
 Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
              Page &page, ProgressBar &progressBar)
@@ -28,11 +23,7 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     Stopwatch watch;
     Solved solved = solve(settings.solve);
     Solution plain = std::move(solved.solution);
-    MeasuredSolution byRays = {common::counted(plain.elements(), "element") + ", by rays",
-                               command(""),
-                               watch.processor(),
-                               watch.wall(),
-                               {}};
+    double seconds = watch.processor(), wall = watch.wall();
     SolveSettings s = settings.solve;
     s.finalRays = settings.finalRays();
     if (settings.quick) s.element = area / 30000; // a fourth of the elements of a final gather
@@ -40,8 +31,8 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     places = placeMeshProbes(reference, 2000);
     solvedAt(reference, places);
     for (MeshProbe &p : places) p.traced = p.solved;
-    byRays.errors = errorsOf(plain);
-    measured.push_back(byRays);
+    measured.push_back({common::counted(plain.elements(), "element") + ", by rays", command(""), seconds,
+                        wall, errorsOf(plain)});
     comparePaths(plain, solved.surroundings);
 }
 
@@ -122,29 +113,21 @@ MeshErrors Study::errorsOf(const Solution &solution) const {
     return radiosity::errorsOf(probes);
 }
 
-Solved Study::measure(const std::string &kind, const std::string &options, const SolveSettings &s) {
+Solved Study::measure(int patches, int px, int shots) {
+    SolveSettings s = thesis(patches, px);
+    std::string name = std::to_string(px) + " px",
+                options = "--direct hemicube --hemicube " + std::to_string(px) + " --patch " +
+                          shown(s.patch, 6) + " --element " + shown(s.element, 6);
+    if (shots > 0) {
+        s.shots = shots, s.residual = 0.005f;
+        options += " --shots " + std::to_string(shots) + " --residual 0.005";
+    }
     Stopwatch watch;
     Solved solved = solve(s);
-    std::string count = s.analytic ? common::counted(solved.solution.elements(), "element")
-                                   : common::counted((size_t)solved.report.patches, "patch");
-    measured.push_back(
-        {count + ", " + kind, command(options), watch.processor(), watch.wall(), errorsOf(solved.solution)});
+    measured.push_back({common::counted((size_t)solved.report.patches, "patch") +
+                            (shots > 0 ? ", shot by " : ", by ") + name,
+                        command(options), watch.processor(), watch.wall(), errorsOf(solved.solution)});
     return solved;
-}
-
-Solved Study::gather(int patches, int px) {
-    SolveSettings s = thesis(patches, px);
-    std::string name = std::to_string(px);
-    return measure("by " + name + " px",
-                   "--direct hemicube --hemicube " + name + " --patch " + shown(s.patch, 6) + " --element " +
-                       shown(s.element, 6),
-                   s);
-}
-
-Solved Study::divide(int patches) {
-    SolveSettings s = thesis(patches, 16);
-    s.bounces = s.each = 0;
-    return solve(s);
 }
 
 } // namespace odraz::radiosity

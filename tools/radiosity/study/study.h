@@ -2,6 +2,7 @@
 // measure do not depend on the machine, so pages of two machines can be compared.
 #pragma once
 
+#include "tools/common/clock.h"
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/solve/solve.h"
@@ -10,16 +11,23 @@
 
 namespace odraz::radiosity {
 
-inline constexpr int kFinalRays = 256, kQuickFinalRays = 64; // rays of the reference's final gather
-
 struct StudySettings {
     std::string model;
     std::string options; // the given options that `radiosity solve` also has, each after a blank
     SolveSettings solve; // light from outside and memory as given; the chapters set the rest
     bool quick = false;  // only the smaller sizes and rasters, and fewer patches, shots and rays
     bool upIsZ = false;
-    int tasks = 0; // number of solutions and gathers of all chapters
-    int finalRays() const { return quick ? kQuickFinalRays : kFinalRays; }
+    int tasks = 0;                                     // number of solutions and gathers of all chapters
+    int finalRays() const { return quick ? 64 : 256; } // of the reference's final gather
+};
+
+// Measures processor and wall-clock seconds since its construction.
+struct Stopwatch {
+    double processor() const { return common::processorSeconds() - startProcessor; }
+    double wall() const { return common::wallSeconds() - startWall; }
+
+private:
+    double startProcessor = common::processorSeconds(), startWall = common::wallSeconds();
 };
 
 // A solution with its cost and errors.
@@ -80,13 +88,9 @@ public:
     Solved solve(const SolveSettings &s);
     // The errors of a solution against the reference.
     MeshErrors errorsOf(const Solution &solution) const;
-    // Solves and adds to `measured`. `options`: the options of `radiosity solve` for this solution. Its name
-    // is the number of patches if hemicubes see the lamps, else the number of elements, then `kind`.
-    Solved measure(const std::string &kind, const std::string &options, const SolveSettings &s);
-    // Measures thesis(patches, px).
-    Solved gather(int patches, int px);
-    // The model divided into about this number of patches, without rows.
-    Solved divide(int patches);
+    // Solves thesis(patches, px) and adds it to `measured`. `shots`: shoot light with at most this number of
+    // hemicubes; 0: find rows.
+    Solved measure(int patches, int px, int shots = 0);
 
 private:
     std::string command(const std::string &options) const;
@@ -96,16 +100,6 @@ private:
     ProgressBar &bar;
     const char *name = "reference";
     int done = 0, tasks; // tasks of the whole study
-};
-
-// Measures processor and wall-clock seconds since its construction.
-struct Stopwatch {
-    Stopwatch();
-    double processor() const;
-    double wall() const;
-
-private:
-    double startProcessor, startWall;
 };
 
 // The chapters. Each writes to the page.

@@ -76,43 +76,21 @@ void mappings(Study &study, const Solution &solution) {
     page.pictures(pictures);
 }
 
-// Shows solutions flat and interpolated.
-class Comparison {
-public:
-    explicit Comparison(Study &study) : study(study), camera(study.camera()) { camera.logarithmic = true; }
+} // namespace
 
-    // Solves with hemicubes of `px` pixels in the middle of patches, and at their corners. Returns the first.
-    Solution solve(int px) {
-        SolveSettings s = study.thesis(1500, px);
-        Solved middle = study.solve(s);
-        s.each = 4, s.eyeOf = cornerEye;
-        Solved corners = study.solve(s);
-        show("in the middle", "middle", middle);
-        show("at four corners", "corners", corners);
-        study.page.text(
-            "Every patch has a hemicube of " + std::to_string(px) +
-            " pixels in its middle, or the mean of four, one near each corner, a tenth of the side inside. "
-            "The light of patches is shown flat, or interpolated between their middles within one plane; "
-            "there is no interpolation across edges.");
-        return std::move(middle.solution);
-    }
-
-    void finish() const {
-        study.page.table(table);
-        study.page.pictures(pictures);
-    }
-
-private:
-    Study &study;
-    RenderSettings camera;
-    std::vector<PagePicture> pictures;
+void studyDisplay(Study &study) {
+    study.page.heading("Flat and interpolated; middle and corners");
     PageTable table = {
         "display",
         {"hemicubes", "shown", "patches", "processor_s", "rms_percent", "median_percent"},
         {"hemicubes", "light within a patch", "patches", "processor, s", "error (rms), %", "median, %"}};
-
-    void show(const std::string &where, const std::string &file, const Solved &b) {
-        auto one = [&](const Solution &solution, const char *how) {
+    std::vector<PagePicture> pictures;
+    RenderSettings camera = study.camera();
+    camera.logarithmic = true;
+    SolveSettings s = study.thesis(1500, 50);
+    auto solve = [&](const std::string &where, const std::string &file) {
+        Solved b = study.solve(s);
+        auto show = [&](const Solution &solution, const char *how) {
             MeshErrors e = study.errorsOf(solution);
             std::string name = file + "-" + how + ".png";
             render(solution, camera, study.workers, study.page.path(name));
@@ -120,19 +98,20 @@ private:
             table.rows.push_back({where, how, std::to_string(b.report.patches), shown(b.report.allSeconds),
                                   shown(e.rms), shown(e.median)});
         };
-        one(flatOf(b.solution, *b.patches->model), "flat");
-        one(b.solution, "interpolated");
-    }
-};
-
-} // namespace
-
-void studyDisplay(Study &study) {
-    study.page.heading("Flat and interpolated; middle and corners");
-    Comparison comparison(study);
-    Solution solution = comparison.solve(50);
-    comparison.finish();
-    mappings(study, solution);
+        show(flatOf(b.solution, *b.patches->model), "flat");
+        show(b.solution, "interpolated");
+        return std::move(b.solution);
+    };
+    Solution middle = solve("in the middle", "middle");
+    s.each = 4, s.eyeOf = cornerEye;
+    solve("at four corners", "corners");
+    study.page.text(
+        "Every patch has a hemicube of 50 pixels in its middle, or the mean of four, one near each corner, a "
+        "tenth of the side inside. The light of patches is shown flat, or interpolated between their middles "
+        "within one plane; there is no interpolation across edges.");
+    study.page.table(table);
+    study.page.pictures(pictures);
+    mappings(study, middle);
 }
 
 } // namespace odraz::radiosity

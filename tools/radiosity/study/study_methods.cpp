@@ -172,13 +172,9 @@ void writePasses(Study &study, const Curve &next, const Curve &once) {
                         "added_once_percent", "left_once_percent", "error_once_percent"},
                        {"pass", "adds, in the next pass, %", "is left, %", "error (rms), %",
                         "adds, at once, %", "is left, %", "error (rms), %"}};
-    pictures::Plot left = {"light that is left after each pass",
-                           "pass",
-                           "left, % of the converged light",
-                           {"in the next pass", "at once"},
-                           {},
-                           false,
-                           true};
+    pictures::Plot left = errorPlot("light that is left after each pass", "pass",
+                                    "left, % of the converged light", {"in the next pass", "at once"});
+    left.logarithmicX = false;
     pictures::Plot error = left;
     error.title = "convergence: the error after each pass", error.yName = "error (rms), %";
     left.joined = error.joined = true;
@@ -260,7 +256,7 @@ void studyMethods(Study &study) {
     Page &page = study.page;
     page.heading("Gathering, Gauss-Seidel and shooting");
     constexpr int px = 50;
-    Solved base = study.gather(study.settings.quick ? 1500 : 3000, px);
+    Solved base = study.measure(study.settings.quick ? 1500 : 3000, px);
     Converging converging(study, base);
     if (converging.dark()) return page.text("No light is reflected: there is nothing to compare.");
     std::vector<Curve> curves = {converging.passes(false), converging.passes(true),

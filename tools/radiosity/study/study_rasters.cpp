@@ -21,31 +21,18 @@ constexpr const char *kLayouts[] = {"one in the middle", "four rotated different
 struct TriedLayout {
     int px, layout;
     Gathering::Result result;
-    double fromFinest = NAN; // rms difference from the finest raster, percent; NAN: not compared
-
-    double ms() const { return 1000 * result.seconds; }
 };
 
-std::vector<TriedLayout> tryAll(Study &study, Gathering &gathering) {
+void gatherAt(Study &study, Gathering &gathering) {
     std::vector<TriedLayout> tried;
     for (int px : rasters(study))
         for (int layout = 0; layout < 3; ++layout) {
             // Four hemicubes of half the side have the same number of pixels
             int each = layout ? px / 2 : px;
-            tried.push_back({each, layout, gathering.measure({each, layout == 1 ? 4 : 1, layout == 2})});
+            tried.push_back({each, layout, gathering.measure(each, layout ? 4 : 1, layout == 2)});
         }
-    // Find the effect of the raster alone: compare hemicubes in the middle with the finest raster
-    const TriedLayout *finest = nullptr;
-    for (const TriedLayout &t : tried)
-        if (t.layout == 0 && (!finest || t.px > finest->px)) finest = &t;
-    for (TriedLayout &t : tried)
-        if (finest && &t != finest && t.layout < 2)
-            t.fromFinest = errorsOf(t.result.light, finest->result.light).rms;
-    return tried;
-}
-
-void gatherAt(Study &study, Gathering &gathering) {
-    std::vector<TriedLayout> tried = tryAll(study, gathering);
+    // The effect of the raster alone: the difference from the finest raster, of hemicubes in the middle
+    const TriedLayout &finest = tried[tried.size() - 3];
     PageTable table = {
         "gathering",
         {"hemicubes", "px", "processor_ms_per_patch", "rms_percent", "median_percent", "from_finest_percent"},
@@ -56,10 +43,12 @@ void gatherAt(Study &study, Gathering &gathering) {
                   "difference from the finest raster (rms), %", {kLayouts[0], kLayouts[1]});
     for (const TriedLayout &t : tried) {
         const MeshErrors &e = t.result.errors;
-        table.rows.push_back({kLayouts[t.layout], std::to_string(t.px), shown(t.ms()), shown(e.rms),
-                              shown(e.median), shown(t.fromFinest)});
-        if (t.layout < 2)
-            plot.points.push_back({t.ms(), t.fromFinest, std::to_string(t.px), false, t.layout});
+        bool compared = t.layout < 2 && &t != &finest;
+        double ms = 1000 * t.result.seconds,
+               fromFinest = compared ? errorsOf(t.result.light, finest.result.light).rms : NAN;
+        table.rows.push_back({kLayouts[t.layout], std::to_string(t.px), shown(ms), shown(e.rms),
+                              shown(e.median), shown(fromFinest)});
+        if (t.layout < 2) plot.points.push_back({ms, fromFinest, std::to_string(t.px), false, t.layout});
     }
     study.page.table(table);
     study.page.plot("gathering", plot);
@@ -82,7 +71,7 @@ void solveAt(Study &study, Gathering &gathering) {
             pictures::writePng(page.path(file), gathering.unfolded(widest, px));
             hemicubes.push_back({file, "the view of one patch, " + name + " pixels"});
         }
-        Solved solved = study.gather(kPatches, px);
+        Solved solved = study.measure(kPatches, px);
         const MeasuredSolution &m = study.measured.back();
         table.rows.push_back({name, std::to_string(solved.report.patches), shown(m.seconds), shown(m.wall),
                               shown(m.errors.rms), shown(m.errors.median)});
@@ -103,7 +92,9 @@ void solveAt(Study &study, Gathering &gathering) {
 void studyRasters(Study &study) {
     Page &page = study.page;
     page.heading("Rasters from 25 to " + std::to_string(rasters(study).back()) + " pixels");
-    Solved divided = study.divide(kPatches);
+    SolveSettings s = study.thesis(kPatches, 16);
+    s.bounces = s.each = 0; // only divides the model
+    Solved divided = study.solve(s);
     Gathering gathering(study, divided, study.settings.quick ? 150 : 600);
     page.text(
         "First, one gather: " + std::to_string(gathering.count()) + " patches of " +
