@@ -77,7 +77,6 @@ public:
           tree(cornersOf(task.mesh)), grid(task.regions, tree, task.workers, cellsOfPatch(task)) {}
 
     void run() {
-        report.complete = true;
         divide();
         task.lap(SolveStep::kDividing);
         findDirectLight();

@@ -61,8 +61,8 @@ void SolveTask::show(SolveStep step, float done, float residual) const {
 }
 
 void SolveTask::lap(SolveStep step) {
-    double now = common::processorSeconds(), took = now - lastLap;
-    report.seconds[(int)step] += took, report.allSeconds += took;
+    double now = common::processorSeconds();
+    report.seconds[(int)step] += now - lastLap;
     lastLap = now;
 }
 

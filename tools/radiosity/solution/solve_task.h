@@ -15,13 +15,12 @@ static_assert(std::size(kStepNames) == kSolveSteps && (int)SolveStep::kFinalRays
 
 // All results except light.
 struct SolveReport {
-    bool complete = false;            // all rows and sweeps are done; false: stopped early
+    bool complete = true;             // all rows and sweeps are done; false: stopped early
     int rows = 0;                     // number of sites' or patches' rows found
     int sweeps = 0;                   // number of sweeps or bounces
     float residual = 0;               // after the last sweep
     double seconds[kSolveSteps] = {}; // processor time of each step
-    double allSeconds = 0;
-    std::vector<std::string> notes; // messages for the user, one line each
+    std::vector<std::string> notes;   // messages for the user, one line each
 
     // By rays
     int sites = 0;

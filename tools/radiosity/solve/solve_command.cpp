@@ -123,7 +123,7 @@ public:
         // Print the notes only when nothing can be refused any more, because a refusal prints one line
         std::vector<std::string> notes;
         read(notes);
-        job.options.addLights(mesh, job.options.settings.surroundings, notes);
+        job.options.addLights(mesh, settings.surroundings, notes);
         if (job.saved && job.saved->model != state.model)
             throw common::Refused(job.resume + ": belongs to another model, or " + job.model +
                                   " has changed: solve the model again");
@@ -131,19 +131,23 @@ public:
         prepare();
         Solved solved = solve();
         std::vector<std::string> &found = solved.report.notes;
-        if (mayLightBacks() && solved.report.complete && staysDark(solved.solution)) {
+        bool mayLightBacks = settings.evenSky && !settings.surroundings.any() && !job.options.read.twoSided;
+        if (mayLightBacks && solved.report.complete && staysDark(solved.solution)) {
             std::erase(found, kDarkNote);
             found.emplace_back(
                 "no light reaches the fronts of the polygons: both sides are lit (--two-sided)");
             printNotes(found);
-            lightBacks();
+            job.options.read.twoSided = true;
+            read(notes);                          // finds the same notes, which are printed
+            state.words.push_back("--two-sided"); // for --resume
+            settings.saving.resumed = {};
             solved = {};
             solved = solve();
         }
         printNotes(found);
         solved.solution.save(job.out);
         if (solved.report.complete && job.keeps) std::remove(job.state().c_str());
-        printSolveReport(mesh, solved, job.options.settings);
+        printSolveReport(mesh, solved, settings);
         printMeans(solved.solution);
         if (!solved.report.complete && !solved.patches && job.keeps)
             std::printf("to continue: radiosity solve --resume %s\n", job.state().c_str());
@@ -151,6 +155,7 @@ public:
 
 private:
     SolveJob &job;
+    SolveSettings &settings = job.options.settings;
     SavedState state; // written next to the solution
     Mesh mesh;
     Workers workers = allProcessors();
@@ -160,11 +165,10 @@ private:
 
     void read(std::vector<std::string> &notes) {
         mesh = readModel(job.model, job.options.read, notes);
-        state.model = sumOf(mesh, job.options.settings.surroundings.sky);
+        state.model = sumOf(mesh, settings.surroundings.sky);
     }
 
     void prepare() {
-        SolveSettings &settings = job.options.settings;
         if (job.saved) settings.saving.resumed = job.saved->rows;
         settings.saving.seconds = job.keepEvery;
         if (job.keeps)
@@ -183,25 +187,12 @@ private:
 
     Solved solve() {
         auto progress = [this](auto... shown) { bar->show(shown...); };
-        SolveSettings &settings = job.options.settings;
         Solved solved = solveNamed(job.model, [&] {
             if (settings.method == SolveMethod::kPatches) gl = openGl();
             return solveModel(mesh, settings, gl, workers, stop, progress);
         });
         bar->clear();
         return solved;
-    }
-
-    bool mayLightBacks() const {
-        const SolveSettings &settings = job.options.settings;
-        return settings.evenSky && !settings.surroundings.any() && !job.options.read.twoSided;
-    }
-    void lightBacks() {
-        job.options.read.twoSided = true;
-        std::vector<std::string> printed; // the same notes, which were printed before
-        read(printed);
-        state.words.push_back("--two-sided"); // for --resume
-        job.options.settings.saving.resumed = {};
     }
 };
 

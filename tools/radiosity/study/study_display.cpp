@@ -5,6 +5,7 @@
 #include "tools/radiosity/study/gathering.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace odraz::radiosity {
 
@@ -90,13 +91,14 @@ void studyDisplay(Study &study) {
     SolveSettings s = study.thesis(1500, 50);
     auto solve = [&](const std::string &where, const std::string &file) {
         Solved b = study.solve(s);
+        const double seconds = std::accumulate(b.report.seconds, std::end(b.report.seconds), 0.);
         auto show = [&](const Solution &solution, const char *how) {
             MeshErrors e = study.errorsOf(solution);
             std::string name = file + "-" + how + ".png";
             render(solution, camera, study.workers, study.page.path(name));
             pictures.push_back({name, where + ", " + how + ": error " + shown(e.rms) + " %"});
-            table.rows.push_back({where, how, std::to_string(b.report.patches), shown(b.report.allSeconds),
-                                  shown(e.rms), shown(e.median)});
+            table.rows.push_back({where, how, std::to_string(b.report.patches), shown(seconds), shown(e.rms),
+                                  shown(e.median)});
         };
         show(flatOf(b.solution, *b.patches->model), "flat");
         show(b.solution, "interpolated");

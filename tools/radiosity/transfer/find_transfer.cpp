@@ -5,6 +5,7 @@
 #include "tools/radiosity/rays/lamp_rays.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/transfer/solve_columns.h"
+#include "tools/support/machine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,12 +49,11 @@ std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &outside) {
 void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes) {
     if (lamps.size() <= (size_t)kMaxLamps) return;
     LampSource &last = lamps[(size_t)kMaxLamps - 1];
+    auto append = [](auto &to, const auto &more) { to.insert(to.end(), more.begin(), more.end()); };
     for (size_t i = (size_t)kMaxLamps; i < lamps.size(); ++i) {
-        const LampSource &more = lamps[i];
-        last.materials.insert(last.materials.end(), more.materials.begin(), more.materials.end());
-        last.outside.lamps.insert(last.outside.lamps.end(), more.outside.lamps.begin(),
-                                  more.outside.lamps.end());
-        last.outside.suns.insert(last.outside.suns.end(), more.outside.suns.begin(), more.outside.suns.end());
+        append(last.materials, lamps[i].materials);
+        append(last.outside.lamps, lamps[i].outside.lamps);
+        append(last.outside.suns, lamps[i].outside.suns);
     }
     notes.push_back("there are " + std::to_string(lamps.size()) + " lamps: all from lamp " +
                     std::to_string(kMaxLamps) + " on are combined into one");
@@ -74,51 +74,47 @@ int usualRays(size_t sites) {
 class TransferFinder {
 public:
     TransferFinder(const Mesh &mesh, const TransferSettings &s, Workers &workers,
-                   const std::function<void(const char *, float)> &progress, TransferReport &report)
-        : mesh(mesh), s(s), workers(workers), progress(progress), report(report),
-          task(mesh, s.solve, workers, &kNever, none), lamps(lampsOf(mesh, task.settings.surroundings)) {
-        joinLamps(lamps, report.notes);
+                   const SolveProgress &progress, TransferReport &report)
+        : mesh(mesh), s(s), workers(workers), report(report), task(mesh, s.solve, workers, &kNever, progress),
+          lamps(lampsOf(mesh, task.settings.surroundings)) {
+        joinLamps(lamps, task.report.notes);
     }
 
     TransferRoom find() {
-        lap();
         show("dividing", 0);
-        RayTree tree(cornersOf(mesh));
-        LightGrid grid(task.regions, tree, workers);
         grid.useSitesAsPatches();
         task.setGeometry(grid.cells, grid.texels);
-        RaySystem rays(task.regions, grid, tree, dark);
-        findRows(rays, grid);
+        findRows();
         ColumnSystem columns(rays, rays.reflectance(task.solution), lights());
-        solve(columns, rays, grid, tree);
-        spread(columns, rays, grid);
+        solve(columns);
+        spread(columns);
         report.seconds[1] = lap();
         noteClosed();
         compressRows();
         report.seconds[2] = lap();
-        findGlossyCharts(columns, grid, tree);
+        findGlossyCharts(columns);
         report.seconds[3] = lap();
-        report.notes.insert(report.notes.begin(), task.report.notes.begin(), task.report.notes.end());
+        report.notes = std::move(task.report.notes);
         return std::move(room);
     }
 
 private:
-    static constexpr int kNever = 0;
-    const SolveProgress none;
     const Surroundings dark;
     const Mesh &mesh;
     const TransferSettings &s;
     Workers &workers;
-    const std::function<void(const char *, float)> &progress;
     TransferReport &report;
     SolveTask task;
+    double last = common::processorSeconds();
+    RayTree tree{cornersOf(mesh)};
+    LightGrid grid{task.regions, tree, workers};
+    RaySystem rays{task.regions, grid, tree, dark};
     std::vector<LampSource> lamps;
     std::vector<std::vector<Rgb>> direct; // direct light of each lamp at the texels
     TransferRoom room;
-    double last = common::processorSeconds();
 
     void show(const char *step, float done) {
-        if (progress) progress(step, done);
+        if (task.progress) task.progress(step, done, -1);
     }
     double lap() {
         double now = common::processorSeconds(), took = now - last;
@@ -127,7 +123,7 @@ private:
     }
     int lights() const { return s.bands * s.bands + (int)lamps.size(); }
 
-    void findRows(RaySystem &rays, const LightGrid &grid) {
+    void findRows() {
         size_t sites = grid.sites.size();
         int count = s.solve.rays > 0 ? s.solve.rays : usualRays(sites);
         report.sites = sites, report.raysFromSite = (size_t)count;
@@ -145,7 +141,7 @@ private:
     }
 
     // Adds light from outside, of radiance 1 times each function of the bands.
-    void addBands(ColumnSystem &to, const RaySystem &rays) {
+    void addBands(ColumnSystem &to) {
         show("bands", 0);
         int functions = s.bands * s.bands;
         rays.alongOpenRays(
@@ -160,8 +156,7 @@ private:
     }
 
     // Adds the light of lamp `k` at the sites: along rays if the lamp is large, otherwise by shadow rays.
-    void addLamp(size_t k, ColumnSystem &to, const RaySystem &rays, const LightGrid &grid,
-                 const RayTree &tree) {
+    void addLamp(size_t k, ColumnSystem &to) {
         show("lamps", (float)k / (float)lamps.size());
         Mesh onlyThis = mesh;
         std::vector<uint8_t> belongs(mesh.materials.size()), emits(task.regions.charts.size());
@@ -192,10 +187,10 @@ private:
         }
     }
 
-    void solve(ColumnSystem &columns, const RaySystem &rays, const LightGrid &grid, const RayTree &tree) {
+    void solve(ColumnSystem &columns) {
         room.lampOf.assign(task.regions.charts.size(), -1);
-        addBands(columns, rays);
-        for (size_t k = 0; k < lamps.size(); ++k) addLamp(k, columns, rays, grid, tree);
+        addBands(columns);
+        for (size_t k = 0; k < lamps.size(); ++k) addLamp(k, columns);
         show("solving", 0);
         columns.solve(s.solve.residual, workers);
     }
@@ -203,11 +198,11 @@ private:
     void noteClosed() {
         const float *even = room.plane(0, 0);
         if (std::all_of(even, even + room.texels(), [](float x) { return x == 0; }))
-            report.notes.emplace_back("no light from outside enters: only the lamps light this room");
+            task.report.notes.emplace_back("no light from outside enters: only the lamps light this room");
     }
 
     // Spreads light from the sites to the texels, in planes.
-    void spread(const ColumnSystem &columns, const RaySystem &rays, const LightGrid &grid) {
+    void spread(const ColumnSystem &columns) {
         show("spreading", 0);
         auto width = (size_t)columns.columns();
         std::vector<float> texels(grid.texels.size() * width);
@@ -239,7 +234,7 @@ private:
         room.clusters = clustersOf(room, clusters, s.rank > 0 ? s.rank : usualRank(s.bands), workers);
     }
 
-    void findGlossyCharts(const ColumnSystem &columns, const LightGrid &grid, const RayTree &tree) {
+    void findGlossyCharts(const ColumnSystem &columns) {
         if (s.glossy.empty()) return;
         std::vector<size_t> charts;
         double area = 0;
@@ -315,7 +310,7 @@ Clusters clustersOf(const TransferRoom &room, int count, int rank, Workers &work
 }
 
 TransferRoom findTransfer(const Mesh &mesh, const TransferSettings &settings, Workers &workers,
-                          const std::function<void(const char *, float)> &progress, TransferReport &report) {
+                          const SolveProgress &progress, TransferReport &report) {
     return TransferFinder(mesh, settings, workers, progress, report).find();
 }
 

@@ -33,9 +33,8 @@ std::vector<float> columnScale(const TransferRoom &room, const std::vector<float
 // Clusters of the room's rows: `count`, with `rank` axes each.
 Clusters clustersOf(const TransferRoom &room, int count, int rank, Workers &workers);
 
-// Reports progress: a step and the share of it that is done. Throws ModelError or std::runtime_error.
+// Throws ModelError or std::runtime_error.
 TransferRoom findTransfer(const Mesh &mesh, const TransferSettings &settings, Workers &workers,
-                          const std::function<void(const char *step, float done)> &progress,
-                          TransferReport &report);
+                          const SolveProgress &progress, TransferReport &report);
 
 } // namespace odraz::radiosity

@@ -92,7 +92,7 @@ int runTransfer(common::CommandLine &line) {
     Workers workers = allProcessors();
     ProgressBar bar(job.options.progress);
     TransferReport report;
-    auto progress = [&](const char *step, float done) { bar.show(step, done, -1); };
+    auto progress = [&](auto... shown) { bar.show(shown...); };
     TransferRoom room =
         solveNamed(job.model, [&] { return findTransfer(mesh, job.settings, workers, progress, report); });
     bar.clear();
