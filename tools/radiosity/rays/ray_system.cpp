@@ -60,14 +60,17 @@ size_t RaySystem::setRays(const std::vector<uint16_t> &counts) {
     return missing;
 }
 
-void RaySystem::save(std::string &to) const {
-    put(to, firstOf, rows, found, sky, skySquare, reach, excluded);
+std::string RaySystem::saved() const {
+    std::string to;
+    put(to, std::vector<uint8_t>{refined}, firstOf, rows, found, sky, skySquare, reach, excluded);
+    return to;
 }
 
-bool RaySystem::restore(std::string_view from, size_t &at) {
-    size_t count = grid.sites.size();
-    if (!get(from, at, firstOf, rows, found, sky, skySquare, reach, excluded) ||
-        firstOf.size() != count + 1 || firstOf[0] != 0 || firstOf[count] != rows.size() ||
+bool RaySystem::restore(std::string_view from) {
+    size_t count = grid.sites.size(), at = 0;
+    std::vector<uint8_t> flag;
+    if (!get(from, at, flag, firstOf, rows, found, sky, skySquare, reach, excluded) || at != from.size() ||
+        flag.size() != 1 || firstOf.size() != count + 1 || firstOf[0] != 0 || firstOf[count] != rows.size() ||
         found.size() != count || sky.size() != count || skySquare.size() != count || reach.size() != count ||
         excluded.size() != count)
         return false;
@@ -76,6 +79,7 @@ bool RaySystem::restore(std::string_view from, size_t &at) {
     // The rows may have been found with a sky: clear its light
     if (!surroundings.sky.width)
         std::fill(sky.begin(), sky.end(), Rgb{}), std::fill(skySquare.begin(), skySquare.end(), 0.f);
+    refined = flag[0];
     bool good = true;
     for (uint32_t k : rows) good &= (k < count) | (k == kDark);
     return good;

@@ -74,9 +74,10 @@ public:
     void alongOpenRays(const std::function<void(size_t site, const Vec3 &direction)> &visit,
                        Workers &workers) const;
 
-    // Writes and reads the rows found so far, as arrays (arrays.h); false if they do not fit the grid.
-    void save(std::string &to) const;
-    bool restore(std::string_view from, size_t &at);
+    // Writes and reads `refined` and the rows found so far, as arrays (arrays.h); false if they do not fit
+    // the grid.
+    std::string saved() const;
+    bool restore(std::string_view from);
 
     std::vector<Rgb> arrives; // light at every site
     // The emission of charts, if these rays find it; empty if it counts as direct light
@@ -84,6 +85,7 @@ public:
     std::vector<uint64_t> firstOf; // index of each site's row in `rows`, and the end of the list
     std::vector<uint32_t> rows;    // the sites that were hit
     std::vector<uint8_t> found;    // for each site: whether its row is found
+    bool refined = false;          // the number of rays of each site is final
     bool findsExcluded = true;     // findRows() also sets `excluded`
     std::vector<Rgb> sky;          // the sky's light at each site
     std::vector<float> skySquare;  // for each site: mean squared luminance of the sky along its rays

@@ -2,7 +2,6 @@
 
 #include "tools/common/clock.h"
 #include "tools/radiosity/rays/lamp_rays.h"
-#include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/solution/solve_task.h"
 
 #include <algorithm>
@@ -43,7 +42,9 @@ public:
           system(task.regions, grid, tree, s.surroundings) {}
 
     void run() {
-        resume();
+        if (!s.saving.resumed.empty() && !system.restore(s.saving.resumed))
+            throw std::runtime_error(
+                "the saved state is damaged or belongs to another model: solve the model again");
         findFirstRows();
         findDirectLight();
         if (task.watched()) {
@@ -67,28 +68,12 @@ private:
     LightGrid &grid;
     RaySystem system;
     double savedAt = common::wallSeconds(); // when rows were last saved
-    bool refined = false;                   // whether the number of rays of each site is final
     std::vector<Rgb> direct;                // direct light of each texel
     std::vector<Rgb> directAtSites, reflects;
 
-    void resume() {
-        if (s.saving.resumed.empty()) return;
-        size_t at = 0;
-        std::vector<uint8_t> flag;
-        if (!get(s.saving.resumed, at, flag) || flag.size() != 1 || !system.restore(s.saving.resumed, at) ||
-            at != s.saving.resumed.size())
-            throw std::runtime_error(
-                "the saved state is damaged or belongs to another model: solve the model again");
-        s.saving.resumed = {};
-        refined = flag[0];
-    }
-
     void keep() {
         if (!s.saving.save) return;
-        std::string rows;
-        put(rows, std::vector<uint8_t>{refined});
-        system.save(rows);
-        s.saving.save(rows);
+        s.saving.save(system.saved());
         savedAt = common::wallSeconds();
     }
     bool keepIsDue() const { return common::wallSeconds() - savedAt > s.saving.seconds; }
@@ -114,7 +99,8 @@ private:
 
     void findFirstRows() {
         auto rays = (uint16_t)(s.rays > 0 ? s.rays : RaySystem::kLeastRays);
-        if (!refined) findRows(std::vector<uint16_t>(grid.sites.size(), rays), 0, s.rays > 0 ? 1 : kFirst);
+        if (!system.refined)
+            findRows(std::vector<uint16_t>(grid.sites.size(), rays), 0, s.rays > 0 ? 1 : kFirst);
         system.findsExcluded = false;
         task.lap(SolveStep::kFormFactors);
     }
@@ -137,13 +123,13 @@ private:
     void refineRows() {
         std::vector<uint16_t> rays(grid.sites.size());
         for (size_t i = 0; i < rays.size(); ++i) rays[i] = (uint16_t)system.rays(i);
-        if (!refined) {
+        if (!system.refined) {
             system.solve(directAtSites, reflects, false, 0.01f, 100, task.workers,
                          [](float) { return true; });
             task.lap(SolveStep::kSolving);
             rays = system.raysFor(directAtSites, reflects, kError, kShared, task.workers);
         }
-        refined = true;
+        system.refined = true;
         findRows(rays, kFirst, 1);
         task.lap(SolveStep::kFormFactors);
     }
@@ -204,7 +190,6 @@ private:
 
 void solveByRays(SolveTask &task) {
     SolveReport &report = task.report;
-    report.complete = true;
     task.show(SolveStep::kDividing, 0);
     RayTree tree(cornersOf(task.mesh));
     task.show(SolveStep::kDividing, 0.4f);

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,35 +47,26 @@ template <class... Arrays> void put(std::string &to, const Arrays &...all) {
     (one(all), ...);
 }
 
-// Reads an array in place, without a copy. Also returns false if it is not aligned for its items.
-template <class T> bool getOne(std::string_view from, size_t &at, std::span<const T> &to) {
+// Finds the bytes of an array whose items have this size.
+inline bool getBytes(std::string_view from, size_t &at, size_t size, std::string_view &to) {
     uint64_t head[2];
     if (from.size() - at < sizeof head) return false;
     std::memcpy(head, from.data() + at, sizeof head);
     at += sizeof head;
-    const char *first = from.data() + at;
-    if (head[1] != sizeof(T) || head[0] > (from.size() - at) / sizeof(T) || (uintptr_t)first % alignof(T))
-        return false;
-    to = {(const T *)first, head[0]};
-    at += head[0] * sizeof(T);
+    if (head[1] != size || head[0] > (from.size() - at) / size) return false;
+    to = from.substr(at, head[0] * size);
+    at += to.size();
     return true;
 }
-// Reads characters in place.
+// Reads characters in place, and copies other arrays.
 inline bool getOne(std::string_view from, size_t &at, std::string_view &to) {
-    std::span<const char> found;
-    if (!getOne(from, at, found)) return false;
-    to = {found.data(), found.size()};
-    return true;
+    return getBytes(from, at, 1, to);
 }
-// Copies an array, however it is aligned.
 template <class T> bool getOne(std::string_view from, size_t &at, std::vector<T> &to) {
-    struct [[gnu::packed]] Item {
-        char bytes[sizeof(T)];
-    };
-    std::span<const Item> found;
-    if (!getOne(from, at, found)) return false;
-    to.resize(found.size());
-    if (!to.empty()) std::memcpy((void *)to.data(), found.data(), found.size_bytes());
+    std::string_view found;
+    if (!getBytes(from, at, sizeof(T), found)) return false;
+    to.resize(found.size() / sizeof(T));
+    if (!to.empty()) std::memcpy((void *)to.data(), found.data(), found.size());
     return true;
 }
 // Reads arrays that put() wrote, from offset `at` on, and moves `at` past them. False if one cannot be read.

@@ -6,20 +6,19 @@
 
 namespace odraz::radiosity {
 
-static constexpr char kStateMagic[] = "odraz radiosity state 6\n";
+static constexpr char kStateMagic[] = "odraz radiosity state 7\n";
 
 void SavedState::save(const std::string &path) const {
     std::string body;
     body.reserve(rows.size() + 65536);
     put(body, std::vector<uint64_t>{model, words.size()});
     for (const std::string &word : words) put(body, word);
-    // Align the rows for their items, because they are used in place
-    put(body, std::string(8 - (sizeof kStateMagic - 1 + body.size()) % 8, '\0'), rows);
+    put(body, rows);
     common::writeWhole(path, withChecksum(kStateMagic, body));
 }
 
 SavedState::SavedState(const std::string &path) : file(common::readWhole(path)) {
-    std::string_view all = file, padding;
+    std::string_view all = file;
     size_t at = bodyOf(all, kStateMagic);
     if (!at) throw common::Refused(path + ": is not a state of 'radiosity solve' of this version");
     std::vector<uint64_t> head;
@@ -29,7 +28,7 @@ SavedState::SavedState(const std::string &path) : file(common::readWhole(path)) 
         good = get(all, at, word);
         words.emplace_back(word);
     }
-    if (!good || !get(all, at, padding, rows) || at != all.size())
+    if (!good || !get(all, at, rows) || at != all.size())
         throw common::Refused(path + ": is damaged, or from another version: solve the model again");
     model = head[0];
 }
