@@ -56,7 +56,9 @@ double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     return all > 0 ? std::sqrt(lost / all) : lost > 0 ? INFINITY : 0;
 }
 
-// Compares a room with solutions. Each print function returns false when `stop` is set.
+struct Stopped {}; // thrown when the user interrupts
+
+// Compares a room with solutions.
 class RoomCheck {
 public:
     RoomCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
@@ -67,30 +69,26 @@ public:
         for (MeshMaterial &m : dark.materials) m.emits = {};
     }
 
-    bool printSkies() {
+    void printSkies() {
         for (const TriedSky &sky : skies) {
             exact.push_back(solveSky(sky, rays));
             relight(sky.light);
             // For every other sky (all would be slow), also solve with as many rays as the light needs
             std::vector<Rgb> others;
             if (exact.size() % 2) others = solveSky(sky, 0);
-            if (stopped()) return false;
             printErrors(sky.name, exact.back(), others);
         }
-        return true;
     }
-    bool printLamps() {
-        if (room.lamps.empty()) return true;
+    void printLamps() {
+        if (room.lamps.empty()) return;
         std::fill(lighting.lamps.begin(), lighting.lamps.end(), 1.f);
         relight({});
         const Surroundings &given = settings.solve.surroundings;
         std::vector<Rgb> lit = solve(mesh, rays, {{}, given.suns, given.lamps});
-        if (stopped()) return false;
         printErrors("all lamps", lit, {});
         std::fill(lighting.lamps.begin(), lighting.lamps.end(), 0.f);
-        return true;
     }
-    bool printPictures(const std::vector<std::string> &paths) {
+    void printPictures(const std::vector<std::string> &paths) {
         for (const std::string &path : paths) {
             std::vector<std::string> notes;
             Projected projected = readEnvironment(path, room.upIsZ, &notes);
@@ -98,41 +96,33 @@ public:
             sky.sky = readSky(path, room.upIsZ, sky.suns);
             relight(sky.light);
             std::vector<Rgb> lit = solveSky(sky, rays);
-            if (stopped()) return false;
             printErrors(sky.name, lit, {});
             notes.push_back(bandLossText(sky.name, projected, room.bands));
             for (const std::string &note : notes) std::printf("        (%s)\n", note.c_str());
         }
-        return true;
     }
     // Compares one subspace for all rows with one for each cluster, at the same number of stored floats. Call
     // it after printSkies().
-    bool printSubspaces() {
+    void printSubspaces() {
         std::vector<float> rows = room.rows(), scale = columnScale(room, rows);
-        std::vector<int> ranks;
-        for (int rank = 4; rank < room.clusters.rank; rank += 4) ranks.push_back(rank);
-        ranks.push_back(room.clusters.rank);
         Workers stopping = workers;
         stopping.abort = stop;
-        for (int rank : ranks) {
-            Clusters many = room.clusters;
-            if (rank != many.rank) many = clustersOf(room, many.count, rank, stopping);
-            if (stopped()) return false;
+        const int most = room.clusters.rank;
+        for (int rank = std::min(4, most);; rank = std::min(rank + 4, most)) {
+            Clusters many =
+                rank == most ? room.clusters : clustersOf(room, room.clusters.count, rank, stopping);
             size_t floats = many.floats(rank);
+            Clusters one = oneSubspace(rows, scale, floats, stopping);
+            checkStop();
             std::printf("%7.2f %6d %12.3f %13.3f", (double)floats * 4e-6, rank,
                         100 * compressionError(many, rows, scale, rank), 100 * worstError(many));
-            Clusters one = oneSubspace(rows, scale, floats, stopping);
-            if (stopped()) {
-                std::printf("\n"); // ends the row
-                return false;
-            }
             if (one.rank == 0)
                 std::printf("     more than %d\n", kMostRank);
             else
                 std::printf(" %8d %12.3f %13.3f\n", one.rank,
                             100 * compressionError(one, rows, scale, one.rank), 100 * worstError(one));
+            if (rank == most) break;
         }
-        return true;
     }
 
 private:
@@ -149,15 +139,17 @@ private:
     std::vector<std::vector<Rgb>> exact; // the solution for each of `skies`
     std::vector<Rgb> byRows, byClusters;
 
-    bool stopped() const { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; }
-
-    // Solves with `count` rays from each site (0: as many as its light needs). The result is incomplete after
-    // a stop.
+    void checkStop() const {
+        if (__atomic_load_n(stop, __ATOMIC_RELAXED)) throw Stopped();
+    }
+    // Solves with `count` rays from each site (0: as many as its light needs).
     std::vector<Rgb> solve(const Mesh &model, int count, const Surroundings &surroundings) {
         SolveSettings s = settings.solve;
         s.rays = count;
         s.surroundings = surroundings;
-        return solveModel(model, s, {}, workers, stop, {}).solution.light;
+        Solved solved = solveModel(model, s, {}, workers, stop, {});
+        checkStop();
+        return std::move(solved.solution.light);
     }
     std::vector<Rgb> solveSky(const TriedSky &sky, int count) {
         return solve(dark, count, {sky.sky, sky.suns, {}});
@@ -201,15 +193,21 @@ private:
 
 bool printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
                 const std::vector<std::string> &skies, Workers &workers, const int *stop) {
-    RoomCheck check(mesh, settings, room, rays, workers, stop);
-    std::printf("\nerror against a solution for that light, %% rms   rows  clusters  rows, other rays\n");
-    if (!check.printSkies() || !check.printLamps() || !check.printPictures(skies)) return false;
-    std::printf("\nerror %%                      clusters (CPCA)                    one subspace (PCA)\n"
-                "     MB   rank  of the rows  of the light     rank  of the rows  of the light\n");
-    if (!check.printSubspaces()) return false;
-    std::printf(
-        "error of the rows: of the whole matrix (Frobenius); of the light: under the worst sky above, rms\n");
-    return true;
+    try {
+        RoomCheck check(mesh, settings, room, rays, workers, stop);
+        std::printf("\nerror against a solution for that light, %% rms   rows  clusters  rows, other rays\n");
+        check.printSkies();
+        check.printLamps();
+        check.printPictures(skies);
+        std::printf("\nerror %%                      clusters (CPCA)                    one subspace (PCA)\n"
+                    "     MB   rank  of the rows  of the light     rank  of the rows  of the light\n");
+        check.printSubspaces();
+        std::printf("error of the rows: of the whole matrix (Frobenius); of the light: under the worst sky "
+                    "above, rms\n");
+        return true;
+    } catch (const Stopped &) {
+        return false;
+    }
 }
 
 } // namespace odraz::radiosity

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
 namespace odraz::radiosity {
 
@@ -20,28 +19,22 @@ std::vector<float> readLamps(const std::string &text, const TransferRoom &room) 
     if (text.empty() || text == "all") return std::vector<float>(count, 1.f);
     std::vector<float> strengths(count);
     if (text == "none") return strengths;
-    for (size_t at = 0; at <= text.size();) {
-        size_t end = std::min(text.find(',', at), text.size()), equals = text.find('=', at);
-        std::string name = text.substr(at, std::min(equals, end) - at);
-        float strength = 1;
-        if (equals < end)
-            strength = (float)common::numberOf("--lamps NAME=STRENGTH",
-                                               text.substr(equals + 1, end - equals - 1), {0, 1e6});
-        auto found = std::find(room.lamps.begin(), room.lamps.end(), name);
-        char *rest;
-        unsigned long number = std::strtoul(name.c_str(), &rest, 10);
-        if (found != room.lamps.end())
-            number = (unsigned long)(found - room.lamps.begin()) + 1;
-        else if (name.empty() || *rest)
-            number = 0;
-        if (number < 1 || number > count) {
+    for (size_t at = 0, end; at <= text.size(); at = end + 1) {
+        end = std::min(text.find(',', at), text.size());
+        const std::string item = text.substr(at, end - at), name = item.substr(0, item.find('='));
+        size_t lamp = 0;
+        while (lamp < count && name != room.lamps[lamp]) ++lamp;
+        for (size_t k = 0; lamp == count && k < count; ++k)
+            if (name == std::to_string(k + 1)) lamp = k;
+        if (lamp == count) {
             std::string known;
             for (size_t k = 0; k < count; ++k) known += ", " + std::to_string(k + 1) + " " + room.lamps[k];
             throw common::Refused("--lamps: there is no lamp '" + name + "'; the room has " +
                                   (count ? known.substr(2) : "none"));
         }
-        strengths[number - 1] = strength;
-        at = end + 1;
+        strengths[lamp] = name == item ? 1
+                                       : (float)common::numberOf("--lamps NAME=STRENGTH",
+                                                                 item.substr(name.size() + 1), {0, 1e6});
     }
     return strengths;
 }
