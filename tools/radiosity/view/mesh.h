@@ -31,7 +31,6 @@ struct ViewMesh {
 
 private:
     std::vector<Solution::CellPoint> cellPoints; // each point's position in the cell that holds its light
-    void placeHemicubes(const Solution &solution, const std::vector<uint32_t> &firsts);
 };
 
 } // namespace odraz::radiosity
