@@ -146,8 +146,11 @@ Rgb Shooting::ambient() const {
     return {series(light.x, reflects.x), series(light.y, reflects.y), series(light.z, reflects.z)};
 }
 
-Rgb Shooting::radiosity(int i) const {
-    return model.patches[i].reflects * (direct[(size_t)i] + arrived[(size_t)i]);
+std::vector<Rgb> Shooting::radiosity() const {
+    std::vector<Rgb> all;
+    for (size_t i = 0; i < direct.size(); ++i)
+        all.push_back(model.patches[i].reflects * (direct[i] + arrived[i]));
+    return all;
 }
 
 int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {

@@ -50,8 +50,8 @@ public:
 
     // The light that shots have brought to each patch
     const std::vector<Rgb> &arrives() const { return arrived; }
-    // The radiosity B of a patch: its reflected share of that light and of direct light
-    Rgb radiosity(int patch) const;
+    // The radiosity B of each patch: its reflected share of that light and of direct light
+    std::vector<Rgb> radiosity() const;
 
 private:
     const Model &model;

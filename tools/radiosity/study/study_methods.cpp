@@ -51,8 +51,7 @@ public:
             Stopwatch watch;
             patches.sweep(light, atOnce);
             seconds += watch.processor();
-            curve.steps.push_back(stepOf(
-                pass, seconds, [&](int i) { return light[(size_t)i]; }, before));
+            curve.steps.push_back(stepOf(pass, seconds, light, before));
             if (curve.steps.back().error < kDone) break;
         }
         return curve;
@@ -122,8 +121,7 @@ private:
         double before = 0;
         auto record = [&] {
             if (count == 0 || (!curve.steps.empty() && curve.steps.back().number == count)) return;
-            curve.steps.push_back(stepOf(
-                count, seconds, [&](int i) { return shooting.radiosity(i); }, before));
+            curve.steps.push_back(stepOf(count, seconds, shooting.radiosity(), before));
         };
         while (shooting.left() > least) {
             study.check();
@@ -139,11 +137,10 @@ private:
         record();
     }
 
-    CurveStep stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity,
-                     double &before) const {
+    CurveStep stepOf(int number, double seconds, const std::vector<Rgb> &radiosity, double &before) const {
         double error = 0, now = 0;
         for (int i = 0; i < model.patchCount; ++i) {
-            double light = (double)luminance(radiosity(i)),
+            double light = (double)luminance(radiosity[(size_t)i]),
                    gap = light - (double)luminance(converged[(size_t)i]), a = (double)model.patches[i].area;
             error += gap * gap * a, now += light * a;
         }
