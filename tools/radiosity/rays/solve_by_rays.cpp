@@ -47,11 +47,11 @@ public:
                 "the saved state is damaged or belongs to another model: solve the model again");
         findFirstRows();
         findDirectLight();
-        if (task.watched()) {
-            task.solution.light = direct;
-            grid.fill(task.solution.light);
-            s.watcher(task.solution);
-        }
+        watch([&] {
+            std::vector<Rgb> light = direct;
+            grid.fill(light);
+            return light;
+        });
         if (s.rays == 0 && report.complete) refineRows();
         report.raysFromSite = system.rows.size() / std::max(grid.sites.size(), (size_t)1);
         solve();
@@ -70,6 +70,15 @@ private:
     double savedAt = common::wallSeconds(); // when rows were last saved
     std::vector<Rgb> direct;                // direct light of each texel
     std::vector<Rgb> directAtSites, reflects;
+
+    // Lets the watcher see the light of texels that find() returns.
+    template <class Find> void watch(const Find &find) {
+        if (!s.watcher) return;
+        s.watcher([&]() -> const Solution & {
+            task.solution.light = find();
+            return task.solution;
+        });
+    }
 
     void keep() {
         if (!s.saving.save) return;
@@ -140,10 +149,7 @@ private:
             report.residual = residual;
             if (report.complete && keepIsDue()) keep();
             task.show(SolveStep::kSolving, task.solvedShare(residual), residual);
-            if (task.watched()) {
-                task.solution.light = lightOfTexels(kShared);
-                s.watcher(task.solution);
-            }
+            watch([&] { return lightOfTexels(kShared); });
             return !task.stopped();
         };
         report.sweeps = system.solve(directAtSites, reflects, counted, s.residual,

@@ -22,9 +22,9 @@ using EyeOf = std::function<Eye(const Model &model, int patch, int k)>;
 // the residual during solving (otherwise below 0).
 using SolveProgress = std::function<void(const char *step, float done, float residual)>;
 
-// Receives the light found so far when solving by rays, on the thread that solves: first direct light alone,
-// then the light after every sweep.
-using LightWatcher = std::function<void(const Solution &soFar)>;
+// Called when solving by rays, on the thread that solves, with direct light alone, then after every sweep.
+// light() computes the light found so far, which takes time, so that it need not be called every time.
+using LightWatcher = std::function<void(const std::function<const Solution &()> &light)>;
 
 // Rows of a solution by rays (saved_state.h) that are saved, so that a later run can resume.
 struct RowSaving {
@@ -58,8 +58,6 @@ struct SolveSettings {
     EyeOf eyeOf;   // their eyes; null: all in the middle of the patch
 
     LightWatcher watcher; // may be null
-    // Decides whether to compute light for the watcher now, which takes time; null: always
-    std::function<bool()> lightIsDue;
 };
 
 } // namespace odraz::radiosity

@@ -55,8 +55,6 @@ struct SolveTask {
     void setGeometry(const std::vector<Cell> &cells, const std::vector<Texel> &texels);
     // The share of solving that is done, 0 .. 1: the residual on a logarithmic scale.
     float solvedShare(float residual);
-    // Whether to compute light for the watcher now.
-    bool watched() const { return settings.watcher && (!settings.lightIsDue || settings.lightIsDue()); }
 
 private:
     double lastLap;           // processor time at the last lap, seconds

@@ -10,8 +10,7 @@ namespace odraz::radiosity {
 BackgroundSolve::BackgroundSolve(Mesh mesh, SolveSettings settings, const RenderSettings &camera,
                                  void (*wake)())
     : mesh(std::move(mesh)), settings(std::move(settings)), camera(camera), wake(wake) {
-    this->settings.lightIsDue = [this] { return lightIsDue(); };
-    this->settings.watcher = [this](const Solution &soFar) { receive(soFar); };
+    this->settings.watcher = [this](const auto &light) { watch(light); };
     thread = std::jthread([this] { run(); });
     opened.acquire();
 }
@@ -45,14 +44,10 @@ void BackgroundSolve::run() {
     wake();
 }
 
-// Decides whether to compute light now. It is computed between this call and the end of receive().
-bool BackgroundSolve::lightIsDue() {
-    if (common::wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
-    if (!computing) began = common::wallSeconds();
-    return computing = true;
-}
-
-void BackgroundSolve::receive(const Solution &soFar) {
+void BackgroundSolve::watch(const std::function<const Solution &()> &light) {
+    double began = common::wallSeconds();
+    if (began < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return;
+    const Solution &soFar = light();
     bool first = !solution;
     if (first)
         solution = std::make_unique<Solution>(soFar);
@@ -62,7 +57,6 @@ void BackgroundSolve::receive(const Solution &soFar) {
     // Spend at most a fifth of the time on computing light. Small models show every sweep
     double end = common::wallSeconds();
     next = end + 4 * (end - began);
-    computing = false;
     wake();
 }
 

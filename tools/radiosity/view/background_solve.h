@@ -38,8 +38,7 @@ public:
 
 private:
     void run();
-    bool lightIsDue();
-    void receive(const Solution &soFar);
+    void watch(const std::function<const Solution &()> &light);
     void publish(bool geometry, bool done);
 
     Mesh mesh;
@@ -50,8 +49,7 @@ private:
     // Used only by the solver's thread
     std::unique_ptr<Solution> solution; // the solution published last
     std::shared_ptr<const ViewMesh> shown;
-    double next = 0, began = 0; // wall-clock times: when to compute light again; when computing it began
-    bool computing = false;     // light is being computed, since `began`
+    double next = 0; // when to compute light again, by the wall clock
     // Used by both threads, under the lock
     std::mutex lock;
     std::counting_semaphore<2> opened{0}; // released when OpenGL is open, and after an error

@@ -35,7 +35,7 @@ struct Watched {
 
 Watched watch(const char *kind, SolveSettings s = {}) {
     Watched watched;
-    s.watcher = [&](const Solution &soFar) { watched.light.push_back(soFar.light); };
+    s.watcher = [&](const auto &light) { watched.light.push_back(light().light); };
     Workers workers = serialWorkers();
     watched.end = solveModel(generatedMesh(kind), s, {}, workers, &kNever, {}).solution.light;
     return watched;
