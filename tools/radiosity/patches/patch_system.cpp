@@ -36,8 +36,7 @@ bool seesBacks(const Model &m, const RayTree &tree) {
 // The sky's light at all texels, by rays. They follow the cosine law, in a spiral (Vogel, 1979: the golden
 // angle on a disc) with a different rotation at every texel. They start from the texel's sample points in
 // turn.
-std::vector<Rgb> skyLight(const SkyPicture &sky, const LightGrid &grid, const RayTree &tree,
-                          Workers &workers) {
+std::vector<Rgb> skyLight(const SkyPicture &sky, const LightGrid &grid, Workers &workers) {
     constexpr int kRays = 256;
     std::vector<std::vector<Vec3>> pointsOf(grid.texels.size());
     for (const LightGrid::SamplePoint &point : grid.points) pointsOf[(size_t)point.texel].push_back(point.p);
@@ -52,7 +51,7 @@ std::vector<Rgb> skyLight(const SkyPicture &sky, const LightGrid &grid, const Ra
                       turn = begin + 2.3999632f * (float)k;
                 Vec3 d =
                     c.u * (out * std::cos(turn)) + c.v * (out * std::sin(turn)) + c.n * std::sqrt(1 - square);
-                if (!tree.blocked(points[(size_t)k % points.size()], d, kInfinity))
+                if (!grid.tree.blocked(points[(size_t)k % points.size()], d, kInfinity))
                     light[t] += sky.radiance(d) * (1.f / kRays);
             }
         }
@@ -72,9 +71,7 @@ int cellsOfPatch(const SolveTask &task) {
 
 class PatchSolver {
 public:
-    PatchSolver(SolveTask &task, PatchSystem &p, const Gl &gl)
-        : task(task), s(task.settings), report(task.report), p(p), m(*p.model), gl(gl),
-          tree(cornersOf(task.mesh)), grid(task.regions, tree, task.workers, cellsOfPatch(task)) {}
+    PatchSolver(SolveTask &task, PatchSystem &p, const Gl &gl) : task(task), p(p), gl(gl) {}
 
     void run() {
         divide();
@@ -95,13 +92,12 @@ public:
 
 private:
     SolveTask &task;
-    SolveSettings &s;
-    SolveReport &report;
+    SolveSettings &s = task.settings;
+    SolveReport &report = task.report;
     PatchSystem &p;
-    Model &m;
+    Model &m = *p.model;
     const Gl &gl;
-    const RayTree tree;
-    LightGrid grid;
+    LightGrid grid{task.mesh, task.regions, task.workers, cellsOfPatch(task)};
     std::vector<Rgb> direct;  // light of texels
     std::vector<Rgb> arrives; // light at patches, without direct light
 
@@ -113,7 +109,7 @@ private:
         p.patches.resize((size_t)(last.firstPatch + last.patchesAcross * last.patchesDown));
         m.patches = p.patches.data(), m.patchCount = report.patches = (int)p.patches.size();
         m.placePatches();
-        m.open = seesBacks(m, tree);
+        m.open = seesBacks(m, grid.tree);
         task.setGeometry(grid.cells, grid.texels);
         for (Patch &patch : p.patches) {
             patch.reflects = task.solution.reflects[(size_t)patch.chart];
@@ -128,9 +124,9 @@ private:
         LampRays lamps(task.mesh, task.regions, s.lampSamples);
         if (!s.analytic) lamps.clear();
         const std::vector<uint16_t> none(grid.sites.size());
-        direct = directLight(lamps, s.surroundings, grid, none, tree, task.workers);
+        direct = directLight(lamps, s.surroundings, grid, none, task.workers);
         if (s.surroundings.sky.width) {
-            std::vector<Rgb> sky = skyLight(s.surroundings.sky, grid, tree, task.workers);
+            std::vector<Rgb> sky = skyLight(s.surroundings.sky, grid, task.workers);
             for (size_t t = 0; t < sky.size(); ++t) direct[t] += sky[t];
         }
         p.direct.resize(p.patches.size());

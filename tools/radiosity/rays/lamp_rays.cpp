@@ -252,7 +252,7 @@ Rgb LampRays::at(const RayTree &tree, const Surroundings &surroundings, const Re
 }
 
 std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &surroundings, const LightGrid &grid,
-                             const std::vector<uint16_t> &excluded, const RayTree &tree, Workers &workers) {
+                             const std::vector<uint16_t> &excluded, Workers &workers) {
     std::vector<Rgb> light(grid.texels.size());
     if (lamps.none() && surroundings.suns.empty() && surroundings.lamps.empty()) return light;
     parallelRanges(workers, (int)grid.sites.size(), 64, [&](int first, int end, int) {
@@ -273,7 +273,7 @@ std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &surround
                 if (!r.count) excludedTexels.push_back(texelOf(k));
                 if (!r.count) continue;
                 r.seed = (uint32_t)texelOf(k), r.shift = base + (float)points / (float)r.sharers;
-                light[texelOf(k)] = lamps.at(tree, surroundings, r);
+                light[texelOf(k)] = lamps.at(grid.tree, surroundings, r);
                 all += light[texelOf(k)] * (float)r.count, points += r.count;
             }
             for (size_t t : excludedTexels) light[t] = all * (1 / (float)points);

@@ -71,6 +71,6 @@ private:
 // The direct light of all visible texels: the mean over their sample points. `excluded` has a set bit for
 // each point of a site that does not count (ray_system.h).
 std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &surroundings, const LightGrid &grid,
-                             const std::vector<uint16_t> &excluded, const RayTree &tree, Workers &workers);
+                             const std::vector<uint16_t> &excluded, Workers &workers);
 
 } // namespace odraz::radiosity

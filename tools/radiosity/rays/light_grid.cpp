@@ -26,11 +26,17 @@ std::vector<RayTree::Corners> cornersOf(std::span<const Facet> facets, const Cha
     return all;
 }
 
-LightGrid::LightGrid(Regions &regions, const RayTree &tree, Workers &workers, int block)
-    : charts(regions.charts) {
-    divide(block);
-    makeSites(regions, findVisible(regions, tree, workers));
+LightGrid::LightGrid(const Mesh &mesh, Regions &regions, Workers &workers, int block)
+    : regions(regions), tree(cornersOf(mesh)), charts(regions.charts) {
+    divide(std::max(block, 1));
+    makeSites(findVisible(workers));
     orderHidden();
+    if (block > 0) return;
+    for (Cell &cell : cells) {
+        auto seen =
+            std::find_if(cell.corner, cell.corner + 4, [&](int t) { return siteOf[(size_t)t] != kNone; });
+        if (seen != cell.corner + 4) cell.patch = (int)siteOf[(size_t)*seen];
+    }
 }
 
 void LightGrid::divide(int block) {
@@ -99,26 +105,14 @@ static Vec3 planePoint(const Chart &c, const Texel &t, int number) {
     return c.at(x * c.width / (float)c.across, y * c.height / (float)c.down);
 }
 
-// The height above a chart's plane from which rays search for its triangles.
-static float startHeight(const Regions &regions, int chart) {
-    return regions.charts[(size_t)chart].off() * 4 + regions.deviation[(size_t)chart] * 2;
-}
-
-// The point just above the triangle that the ray down to p hit at the distance `drop`.
-static Vec3 surfacePoint(const Regions &regions, int chart, const Vec3 &p, float drop) {
-    const Chart &c = regions.charts[(size_t)chart];
-    return p + c.n * startHeight(regions, chart) - c.n * (drop - c.off());
-}
-
-// Casts a ray down at a point of a chart's plane. Returns its distance to the chart's triangle, or kNowhere.
-constexpr float kNowhere = -1;
-static float dropTo(const Regions &regions, const RayTree &tree, int chart, const Vec3 &p) {
-    const Chart &c = regions.charts[(size_t)chart];
-    float height = startHeight(regions, chart);
+bool LightGrid::surfacePoint(int chart, const Vec3 &p, Vec3 &to) const {
+    const Chart &c = charts[(size_t)chart];
+    float height = c.off() * 4 + regions.deviation[(size_t)chart] * 2;
     RayHit below = tree.nearest(p + c.n * height, -c.n);
-    bool met =
-        below.triangle >= 0 && below.t <= 2 * height && regions.chartOf[(size_t)below.triangle] == chart;
-    return met ? below.t : kNowhere;
+    if (below.triangle < 0 || below.t > 2 * height || regions.chartOf[(size_t)below.triangle] != chart)
+        return false;
+    to = p + c.n * height - c.n * (below.t - c.off());
+    return true;
 }
 
 // Whether rays to all sides hit backs, as inside a closed body. No ray goes straight up, where it would leave
@@ -132,65 +126,45 @@ static bool inside(const RayTree &tree, const Chart &c, const Vec3 &p) {
     return true;
 }
 
-std::vector<float> LightGrid::findVisible(const Regions &regions, const RayTree &tree, Workers &workers) {
-    std::vector<float> drops(texels.size() * 4, kNowhere);
+std::vector<Vec3> LightGrid::findVisible(Workers &workers) {
+    std::vector<Vec3> all(texels.size() * 4);
     parallelRanges(workers, (int)texels.size(), 1024, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             Texel &t = texels[(size_t)i];
             const Chart &c = charts[(size_t)t.chart];
             for (int k = 0; k < 4; ++k) {
                 if ((k & 1 ? t.x == c.across : t.x == 0) || (k & 2 ? t.y == c.down : t.y == 0)) continue;
-                Vec3 p = planePoint(c, t, k);
-                float drop = dropTo(regions, tree, t.chart, p);
-                if (drop == kNowhere || inside(tree, c, surfacePoint(regions, t.chart, p, drop))) continue;
-                drops[(size_t)i * 4 + (size_t)k] = drop;
-                t.visible |= (uint8_t)(1 << k);
+                Vec3 &p = all[(size_t)i * 4 + (size_t)k];
+                if (surfacePoint(t.chart, planePoint(c, t, k), p) && !inside(tree, c, p))
+                    t.visible |= (uint8_t)(1 << k);
             }
         }
     });
-    return drops;
+    return all;
 }
 
-void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drops) {
+void LightGrid::makeSites(const std::vector<Vec3> &found) {
     siteOf.assign(texels.size(), kNone);
     for (size_t index = 0; index < charts.size(); ++index) {
         const Chart &c = charts[index];
         bool small = c.across == 1 && c.down == 1;
-        auto begin = [&](float area) {
-            sites.push_back({(uint32_t)points.size(), 0, small, (int)index, std::sqrt(area)});
-        };
-        auto end = [&] {
-            sites.back().pointCount = (uint16_t)(points.size() - sites.back().firstPoint);
-            if (!sites.back().pointCount) sites.pop_back();
-        };
+        double area = (double)(c.width * c.height / (float)(c.across * c.down));
         if (small) {
-            double area = 0;
+            area = 0;
             for (int f = c.firstFacet; f < c.firstFacet + c.facetCount; ++f)
                 area += areaOf(outlineOf(regions.facets[(size_t)f]));
-            begin((float)area);
         }
         for (int t = c.firstTexel; t < c.firstTexel + c.texels(); ++t) {
-            size_t first = points.size();
-            if (!small) begin(c.width * c.height / (float)(c.across * c.down));
-            for (int k = 0; k < 4; ++k)
-                if (const Texel &texel = texels[(size_t)t]; texel.visible >> k & 1)
-                    points.push_back({surfacePoint(regions, (int)index, planePoint(c, texel, k),
-                                                   drops[(size_t)t * 4 + (size_t)k]),
-                                      t});
-            if (points.size() > first) siteOf[(size_t)t] = (uint32_t)(sites.size() - 1);
-            if (!small) end();
+            auto first = (uint32_t)points.size();
+            for (size_t k = 0; k < 4; ++k)
+                if (texels[(size_t)t].visible >> k & 1) points.push_back({found[(size_t)t * 4 + k], t});
+            if (points.size() == first) continue;
+            if (!small || sites.empty() || sites.back().chart != (int)index)
+                sites.push_back({first, 0, small, (int)index, std::sqrt((float)area)});
+            sites.back().pointCount = (uint16_t)(points.size() - sites.back().firstPoint);
+            siteOf[(size_t)t] = (uint32_t)(sites.size() - 1);
         }
-        if (small) end();
     }
-}
-
-void LightGrid::useSitesAsPatches() {
-    for (Cell &cell : cells)
-        for (int t : cell.corner)
-            if (siteOf[(size_t)t] != kNone) {
-                cell.patch = (int)siteOf[(size_t)t];
-                break;
-            }
 }
 
 // --- Hidden texels ---
@@ -204,27 +178,21 @@ template <class Visit> static void forNeighbours(const Chart &c, int texel, cons
 }
 
 void LightGrid::orderHidden() {
-    ring.assign(texels.size(), 0);
+    constexpr uint16_t kUnvisited = 0xffff;
+    ring.assign(texels.size(), kUnvisited);
     // Visit hidden texels outwards from visible ones, ring by ring
     std::vector<int> front;
-    constexpr uint16_t kUnvisited = 0xffff;
     for (size_t t = 0; t < texels.size(); ++t)
-        if (!texels[t].visible) ring[t] = kUnvisited;
-    for (size_t t = 0; t < texels.size(); ++t) {
-        if (ring[t] != kUnvisited) continue;
-        bool near = false;
-        forNeighbours(charts[(size_t)texels[t].chart], (int)t, [&](size_t k) { near |= ring[k] == 0; });
-        if (near) front.push_back((int)t);
-    }
+        if (texels[t].visible) ring[t] = 0, front.push_back((int)t);
     for (uint16_t number = 1; !front.empty() && number < kUnvisited; ++number) {
         std::vector<int> next;
-        for (int t : front) ring[(size_t)t] = number, hidden.push_back(t), texels[(size_t)t].filled = true;
         for (int t : front)
             forNeighbours(charts[(size_t)texels[(size_t)t].chart], t, [&](size_t k) {
                 if (ring[k] != kUnvisited) return;
-                ring[k] = kUnvisited - 1; // already on the list
+                ring[k] = number, texels[k].filled = true;
                 next.push_back((int)k);
             });
+        hidden.insert(hidden.end(), next.begin(), next.end());
         front = std::move(next);
     }
 }

@@ -36,6 +36,8 @@ struct LightGrid {
         int chart;
         float size; // square root of its area
     };
+    const Regions &regions;
+    const RayTree tree; // of the mesh
     std::vector<Chart> &charts;
     std::vector<Cell> cells;
     std::vector<Texel> texels;
@@ -44,10 +46,10 @@ struct LightGrid {
     std::vector<SamplePoint> points; // sorted by site, then by texel
     std::vector<int> hidden;         // hidden texels, in the order of filling
 
-    // Divides charts, which the caller keeps, into cells, texels and patches of up to block x block cells.
-    LightGrid(Regions &regions, const RayTree &tree, Workers &workers, int block = 1);
-    // For the viewer of a solution without patches: sets each cell's patch to a site at one of its corners.
-    void useSitesAsPatches();
+    // Divides the charts of a mesh, which the caller keeps, into cells, texels and patches of up to block x
+    // block cells. 0: there are no patches; for the viewer, each cell's patch is a site at one of its
+    // corners.
+    LightGrid(const Mesh &mesh, Regions &regions, Workers &workers, int block = 0);
 
     Vec3 at(const Texel &t) const;
     // The cell at a point of a chart, and the point's position in it, 0 .. 1.
@@ -65,10 +67,12 @@ struct LightGrid {
 private:
     std::vector<uint16_t> ring; // a hidden texel's distance from visible texels, 1 ..; 0: visible
     void divide(int block);
-    // Finds the visible sample points. Returns the length of the ray down to the surface at each of a texel's
-    // four points; below 0: the point is hidden.
-    std::vector<float> findVisible(const Regions &regions, const RayTree &tree, Workers &workers);
-    void makeSites(const Regions &regions, const std::vector<float> &drops);
+    // Finds the visible sample points. Returns the four points of each texel; only the visible ones are set.
+    std::vector<Vec3> findVisible(Workers &workers);
+    // Finds the point just above the chart's triangle that is over or under a point of the chart's plane.
+    // False if there is none.
+    bool surfacePoint(int chart, const Vec3 &p, Vec3 &to) const;
+    void makeSites(const std::vector<Vec3> &found);
     void orderHidden();
 };
 

@@ -36,9 +36,8 @@ Rgb toRgb(__m128 v) {
 
 } // namespace
 
-RaySystem::RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
-                     const Surroundings &surroundings)
-    : near(grid), regions(regions), grid(grid), tree(tree), surroundings(surroundings) {
+RaySystem::RaySystem(const LightGrid &grid, const Surroundings &surroundings, Workers &workers)
+    : near(grid), grid(grid), surroundings(surroundings), workers(workers) {
     size_t sites = grid.sites.size();
     firstOf.resize(sites + 1), found.resize(sites);
     arrives.resize(sites), sky.resize(sites), skySquare.resize(sites), reach.resize(sites),
@@ -100,7 +99,7 @@ void RaySystem::cast(size_t site, int count, const std::vector<Vec3> &spiral, co
         const Vec3 &d = spiral[(size_t)i];
         uint32_t point = points[(uint32_t)i % pointCount];
         Vec3 direction = u * d.x + v * d.y + c.n * d.z;
-        onHit(i, point, direction, tree.nearest(grid.points[point].p, direction));
+        onHit(i, point, direction, grid.tree.nearest(grid.points[point].p, direction));
     }
 }
 
@@ -134,7 +133,7 @@ void RaySystem::findRow(size_t site, const std::vector<Vec3> &spiral) {
         if (hit.back)
             ++backs[point - first];
         else
-            row[i] = siteAt(regions.chartOf[(size_t)hit.triangle], grid.points[point].p + d * hit.t,
+            row[i] = siteAt(grid.regions.chartOf[(size_t)hit.triangle], grid.points[point].p + d * hit.t,
                             pcg((uint32_t)(site * 8191 + (size_t)i)));
     });
     sky[site] = open * (1 / (float)count), skySquare[site] = squares / (float)count;
@@ -159,7 +158,7 @@ std::map<size_t, std::vector<Vec3>> RaySystem::spiralsOf(size_t first, size_t en
     return all;
 }
 
-void RaySystem::findRows(size_t first, size_t end, Workers &workers) {
+void RaySystem::findRows(size_t first, size_t end) {
     const auto spirals = spiralsOf(first, end);
     parallelRanges(workers, (int)(end - first), 32, [&](int from, int to, int) {
         for (size_t site = first + (size_t)from; site < first + (size_t)to; ++site)
@@ -168,8 +167,7 @@ void RaySystem::findRows(size_t first, size_t end, Workers &workers) {
     std::fill(found.begin() + (ptrdiff_t)first, found.begin() + (ptrdiff_t)end, true);
 }
 
-void RaySystem::alongOpenRays(const std::function<void(size_t, const Vec3 &)> &visit,
-                              Workers &workers) const {
+void RaySystem::alongOpenRays(const std::function<void(size_t, const Vec3 &)> &visit) const {
     const auto spirals = spiralsOf(0, found.size());
     parallelRanges(workers, (int)found.size(), 32, [&](int first, int end, int) {
         for (auto site = (size_t)first; site < (size_t)end; ++site) {
@@ -212,8 +210,7 @@ Rgb RaySystem::gather(size_t site, const std::vector<Lanes> &radiosity) const {
 }
 
 int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces,
-                     float residual, int sweeps, Workers &workers,
-                     const std::function<bool(float)> &afterSweep) {
+                     float residual, int sweeps, const std::function<bool(float)> &afterSweep) {
     size_t count = grid.sites.size(), blocks = bounces ? 1 : std::clamp(count / 512, (size_t)1, (size_t)64);
     std::vector<Lanes> radiosity(count + 1), next(count); // the last one, for kDark, stays 0
     auto area = [&](size_t i) { return (double)grid.sites[i].size * (double)grid.sites[i].size; };
@@ -249,8 +246,7 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
     return done;
 }
 
-void RaySystem::finalGather(int from, int to, int count, const std::vector<Rgb> &texels,
-                            const std::function<Rgb(int)> &reflects, Workers &workers) {
+void RaySystem::finalGather(int from, int to, int count, const Solution &soFar) {
     const std::vector<Vec3> spiral = spiralOf(count);
     parallelRanges(workers, to - from, 32, [&](int first, int end, int) {
         for (int site = from + first; site < from + end; ++site) {
@@ -259,12 +255,12 @@ void RaySystem::finalGather(int from, int to, int count, const std::vector<Rgb> 
                 if (hit.triangle < 0) {
                     if (surroundings.sky.width) sum += surroundings.sky.radiance(d);
                 } else if (!hit.back) {
-                    LightGrid::Spot s =
-                        grid.spotAt(regions.chartOf[(size_t)hit.triangle], grid.points[point].p + d * hit.t);
+                    LightGrid::Spot s = grid.spotAt(grid.regions.chartOf[(size_t)hit.triangle],
+                                                    grid.points[point].p + d * hit.t);
                     const int *c = s.cell->corner;
-                    auto l = [&](int k) { return texels[(size_t)c[k]]; };
+                    auto l = [&](int k) { return soFar.light[(size_t)c[k]]; };
                     sum += lerp(lerp(l(0), l(1), s.x), lerp(l(2), l(3), s.x), s.y) *
-                           reflects((int)(s.cell - grid.cells.data()));
+                           soFar.reflectsOf((int)(s.cell - grid.cells.data()));
                     if (!emits.empty()) sum += emits[(size_t)s.cell->chart];
                 }
             });

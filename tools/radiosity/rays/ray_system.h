@@ -32,8 +32,7 @@ public:
     static constexpr uint16_t kLeastRays = 32, kMostRays = 512; // rays of one site
     static constexpr double kAllRays = 24e6;                    // rays of all sites
 
-    RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
-              const Surroundings &surroundings);
+    RaySystem(const LightGrid &grid, const Surroundings &surroundings, Workers &workers);
 
     // For each site: the mean of its texels' values over the sample points that count; its reflectance.
     std::vector<Rgb> meansOfPoints(const std::vector<Rgb> &texels) const;
@@ -44,35 +43,33 @@ public:
     size_t setRays(const std::vector<uint16_t> &rays);
     size_t rays(size_t site) const { return firstOf[site + 1] - firstOf[site]; }
     // Finds the missing rows of sites first .. end.
-    void findRows(size_t first, size_t end, Workers &workers);
+    void findRows(size_t first, size_t end);
 
     // The number of rays that each site needs for a relative error of `error` after sharing, estimated from
     // the light along its present rays: powers of two, kLeastRays .. kMostRays, at most kAllRays in total.
     std::vector<uint16_t> raysFor(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects,
-                                  float error, float share, Workers &workers) const;
+                                  float error, float share) const;
 
     // Solves for `arrives`, from the direct light and the reflectance of the sites, in at most `sweeps`
     // sweeps. Calls afterSweep(residual) after each one, and stops if it returns false. With `bounces` a
     // sweep is one bounce; without, new values are used at once. Returns the number of sweeps.
     int solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces, float residual,
-              int sweeps, Workers &workers, const std::function<bool(float residual)> &afterSweep);
+              int sweeps, const std::function<bool(float residual)> &afterSweep);
 
     // The final gather: `rays` more rays from every site collect the interpolated light of the texels.
-    void finalGather(int first, int end, int rays, const std::vector<Rgb> &texels,
-                     const std::function<Rgb(int cell)> &reflects, Workers &workers);
+    void finalGather(int first, int end, int rays, const Solution &soFar);
 
     // The light that arrives at all visible texels, without direct light: the light of the sites, which
     // neighbours share where it changes by less than `share`.
-    std::vector<Rgb> atTexels(float share, Workers &workers) const;
+    std::vector<Rgb> atTexels(float share) const;
 
     // The same for `columns` values of every site, a multiple of 8: adds values[site][columns] to
     // texels[texel][columns], which must be zero.
-    void atTexels(float share, const float *values, int columns, float *texels, Workers &workers) const;
+    void atTexels(float share, const float *values, int columns, float *texels) const;
 
     // Calls visit(site, direction) for every ray that hits nothing: light from outside arrives along it.
     // Several threads call it; all calls for a site are made by one thread.
-    void alongOpenRays(const std::function<void(size_t site, const Vec3 &direction)> &visit,
-                       Workers &workers) const;
+    void alongOpenRays(const std::function<void(size_t site, const Vec3 &direction)> &visit) const;
 
     // Writes and reads `refined` and the rows found so far, as arrays (arrays.h); false if they do not fit
     // the grid.
@@ -97,10 +94,9 @@ public:
 
 private:
     NearSites near;
-    const Regions &regions;
     const LightGrid &grid;
-    const RayTree &tree;
     const Surroundings &surroundings;
+    Workers &workers;
     Rgb emitted(size_t site) const { return emits.empty() ? Rgb{} : emits[(size_t)grid.sites[site].chart]; }
     // The directions for each number of rays that these sites have.
     std::map<size_t, std::vector<Vec3>> spiralsOf(size_t first, size_t end) const;

@@ -56,7 +56,7 @@ void RaySystem::forNeighbours(uint32_t site, const Vec3 &p, float share, const V
 }
 
 std::vector<uint16_t> RaySystem::raysFor(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects,
-                                         float error, float share, Workers &workers) const {
+                                         float error, float share) const {
     size_t count = grid.sites.size();
     std::vector<float> variance(count), wanted(count);
     parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
@@ -100,7 +100,7 @@ std::vector<uint16_t> RaySystem::raysFor(const std::vector<Rgb> &direct, const s
     return all;
 }
 
-std::vector<Rgb> RaySystem::atTexels(float share, Workers &workers) const {
+std::vector<Rgb> RaySystem::atTexels(float share) const {
     std::vector<Rgb> light(grid.texels.size());
     parallelRanges(workers, (int)grid.texels.size(), 256, [&](int first, int end, int) {
         for (int t = first; t < end; ++t) {
@@ -116,8 +116,7 @@ std::vector<Rgb> RaySystem::atTexels(float share, Workers &workers) const {
     return light;
 }
 
-void RaySystem::atTexels(float share, const float *values, int columns, float *texels,
-                         Workers &workers) const {
+void RaySystem::atTexels(float share, const float *values, int columns, float *texels) const {
     auto width = (size_t)columns;
     parallelRanges(workers, (int)grid.texels.size(), 256, [&](int first, int end, int) {
         std::vector<std::pair<uint32_t, float>> all;

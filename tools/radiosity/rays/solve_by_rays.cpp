@@ -37,11 +37,13 @@ size_t memoryFor(const SolveTask &task) {
 // Solves for the light at the sites, step by step.
 class RaySolver {
 public:
-    RaySolver(SolveTask &task, const RayTree &tree, LightGrid &grid)
-        : task(task), s(task.settings), report(task.report), tree(tree), grid(grid),
-          system(task.regions, grid, tree, s.surroundings) {}
+    explicit RaySolver(SolveTask &task) : task(task) {}
 
     void run() {
+        report.sites = (int)grid.sites.size();
+        task.setGeometry(grid.cells, grid.texels);
+        task.show(SolveStep::kDividing, 1);
+        task.lap(SolveStep::kDividing);
         if (!s.saving.resumed.empty() && !system.restore(s.saving.resumed))
             throw std::runtime_error(
                 "the saved state is damaged or belongs to another model: solve the model again");
@@ -62,11 +64,10 @@ public:
 
 private:
     SolveTask &task;
-    SolveSettings &s;
-    SolveReport &report;
-    const RayTree &tree;
-    LightGrid &grid;
-    RaySystem system;
+    SolveSettings &s = task.settings;
+    SolveReport &report = task.report;
+    const LightGrid grid{task.mesh, task.regions, task.workers};
+    RaySystem system{grid, s.surroundings, task.workers};
     double savedAt = common::wallSeconds(); // when rows were last saved
     std::vector<Rgb> direct;                // direct light of each texel
     std::vector<Rgb> directAtSites, reflects;
@@ -100,7 +101,7 @@ private:
             if (stopped || keepIsDue()) keep();
             if (!report.complete) return;
             for (size_t i = first; i < end; ++i) done += !system.found[i];
-            system.findRows(first, end, task.workers);
+            system.findRows(first, end);
             report.rows = (int)end;
         }
         task.show(SolveStep::kFormFactors, to);
@@ -121,7 +122,7 @@ private:
             system.emits = task.solution.emits;
             lamps.clear();
         }
-        direct = directLight(lamps, s.surroundings, grid, system.excluded, tree, task.workers);
+        direct = directLight(lamps, s.surroundings, grid, system.excluded, task.workers);
         directAtSites = system.meansOfPoints(direct);
         reflects = system.reflectance(task.solution);
         task.lap(SolveStep::kDirectLight);
@@ -133,10 +134,9 @@ private:
         std::vector<uint16_t> rays(grid.sites.size());
         for (size_t i = 0; i < rays.size(); ++i) rays[i] = (uint16_t)system.rays(i);
         if (!system.refined) {
-            system.solve(directAtSites, reflects, false, 0.01f, 100, task.workers,
-                         [](float) { return true; });
+            system.solve(directAtSites, reflects, false, 0.01f, 100, [](float) { return true; });
             task.lap(SolveStep::kSolving);
-            rays = system.raysFor(directAtSites, reflects, kError, kShared, task.workers);
+            rays = system.raysFor(directAtSites, reflects, kError, kShared);
         }
         system.refined = true;
         findRows(rays, kFirst, 1);
@@ -153,7 +153,7 @@ private:
             return !task.stopped();
         };
         report.sweeps = system.solve(directAtSites, reflects, counted, s.residual,
-                                     counted ? s.bounces : kMostRaySweeps, task.workers, afterSweep);
+                                     counted ? s.bounces : kMostRaySweeps, afterSweep);
         bool done = counted ? report.sweeps == s.bounces : report.residual <= s.residual;
         if (report.complete && !done && task.stopped()) {
             report.complete = false;
@@ -166,13 +166,12 @@ private:
 
     void finalGather() {
         task.show(SolveStep::kFinalRays, 0);
-        auto reflectsAt = [&](int cell) { return task.solution.reflectsOf(cell); };
         // Gather in parts, to report progress and to stop between them
         constexpr int kParts = 64;
         auto sites = (int64_t)grid.sites.size();
         for (int k = 0; k < kParts && !task.stopped(); ++k) {
             system.finalGather((int)(sites * k / kParts), (int)(sites * (k + 1) / kParts), s.finalRays,
-                               task.solution.light, reflectsAt, task.workers);
+                               task.solution);
             task.show(SolveStep::kFinalRays, (float)(k + 1) / kParts);
         }
         if (task.stopped()) { // keep the light of the sweeps
@@ -185,7 +184,7 @@ private:
 
     // Direct and reflected light of all texels. Hidden ones are filled from their neighbours.
     std::vector<Rgb> lightOfTexels(float share) {
-        std::vector<Rgb> light = system.atTexels(share, task.workers);
+        std::vector<Rgb> light = system.atTexels(share);
         for (size_t t = 0; t < light.size(); ++t) light[t] += direct[t];
         grid.fill(light);
         return light;
@@ -195,21 +194,12 @@ private:
 } // namespace
 
 void solveByRays(SolveTask &task) {
-    SolveReport &report = task.report;
     task.show(SolveStep::kDividing, 0);
-    RayTree tree(cornersOf(task.mesh));
-    task.show(SolveStep::kDividing, 0.4f);
     size_t bytes = memoryFor(task);
     if (bytes > task.settings.memory)
         refuseMemory(bytes, task.settings.memory, "larger elements or fewer rays need less");
     if (task.settings.needs) task.settings.needs(bytes);
-    LightGrid grid(task.regions, tree, task.workers);
-    grid.useSitesAsPatches();
-    report.sites = (int)grid.sites.size();
-    task.setGeometry(grid.cells, grid.texels);
-    task.show(SolveStep::kDividing, 1);
-    task.lap(SolveStep::kDividing);
-    RaySolver(task, tree, grid).run();
+    RaySolver(task).run();
 }
 
 } // namespace odraz::radiosity

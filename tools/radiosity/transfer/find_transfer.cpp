@@ -82,7 +82,6 @@ public:
 
     TransferRoom find() {
         show("dividing", 0);
-        grid.useSitesAsPatches();
         task.setGeometry(grid.cells, grid.texels);
         findRows();
         ColumnSystem columns(rays, rays.reflectance(task.solution), lights());
@@ -106,9 +105,8 @@ private:
     TransferReport &report;
     SolveTask task;
     double last = common::processorSeconds();
-    RayTree tree{cornersOf(mesh)};
-    LightGrid grid{task.regions, tree, workers};
-    RaySystem rays{task.regions, grid, tree, dark};
+    const LightGrid grid{mesh, task.regions, workers};
+    RaySystem rays{grid, dark, workers};
     std::vector<LampSource> lamps;
     std::vector<std::vector<Rgb>> direct; // direct light of each lamp at the texels
     TransferRoom room;
@@ -135,7 +133,7 @@ private:
         rays.setRays(std::vector<uint16_t>(sites, (uint16_t)count));
         for (size_t first = 0, piece = std::max(sites / 50, (size_t)256); first < sites; first += piece) {
             show("rays", (float)first / (float)sites);
-            rays.findRows(first, std::min(first + piece, sites), workers);
+            rays.findRows(first, std::min(first + piece, sites));
         }
         report.seconds[0] = lap();
     }
@@ -144,15 +142,13 @@ private:
     void addBands(ColumnSystem &to) {
         show("bands", 0);
         int functions = s.bands * s.bands;
-        rays.alongOpenRays(
-            [&](size_t site, const Vec3 &d) {
-                Float8 y[kMostSh];
-                evaluateBands(broadcast(d), s.bands, y);
-                float *light = to.source(site), share = 1 / (float)rays.rays(site);
-                for (int k = 0; k < functions; ++k)
-                    for (int c = 0; c < 3; ++c) light[3 * k + c] += y[k][0] * share;
-            },
-            workers);
+        rays.alongOpenRays([&](size_t site, const Vec3 &d) {
+            Float8 y[kMostSh];
+            evaluateBands(broadcast(d), s.bands, y);
+            float *light = to.source(site), share = 1 / (float)rays.rays(site);
+            for (int k = 0; k < functions; ++k)
+                for (int c = 0; c < 3; ++c) light[3 * k + c] += y[k][0] * share;
+        });
     }
 
     // Adds the light of lamp `k` at the sites: along rays if the lamp is large, otherwise by shadow rays.
@@ -179,7 +175,7 @@ private:
                 }
             }
         }
-        direct.push_back(directLight(lamp, lamps[k].outside, grid, rays.excluded, tree, workers));
+        direct.push_back(directLight(lamp, lamps[k].outside, grid, rays.excluded, workers));
         std::vector<Rgb> means = rays.meansOfPoints(direct.back());
         for (size_t site = 0; site < means.size(); ++site) {
             float *light = to.direct(site) + at;
@@ -206,7 +202,7 @@ private:
         show("spreading", 0);
         auto width = (size_t)columns.columns();
         std::vector<float> texels(grid.texels.size() * width);
-        rays.atTexels(kShared, columns.arrives(), (int)width, texels.data(), workers);
+        rays.atTexels(kShared, columns.arrives(), (int)width, texels.data());
         room.bands = s.bands, room.upIsZ = s.upIsZ;
         for (const LampSource &lamp : lamps) room.lamps.push_back(lamp.name);
         room.model = std::move(task.solution);
@@ -254,7 +250,7 @@ private:
         int functions = room.functions();
         // Radiance reflected and emitted where a ray hits, or the bands' radiance if it hits nothing
         Arrives arrives = [&](const Vec3 &from, const Vec3 &d, float *to) {
-            RayHit hit = tree.nearest(from, d);
+            RayHit hit = grid.tree.nearest(from, d);
             if (hit.triangle < 0) {
                 Float8 y[kMostSh];
                 evaluateBands(broadcast(d), s.bands, y);
