@@ -234,13 +234,12 @@ private:
         if (s.glossy.empty()) return;
         std::vector<size_t> charts;
         double area = 0;
-        bool found = false;
         for (size_t c = 0; c < room.model.charts.size(); ++c)
             if (mesh.materials[(size_t)task.regions.material[c]].name == s.glossy) {
-                found = true, charts.push_back(c);
+                charts.push_back(c);
                 area += (double)(room.model.charts[c].width * room.model.charts[c].height);
             }
-        if (!found) throw common::Refused("--glossy: no polygon has the material " + s.glossy);
+        if (charts.empty()) throw common::Refused("--glossy: no polygon has the material " + s.glossy);
         if (charts.size() > (size_t)kMostGlossyCharts)
             throw common::Refused("--glossy: " + s.glossy + " has " + std::to_string(charts.size()) +
                                   " planes, more than " + std::to_string(kMostGlossyCharts) +

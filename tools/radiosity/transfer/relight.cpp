@@ -62,19 +62,15 @@ void Relighter::relight(const Clusters &c, const Lighting &lighting, std::vector
     }
 }
 
-// Sets the emission of the model's charts from the lamps' strengths.
-static void lightLamps(const TransferRoom &room, const Lighting &l, Solution &model) {
-    model.emits = room.model.emits;
-    for (size_t c = 0; c < model.emits.size(); ++c)
-        if (int lamp = room.lampOf[c]; lamp >= 0)
-            model.emits[c] = model.emits[c] * ((size_t)lamp < l.lamps.size() ? l.lamps[(size_t)lamp] : 1.f);
-}
-
 void Relighter::show(const Clusters &clusters, const Lighting &lighting, const Vec3 *eye, Solution &to) {
     relight(clusters, lighting, to.light);
     for (Rgb &l : to.light) l = {std::max(l.x, 0.f), std::max(l.y, 0.f), std::max(l.z, 0.f)};
-    lightLamps(room, lighting, to);
-    if (eye) showGloss(room.gloss, to, lightVector(room, lighting), *eye, room.polish);
+    LightVector v = lightVector(room, lighting);
+    to.emits = room.model.emits;
+    for (size_t c = 0; c < to.emits.size(); ++c)
+        if (int lamp = room.lampOf[c]; lamp >= 0)
+            to.emits[c] = to.emits[c] * v.bounced[room.functions() + lamp];
+    if (eye) showGloss(room.gloss, to, v, *eye, room.polish);
 }
 
 Solution litModel(const TransferRoom &room, const Lighting &lighting, const Vec3 *eye) {

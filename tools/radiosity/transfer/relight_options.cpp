@@ -65,26 +65,25 @@ void RelightOptions::refuseFor(const std::string &path, const common::CommandLin
                               path + " is not one");
 }
 
-RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
-    Light light;
+Lighting RelightOptions::of(const TransferRoom &room, Projected *projectedSky) const {
     if (bands > room.bands)
         throw common::Refused("--bands: the room has " + common::counted((size_t)room.bands, "band"));
     if (rank > room.clusters.rank)
         throw common::Refused("--rank: the room's clusters have " +
                               common::counted((size_t)room.clusters.rank, "axis", "axes"));
-    light.lighting.bands = bands ? bands : room.bands, light.lighting.rank = rank;
-    if (clusters && rank < 0) light.lighting.rank = room.clusters.rank;
-    light.lighting.lamps = readLamps(lamps, room);
+    Lighting light = {{}, readLamps(lamps, room), bands ? bands : room.bands, rank};
+    if (clusters && rank < 0) light.rank = room.clusters.rank;
     std::vector<std::string> notes;
+    Projected projected;
     if (!sky.empty())
-        light.sky = readEnvironment(sky, room.upIsZ, &notes);
+        projected = readEnvironment(sky, room.upIsZ, &notes);
     else if (room.lamps.empty())
-        light.sky = project(Rgb{1, 1, 1});
-    if (!sky.empty() && light.sky.held[0] < 1)
-        std::printf("%s\n",
-                    bandLossText(sky.substr(sky.rfind('/') + 1), light.sky, light.lighting.bands).c_str());
+        projected = project(Rgb{1, 1, 1});
+    if (!sky.empty() && projected.held[0] < 1)
+        std::printf("%s\n", bandLossText(sky.substr(sky.rfind('/') + 1), projected, light.bands).c_str());
     printNotes(notes);
-    light.lighting.sky = turnedSky(light.sky.light, room, turn, tilt);
+    light.sky = turnedSky(projected.light, room, turn, tilt);
+    if (projectedSky) *projectedSky = projected;
     return light;
 }
 
@@ -105,7 +104,7 @@ Solution readLit(const std::string &path, const RelightOptions &options, const c
     }
     TransferRoom room = TransferRoom::read(path);
     options.changeClusters(room, workers);
-    Lighting lighting = options.of(room).lighting;
+    Lighting lighting = options.of(room);
     Vec3 eye = eyeFor ? eyeFor(room.model, &room) : Vec3{};
     return litModel(room, lighting, eyeFor ? &eye : nullptr);
 }

@@ -16,14 +16,10 @@ public:
     // Finds new clusters for the room if the options ask for another number of clusters.
     void changeClusters(TransferRoom &room, Workers &workers) const;
 
-    struct Light {
-        Lighting lighting;
-        Projected sky; // before its rotation
-    };
-    // The light of a room. Without --sky no light comes from outside, unless the room has no lamps: then an
-    // even sky of radiance 1 lights it. Prints the share of a picture's energy that the bands lose. Throws
-    // Refused.
-    Light of(const TransferRoom &room) const;
+    // The light of a room, and the sky before its rotation. Without --sky no light comes from outside, unless
+    // the room has no lamps: then an even sky of radiance 1 lights it. Prints the share of a picture's energy
+    // that the bands lose. Throws Refused.
+    Lighting of(const TransferRoom &room, Projected *sky = nullptr) const;
 
     std::string sky;           // the value of --sky
     double turn = 0, tilt = 0; // degrees

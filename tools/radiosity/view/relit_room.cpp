@@ -17,8 +17,7 @@ namespace odraz::radiosity {
 RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*wake)())
     : room(std::move(given)), options(options), relighter(room), around(options.turn), tilt(options.tilt),
       lit(room.model), clusters(room.clusters), requested(clusters.count), wake(wake) {
-    RelightOptions::Light light = options.of(room);
-    sky = light.sky, lighting = std::move(light.lighting);
+    lighting = options.of(room, &sky);
     strengths = lighting.lamps;
     for (float &s : strengths) s = s > 0 ? s : 1;
     lastRank = lighting.rank >= 0 ? lighting.rank : clusters.rank;

@@ -35,7 +35,10 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     glfwSetKeyCallback(window, [](GLFWwindow *w, int key, int, int action, int with) {
         if (action != GLFW_RELEASE) of(w).key(key, with & GLFW_MOD_SHIFT);
     });
-    glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) { of(w).wheel(notches); });
+    glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) {
+        float &stops = of(w).s.camera.stops;
+        stops = std::clamp(stops + (float)notches * 0.25f, -20.f, 20.f);
+    });
     // Handle events in their order, because a whole gesture may happen between two slow pictures
     glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int button, int action, int) {
         if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).looking = action == GLFW_PRESS;
@@ -82,10 +85,6 @@ void ViewWindow::toggle(bool ViewLayers::*layer) {
         pointerX = -1, patch = 0;
     else
         redraw |= layer != &ViewLayers::patches || s.layers.wireframe;
-}
-
-void ViewWindow::wheel(double notches) {
-    s.camera.stops = std::clamp(s.camera.stops + (float)notches * 0.25f, -20.f, 20.f);
 }
 
 void ViewWindow::pointer(double x, double y) {

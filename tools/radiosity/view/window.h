@@ -37,7 +37,6 @@ public:
 
 private:
     void key(int key, bool shift);
-    void wheel(double notches);
     void pointer(double x, double y);
     void takeNews(BackgroundSolve &solver);
     bool fly(float seconds);
