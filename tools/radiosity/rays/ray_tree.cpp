@@ -164,9 +164,8 @@ bool RayTree::blocked(const Vec3 &origin, const Vec3 &direction, float end, cons
 // --- Building ---
 
 struct RayTree::Builder {
+    RayTree &tree;
     const std::vector<Corners> &triangles;
-    std::vector<Node> &nodes;
-    std::vector<Leaf> &leaves;
     struct Item {
         Bounds box;
         int number;
@@ -175,7 +174,6 @@ struct RayTree::Builder {
     // Rounding may let a ray hit a triangle but miss its box, so boxes grow by this share of the whole tree's
     // box
     static constexpr float kWider = 2e-7f;
-    float wider;
 
     struct Group {
         int first, count;
@@ -205,14 +203,14 @@ struct RayTree::Builder {
             for (size_t i = 0; i < 3; ++i)
                 l.corner[i][0][k] = c[i].x, l.corner[i][1][k] = c[i].y, l.corner[i][2][k] = c[i].z;
         }
-        leaves.push_back(l);
-        return ~(int)(leaves.size() - 1);
+        tree.leaves.push_back(l);
+        return ~(int)(tree.leaves.size() - 1);
     }
 
     // Makes a node of a group: splits the part with the largest surface until there are eight parts.
     int build(const Group &all, int deep) {
-        auto index = (int)nodes.size();
-        nodes.emplace_back();
+        auto index = (int)tree.nodes.size();
+        tree.nodes.emplace_back();
         Group parts[8] = {all};
         int count = 1;
         while (count < 8) {
@@ -228,6 +226,7 @@ struct RayTree::Builder {
             g = {g.first, front, boxOf(g.first, front)};
         }
         Node n;
+        const float wider = tree.wider;
         for (int i = 0; i < 8; ++i) {
             // Empty children lie infinitely far away
             Bounds b = {{kInfinity, kInfinity, kInfinity}, {kInfinity, kInfinity, kInfinity}};
@@ -238,23 +237,22 @@ struct RayTree::Builder {
                          : parts[i].count > kLeaf ? build(parts[i], deep + 3)
                                                   : leaf(parts[i]);
         }
-        nodes[(size_t)index] = n;
+        tree.nodes[(size_t)index] = n;
         return index;
     }
 };
 
 RayTree::RayTree(const std::vector<Corners> &triangles) {
-    Builder b = {triangles, nodes, leaves, {}, 0};
-    b.items.resize(triangles.size());
-    for (size_t i = 0; i < triangles.size(); ++i) {
+    Builder b = {*this, triangles, {}};
+    for (const Corners &corners : triangles) {
         Bounds box = kNoBounds;
-        for (const Vec3 &c : triangles[i]) include(box, {c, c});
-        b.items[i] = {box, (int)i};
+        for (const Vec3 &c : corners) include(box, {c, c});
+        b.items.push_back({box, (int)b.items.size()});
     }
     nodes.reserve(triangles.size() / 12 + 16), leaves.reserve(triangles.size() / 4 + 16);
     auto count = (int)triangles.size();
     Bounds all = b.boxOf(0, count);
-    if (count) wider = b.wider = sumAbs(all.hi - all.lo) * Builder::kWider;
+    if (count) wider = sumAbs(all.hi - all.lo) * Builder::kWider;
     b.build({0, count, all}, 0);
 }
 

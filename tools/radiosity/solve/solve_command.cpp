@@ -161,7 +161,7 @@ private:
     Workers workers = allProcessors();
     Gl gl = {};
     const int *stop = nullptr;
-    std::unique_ptr<ProgressBar> bar;
+    ProgressBar bar{job.options.progress};
 
     void read(std::vector<std::string> &notes) {
         mesh = readModel(job.model, job.options.read, notes);
@@ -177,21 +177,20 @@ private:
                 state.save(job.state());
             };
         settings.needs = [this](size_t bytes) {
-            bar->clear();
+            bar.clear();
             std::printf("needs about %zu MB of memory\n", bytes >> 20);
             std::fflush(stdout);
         };
         stop = stopAt({SIGINT});
-        bar = std::make_unique<ProgressBar>(job.options.progress);
     }
 
     Solved solve() {
-        auto progress = [this](auto... shown) { bar->show(shown...); };
+        auto progress = [this](auto... shown) { bar.show(shown...); };
         Solved solved = solveNamed(job.model, [&] {
             if (settings.method == SolveMethod::kPatches) gl = openGl();
             return solveModel(mesh, settings, gl, workers, stop, progress);
         });
-        bar->clear();
+        bar.clear();
         return solved;
     }
 };
