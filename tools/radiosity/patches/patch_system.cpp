@@ -207,10 +207,10 @@ private:
     void shootLight() {
         // A quarter of the shots is for lamps. With the rest each block shoots about three times
         Shooting shooting(m, blocksOfPatches(m, p.emits, std::max(s.shots / 4, 1)), p.emits, p.direct);
-        HemicubeShooter shooter(gl, m, s.hemicube);
+        AnyHemicubes hemicubes(gl, s.hemicube);
         for (int most; (most = s.shots - report.shots) > 0 && shooting.left() > (double)s.residual;) {
             if (task.stopped()) report.complete = false;
-            int shot = report.complete ? shooter.shoot(shooting, most, task.workers) : 0;
+            int shot = report.complete ? shooting.shoot(hemicubes, most, task.workers) : 0;
             if (shot == 0) break;
             report.shots += shot;
             task.show(SolveStep::kSolving, (float)report.shots / (float)s.shots, (float)shooting.left());

@@ -153,16 +153,15 @@ std::vector<Rgb> Shooting::radiosity() const {
     return all;
 }
 
-int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {
-    std::vector<Shooting::Shot> shots;
+int Shooting::shoot(AnyHemicubes &hemicubes, int most, Workers &workers) {
+    std::vector<Shot> sent;
     std::vector<Eye> eyes;
-    for (int s : shooting.brightest(std::min(most, batch()))) {
-        shots.push_back(shooting.nextShot(s));
-        const Patch &p = model.patches[shots.back().patch];
-        eyes.push_back(hemicubeEye(p.p, p.n, number++));
+    for (int s : brightest(std::min(most, hemicubes.h.batch))) {
+        const Patch &p = model.patches[sent.emplace_back(nextShot(s)).patch];
+        eyes.push_back(hemicubeEye(p.p, p.n, shots - 1)); // each is rotated differently
     }
-    if (!shots.empty()) shooting.distribute(shots, hemicubes.rows(model, eyes, workers), workers);
-    return (int)shots.size();
+    if (!sent.empty()) distribute(sent, hemicubes.rows(model, eyes, workers), workers);
+    return (int)sent.size();
 }
 
 } // namespace odraz::radiosity

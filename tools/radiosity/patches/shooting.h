@@ -40,9 +40,9 @@ public:
     };
     // Removes and returns the unshot light of a shooter.
     Shot nextShot(int shooter);
-    // Distributes shots through hemicubes: rows[k][j] is the form factor from the patch of shot k to patch j.
-    void distribute(std::span<const Shot> shots, const std::vector<std::vector<float>> &rows,
-                    Workers &workers);
+    // Shoots from up to `most` of the brightest shooters, by one picture of hemicubes. Returns their number;
+    // 0: there is no light.
+    int shoot(AnyHemicubes &hemicubes, int most, Workers &workers);
     // Distributes the light of one patch, `radiance`, by known form factors: links of its column, F_ji.
     void distribute(Rgb radiance, std::span<const Link> column);
     // An estimate of the missing light: the light that arrives if unshot light is spread evenly.
@@ -63,22 +63,9 @@ private:
     uint32_t shots = 0;
     float powerOf(int patch) const;
     void countPower(Workers &workers);
-};
-
-// Shoots by hemicubes.
-class HemicubeShooter {
-public:
-    // Throws std::runtime_error if OpenGL cannot draw them.
-    HemicubeShooter(const Gl &gl, const Model &model, int px) : model(model), hemicubes(gl, px) {}
-    // The largest number of shots in one picture.
-    int batch() const { return hemicubes.h.batch; }
-    // Shoots from up to `most` of the brightest shooters in one picture. Returns their number; 0: no light.
-    int shoot(Shooting &shooting, int most, Workers &workers);
-
-private:
-    const Model &model;
-    AnyHemicubes hemicubes;
-    uint32_t number = 0; // number of the next hemicube, which determines its rotation
+    // Distributes shots: rows[k][j] is the form factor from the patch of shot k to patch j.
+    void distribute(std::span<const Shot> shots, const std::vector<std::vector<float>> &rows,
+                    Workers &workers);
 };
 
 } // namespace odraz::radiosity

@@ -8,10 +8,9 @@
 
 namespace odraz::radiosity {
 
-Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
-             Page &page, ProgressBar &progressBar)
-    : settings(settings), mesh(mesh), gl(gl), workers(workers), stop(stop), page(page), area(areaOf(mesh)),
-      bar(progressBar), tasks(settings.tasks + 3) {
+Study::Study(const StudySettings &settings, const Mesh &mesh, Page &page, bool progress)
+    : settings(settings), mesh(mesh), page(page), area(areaOf(mesh)), bar(progress),
+      tasks(settings.tasks + 3) {
     Regions regions = joinRegions(mesh, std::sqrt(area / 30000));
     if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
         throw ModelError(
@@ -37,18 +36,30 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
 }
 
 void Study::comparePaths(const Solution &byRays, const Surroundings &surroundings) {
-    ReferenceErrors &e = referenceErrors;
     const int side = settings.quick ? 16 : 48;
     std::vector<MeshProbe> probes = placeMeshProbes(reference, 300);
     tracePaths(mesh, surroundings, probes, side, workers, stop);
     taskDone();
-    e.unknown = "no light reaches the places that were tried";
+    referenceText =
+        "The error of the reference itself is not known: no light reaches the places that were tried.";
     if (probes.empty()) return;
-    e.places = probes.size(), e.paths = 2 * side * side;
-    e.reference = radiosity::errorsOf(probes);
+    const MeshErrors errors = radiosity::errorsOf(probes);
+    if (!std::isfinite(errors.noise)) return;
     solvedAt(byRays, probes);
-    e.byRays = radiosity::errorsOf(probes);
-    if (std::isfinite(e.reference.noise)) e.unknown.clear();
+    // An error below the paths' noise cannot be distinguished from it
+    auto shownErrors = [](const MeshErrors &m) {
+        return "by " + (m.rms < m.noise / 2 ? "less than " + shown(m.noise, 2) : shown(m.rms, 2)) +
+               " % (rms; median " + shown(m.median, 2) + " %)";
+    };
+    referenceText =
+        "The reference itself differs from path tracing, which uses neither its rays nor its "
+        "elements, " +
+        shownErrors(errors) + ": at " + std::to_string(probes.size()) + " places with " +
+        std::to_string(2 * side * side) + " paths from each, whose own noise of " + shown(errors.noise, 2) +
+        " % is subtracted from the rms. Smaller errors in the tables mean little. The solution by "
+        "rays, which radiosity solve finds without options, has rays and elements like the "
+        "reference's, so its error against it is underestimated; it differs from the paths " +
+        shownErrors(radiosity::errorsOf(probes)) + ".";
 }
 
 void Study::check() const {

@@ -8,6 +8,7 @@
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/study/page.h"
+#include "tools/support/machine.h"
 
 namespace odraz::radiosity {
 
@@ -38,15 +39,6 @@ struct MeasuredSolution {
     MeshErrors errors;
 };
 
-// The reference's errors against path tracing, which shares neither its rays nor its elements.
-struct ReferenceErrors {
-    std::string unknown;       // the reason why they are unknown; empty: they are known
-    size_t places = 0;         // number of places from which paths were traced
-    int paths = 0;             // paths from each place
-    MeshErrors reference = {}; // the reference's errors
-    MeshErrors byRays = {};    // errors of a solution with default settings, at the same places
-};
-
 // Thrown when the user interrupts.
 struct Interrupted : std::runtime_error {
     Interrupted() : runtime_error("interrupted: no page is written") {}
@@ -55,17 +47,16 @@ struct Interrupted : std::runtime_error {
 class Study {
 public:
     // Solves the reference. Throws as solveModel() does.
-    Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
-          Page &page, ProgressBar &bar);
+    Study(const StudySettings &settings, const Mesh &mesh, Page &page, bool progress);
 
     const StudySettings &settings;
     const Mesh &mesh;
-    const Gl &gl;
-    Workers &workers;
-    const int *stop;
     Page &page;
+    const int *const stop = stopAt({SIGINT, SIGTERM});
+    const Gl gl = openGl();
+    Workers workers = allProcessors();
     Solution reference;
-    ReferenceErrors referenceErrors;
+    std::string referenceText;     // its errors against path tracing
     std::vector<MeshProbe> places; // where solutions are compared with the reference
     std::vector<MeasuredSolution> measured;
     std::vector<std::string> notes;   // the solutions' notes, each once
@@ -78,7 +69,7 @@ public:
     void chapter(const char *named) { name = named; }
     // Shows that one more task is done. Throws Interrupted.
     void taskDone();
-    void print(const std::string &line);
+    void print(const std::string &line); // instead of the progress bar
     // The camera and the size for pictures of the model.
     RenderSettings camera() const;
 
@@ -94,10 +85,10 @@ public:
 
 private:
     std::string command(const std::string &options) const;
-    void comparePaths(const Solution &byRays, const Surroundings &surroundings); // sets referenceErrors
+    void comparePaths(const Solution &byRays, const Surroundings &surroundings); // sets referenceText
     void show(float part); // shows the share of the current task that is done
 
-    ProgressBar &bar;
+    ProgressBar bar;
     const char *name = "reference";
     int done = 0, tasks; // tasks of the whole study
 };

@@ -4,9 +4,7 @@
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/study/study.h"
-#include "tools/support/machine.h"
 
-#include <cstdio>
 #include <span>
 
 namespace odraz::radiosity {
@@ -99,26 +97,20 @@ int runStudy(common::CommandLine &line) {
         mesh = readModel(job.settings.model, job.options.read, notes);
         job.options.addLights(mesh, job.settings.solve.surroundings, notes);
     }
-    const int *stop = stopAt({SIGINT, SIGTERM});
-    Gl gl = openGl();
-    Workers workers = allProcessors();
-    ProgressBar bar(job.options.progress);
     std::string name = job.settings.model.substr(job.settings.model.rfind('/') + 1);
     Page page(folder, "A study of radiosity: " + name);
     std::span<const Chapter> chapters = kChapters;
     if (job.table41) chapters = kTable41;
     for (const Chapter &c : chapters) job.settings.tasks += job.settings.quick ? c.quickTasks : c.tasks;
-    Study study(job.settings, mesh, gl, workers, stop, page, bar);
+    Study study(job.settings, mesh, page, job.options.progress);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
     bool complete = writeChapters(study, chapters);
     writeSummary(study);
     page.finish();
     folder.finish();
-    bar.clear();
     if (!complete)
         throw std::runtime_error("interrupted: " + job.out + "/index.html has what was measured until then");
-    std::printf("%s/index.html: %s\n", job.out.c_str(),
-                common::counted(study.measured.size(), "solution").c_str());
+    study.print(job.out + "/index.html: " + common::counted(study.measured.size(), "solution"));
     return 0;
 }
 

@@ -18,7 +18,7 @@ struct CurveStep {
     int number;     // number of passes or hemicubes so far
     double seconds; // processor time since the start
     double error;   // rms difference from the converged light, percent of the rms light
-    double added;   // light that this step added, percent of the converged light
+    double light;   // light so far, percent of the converged light
 };
 
 struct Curve {
@@ -45,13 +45,13 @@ public:
     Curve passes(bool atOnce) {
         Curve curve = {atOnce ? "Gauss-Seidel (at once)" : "gathering (in the next pass)", {}};
         std::vector<Rgb> light(patches.patches.size());
-        double seconds = rowSeconds, before = 0;
+        double seconds = rowSeconds;
         for (int pass = 1; pass <= kMostPasses; ++pass) {
             study.check();
             Stopwatch watch;
             patches.sweep(light, atOnce);
             seconds += watch.processor();
-            curve.steps.push_back(stepOf(pass, seconds, light, before));
+            curve.steps.push_back(stepOf(pass, seconds, light));
             if (curve.steps.back().error < kDone) break;
         }
         return curve;
@@ -94,9 +94,9 @@ public:
         Shooters shooters = blocks ? blocksOfPatches(model, patches.emits, std::max(model.patchCount / 8, 1))
                                    : patchesAlone(model);
         Shooting shooting(model, std::move(shooters), patches.emits, direct);
-        HemicubeShooter shooter(study.gl, model, px);
+        AnyHemicubes hemicubes(study.gl, px);
         shoot(curve, shooting, 0, 16, 1e-4, [&] {
-            int shots = left > 0 ? shooter.shoot(shooting, shooter.batch(), study.workers) : 0;
+            int shots = left > 0 ? shooting.shoot(hemicubes, hemicubes.h.batch, study.workers) : 0;
             left -= shots;
             return shots;
         });
@@ -118,10 +118,9 @@ private:
     void shoot(Curve &curve, Shooting &shooting, double seconds, int first, double least,
                const std::function<int()> &shots) const {
         int count = 0, next = first;
-        double before = 0;
         auto record = [&] {
             if (count == 0 || (!curve.steps.empty() && curve.steps.back().number == count)) return;
-            curve.steps.push_back(stepOf(count, seconds, shooting.radiosity(), before));
+            curve.steps.push_back(stepOf(count, seconds, shooting.radiosity()));
         };
         while (shooting.left() > least) {
             study.check();
@@ -137,16 +136,15 @@ private:
         record();
     }
 
-    CurveStep stepOf(int number, double seconds, const std::vector<Rgb> &radiosity, double &before) const {
+    CurveStep stepOf(int number, double seconds, const std::vector<Rgb> &radiosity) const {
         double error = 0, now = 0;
         for (int i = 0; i < model.patchCount; ++i) {
             double light = (double)luminance(radiosity[(size_t)i]),
                    gap = light - (double)luminance(converged[(size_t)i]), a = (double)model.patches[i].area;
             error += gap * gap * a, now += light * a;
         }
-        double gained = power > 0 ? 100 * (now - before) / power : 0;
-        before = now;
-        return {number, seconds, all > 0 ? 100 * std::sqrt(error / all) : 0, gained};
+        return {number, seconds, all > 0 ? 100 * std::sqrt(error / all) : 0,
+                power > 0 ? 100 * now / power : 0};
     }
 };
 
@@ -175,7 +173,6 @@ void writePasses(Study &study, const Curve &next, const Curve &once) {
     pictures::Plot error = left;
     error.title = "convergence: the error after each pass", error.yName = "error (rms), %";
     left.joined = error.joined = true;
-    double sums[2] = {};
     for (size_t k = 0; k < std::min(std::max(next.steps.size(), once.steps.size()), (size_t)30); ++k) {
         std::vector<std::string> row = {std::to_string(k + 1)};
         for (int c = 0; c < 2; ++c) {
@@ -184,10 +181,9 @@ void writePasses(Study &study, const Curve &next, const Curve &once) {
                 row.insert(row.end(), 3, "");
                 continue;
             }
-            sums[c] += steps[k].added;
-            // Rounding may let the sum exceed 100 %
-            double rest = std::max(100 - sums[c], 0.);
-            row.insert(row.end(), {shown(steps[k].added), shown(rest), shown(steps[k].error)});
+            double added = steps[k].light - (k ? steps[k - 1].light : 0),
+                   rest = std::max(100 - steps[k].light, 0.); // rounding may let the light exceed 100 %
+            row.insert(row.end(), {shown(added), shown(rest), shown(steps[k].error)});
             if (rest > 1e-3) left.points.push_back({(double)k + 1, rest, "", false, c});
             error.points.push_back({(double)k + 1, steps[k].error, "", false, c});
         }

@@ -7,35 +7,6 @@
 
 namespace odraz::radiosity {
 
-namespace {
-
-// Writes the errors of the reference.
-void writeReference(Study &study) {
-    const ReferenceErrors &e = study.referenceErrors;
-    if (!e.unknown.empty()) {
-        study.page.text("The error of the reference itself is not known: " + e.unknown + ".");
-        return;
-    }
-    // An error below the paths' noise cannot be distinguished from it
-    auto shownErrors = [](const MeshErrors &m) {
-        return "by " + (m.rms < m.noise / 2 ? "less than " + shown(m.noise, 2) : shown(m.rms, 2)) +
-               " % (rms; median " + shown(m.median, 2) + " %)";
-    };
-    std::string text = "The reference itself differs from path tracing, which uses neither its rays nor its "
-                       "elements, " +
-                       shownErrors(e.reference) + ": at " + std::to_string(e.places) + " places with " +
-                       std::to_string(e.paths) + " paths from each, whose own noise of " +
-                       shown(e.reference.noise, 2) +
-                       " % is subtracted from the rms. Smaller errors in the tables mean little.";
-    text +=
-        " The solution by rays, which radiosity solve finds without options, has rays and elements like the "
-        "reference's, so its error against it is underestimated; it differs from the paths " +
-        shownErrors(e.byRays) + ".";
-    study.page.text(text);
-}
-
-} // namespace
-
 void writeSummary(Study &study) {
     Page &page = study.page;
     page.toFront();
@@ -45,9 +16,8 @@ void writeSummary(Study &study) {
         " in one plane each. Errors are against a reference, a solution by rays with a final gather of " +
         std::to_string(study.settings.finalRays()) +
         " rays, at 2000 places spread by area. It has neither hemicubes nor patches. The rms error is the "
-        "root "
-        "mean square of the differences in luminance, as a share of the reference's.");
-    writeReference(study);
+        "root mean square of the differences in luminance, as a share of the reference's.");
+    page.text(study.referenceText);
     std::vector<MeasuredSolution> all = study.measured;
     std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.seconds < b.seconds; });
     PageTable table = {"solutions",
