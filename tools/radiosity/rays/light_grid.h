@@ -37,7 +37,7 @@ struct LightGrid {
         float size; // square root of its area
     };
     const Regions &regions;
-    const RayTree tree; // of the mesh
+    const RayTree tree; // the mesh's triangles
     std::vector<Chart> &charts;
     std::vector<Cell> cells;
     std::vector<Texel> texels;

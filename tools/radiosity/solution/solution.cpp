@@ -203,7 +203,7 @@ public:
 
 private:
     static constexpr int kFewFacets = 16;
-    using Grid = std::vector<std::vector<int>>; // of each cell of a chart; empty: of none
+    using Grid = std::vector<std::vector<int>>; // a list for each cell of a chart; empty: none
     const std::vector<Chart> &charts;
 
     // Adds a facet to its cells' lists, by rows, since slivers cross many cells. Returns the number of steps.

@@ -63,8 +63,7 @@ class RoomCheck {
 public:
     RoomCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
               Workers &workers, const int *stop)
-        : mesh(mesh), dark(mesh), settings(settings), room(room), rays(rays), workers(workers), stop(stop),
-          relighter(room) {
+        : mesh(mesh), settings(settings), room(room), rays(rays), workers(workers), stop(stop) {
         lighting.lamps.resize(room.lamps.size()), lighting.bands = room.bands;
         for (MeshMaterial &m : dark.materials) m.emits = {};
     }
@@ -127,13 +126,13 @@ public:
 
 private:
     const Mesh &mesh;
-    Mesh dark; // the mesh with dark lamps
+    Mesh dark = mesh; // with dark lamps
     const TransferSettings &settings;
     const TransferRoom &room;
     int rays;
     Workers &workers;
     const int *stop;
-    Relighter relighter;
+    Relighter relighter{room};
     Lighting lighting;
     const std::vector<TriedSky> skies = bandLimitedSkies(room.bands, room.upIsZ);
     std::vector<std::vector<Rgb>> exact; // the solution for each of `skies`
