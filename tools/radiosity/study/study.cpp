@@ -9,8 +9,7 @@
 namespace odraz::radiosity {
 
 Study::Study(const StudySettings &settings, const Mesh &mesh, Page &page, bool progress)
-    : settings(settings), mesh(mesh), page(page), area(areaOf(mesh)), bar(progress),
-      tasks(settings.tasks + 3) {
+    : settings(settings), mesh(mesh), page(page), bar(progress), tasks(settings.tasks + 3) {
     Regions regions = joinRegions(mesh, std::sqrt(area / 30000));
     if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
         throw ModelError(
@@ -139,6 +138,19 @@ Solved Study::measure(int patches, int px, int shots) {
                             (shots > 0 ? ", shot by " : ", by ") + name,
                         command(options), watch.processor(), watch.wall(), errorsOf(solved.solution)});
     return solved;
+}
+
+Eye cornerEye(const Model &m, int patch, int k) {
+    const Patch &p = m.patches[patch];
+    const Chart &c = m.charts[p.chart];
+    Vec3 at = p.p;
+    if (p.share == 1) {
+        int x = (patch - c.firstPatch) % c.patchesAcross, y = (patch - c.firstPatch) / c.patchesAcross;
+        float inside[2] = {0.1f, 0.9f};
+        at = c.at(((float)x + inside[k & 1]) * c.width / (float)c.patchesAcross,
+                  ((float)y + inside[k >> 1]) * c.height / (float)c.patchesDown);
+    }
+    return hemicubeEye(at, p.n, (uint32_t)patch * 4 + (uint32_t)k);
 }
 
 } // namespace odraz::radiosity

@@ -19,7 +19,7 @@ struct StudySettings {
     bool quick = false;  // only the smaller sizes and rasters, and fewer patches, shots and rays
     bool upIsZ = false;
     int tasks = 0;                                     // number of solutions and gathers of all chapters
-    int finalRays() const { return quick ? 64 : 256; } // of the reference's final gather
+    int finalRays() const { return quick ? 64 : 256; } // rays of the final gather
 };
 
 // Measures processor and wall-clock seconds since its construction.
@@ -61,7 +61,7 @@ public:
     std::vector<MeasuredSolution> measured;
     std::vector<std::string> notes;   // the solutions' notes, each once
     std::vector<std::string> leftOut; // chapters that were interrupted
-    double area;                      // area of the model
+    double area = areaOf(mesh);
 
     // Throws Interrupted if the user interrupted.
     void check() const;
@@ -92,6 +92,10 @@ private:
     const char *name = "reference";
     int done = 0, tasks; // tasks of the whole study
 };
+
+// The eye of a hemicube near corner k of a patch, a tenth of a side inside it. If the patch is partly hidden,
+// the eye is in its middle.
+Eye cornerEye(const Model &model, int patch, int k);
 
 // The chapters. Each writes to the page.
 void studyTable(Study &study, bool ofThesis); // sizes by rasters; `ofThesis`: the thesis's Table 4.1

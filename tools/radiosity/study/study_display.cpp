@@ -2,7 +2,7 @@
 // linear, constant and logarithmic mapping.
 #include "tools/common/statistics.h"
 #include "tools/radiosity/export/render.h"
-#include "tools/radiosity/study/gathering.h"
+#include "tools/radiosity/study/study.h"
 
 #include <algorithm>
 #include <numeric>

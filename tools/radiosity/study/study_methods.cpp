@@ -31,9 +31,8 @@ class Converging {
 public:
     // `solved`: a solution by hemicubes that see the lamps, with rows.
     Converging(Study &study, Solved &solved)
-        : study(study), patches(*solved.patches), model(*patches.model),
-          rowSeconds(solved.report.seconds[(int)SolveStep::kFormFactors]),
-          converged(patches.reflectDirect()) {
+        : study(study), patches(*solved.patches),
+          rowSeconds(solved.report.seconds[(int)SolveStep::kFormFactors]) {
         for (int sweeps = 0; sweeps < 300 && patches.sweep(converged, true) > 1e-6f;) ++sweeps;
         for (size_t i = 0; i < converged.size(); ++i) {
             double light = (double)luminance(converged[i]), a = (double)patches.patches[i].area;
@@ -108,9 +107,9 @@ public:
 private:
     Study &study;
     const PatchSystem &patches;
-    const Model &model;
+    const Model &model = *patches.model;
     double rowSeconds;
-    std::vector<Rgb> converged;
+    std::vector<Rgb> converged = patches.reflectDirect();
     double all = 0, power = 0;
     // Calls `shots`, which shoots and returns its number of shots, until it returns 0, until less than the
     // share `least` of the light is unshot, or until the light has converged. `seconds`: the time before the
