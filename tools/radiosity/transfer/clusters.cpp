@@ -14,34 +14,18 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The eigenvectors of a small symmetric matrix by Jacobi rotations, in descending order of their eigenvalues.
-class Eigenvectors {
-public:
-    Eigenvectors(std::vector<double> given, int size)
-        : a(std::move(given)), n((size_t)size), v(n * n), order(n) {
-        for (size_t i = 0; i < n; ++i) v[i * n + i] = 1;
-        for (int sweep = 0; sweep < 30 && !diagonal(); ++sweep)
-            for (size_t p = 0; p < n; ++p)
-                for (size_t q = p + 1; q < n; ++q) rotate(p, q);
-        std::iota(order.begin(), order.end(), (size_t)0);
-        std::stable_sort(order.begin(), order.end(),
-                         [&](size_t i, size_t j) { return a[i * n + i] > a[j * n + j]; });
-    }
-    double at(int row, int which) const { return v[(size_t)row * n + order[(size_t)which]]; }
-
-private:
-    std::vector<double> a;
-    size_t n;
-    std::vector<double> v;
-    std::vector<size_t> order;
-
-    bool diagonal() const {
+// The eigenvectors of a small symmetric matrix by Jacobi rotations, in descending order of their eigenvalues:
+// [vector][n].
+std::vector<double> eigenvectorsOf(std::vector<double> a, size_t n) {
+    std::vector<double> v(n * n), sorted;
+    for (size_t i = 0; i < n; ++i) v[i * n + i] = 1;
+    auto diagonal = [&] {
         double off = 0, on = 0;
         for (size_t i = 0; i < n; ++i)
             for (size_t j = 0; j < n; ++j) (i == j ? on : off) += a[i * n + j] * a[i * n + j];
         return off <= 1e-24 * on;
-    }
-    void rotate(size_t p, size_t q) {
+    };
+    auto rotate = [&](size_t p, size_t q) {
         if (a[p * n + q] == 0) return;
         double theta = (a[q * n + q] - a[p * n + p]) / (2 * a[p * n + q]),
                t = (theta < 0 ? -1 : 1) / (std::fabs(theta) + std::sqrt(theta * theta + 1)),
@@ -53,8 +37,18 @@ private:
         for (size_t k = 0; k < n; ++k) turn(a[k * n + p], a[k * n + q]);
         for (size_t k = 0; k < n; ++k) turn(a[p * n + k], a[q * n + k]);
         for (size_t k = 0; k < n; ++k) turn(v[k * n + p], v[k * n + q]);
-    }
-};
+    };
+    for (int sweep = 0; sweep < 30 && !diagonal(); ++sweep)
+        for (size_t p = 0; p < n; ++p)
+            for (size_t q = p + 1; q < n; ++q) rotate(p, q);
+    std::vector<size_t> order(n);
+    std::iota(order.begin(), order.end(), (size_t)0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t i, size_t j) { return a[i * n + i] > a[j * n + j]; });
+    for (size_t which : order)
+        for (size_t row = 0; row < n; ++row) sorted.push_back(v[row * n + which]);
+    return sorted;
+}
 
 class Clustering {
 public:
@@ -217,11 +211,12 @@ private:
                 for (int j = 0; j < dimensions; ++j)
                     moments[(size_t)(i * dimensions + j)] += (double)w[i] * (double)w[j];
         }
-        Eigenvectors turn(std::move(moments), dimensions);
+        const std::vector<double> turn = eigenvectorsOf(std::move(moments), (size_t)dimensions);
         // Coordinate d of a vector whose present coordinates are `from`, `step` apart
         auto turned = [&](const float *from, int step, int d) {
             double sum = 0;
-            for (int i = 0; i < dimensions; ++i) sum += turn.at(i, d) * (double)from[i * step];
+            for (int i = 0; i < dimensions; ++i)
+                sum += turn[(size_t)(d * dimensions + i)] * (double)from[i * step];
             return (float)sum;
         };
         const float *from = p.axesOf(c);
