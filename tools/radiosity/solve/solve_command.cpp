@@ -39,14 +39,14 @@ void readSolveJob(common::CommandLine &line, SolveJob &job) {
     job.options.addTo(line, SolveOptions::For::kSolve);
     line.parse();
     if (!job.resume.empty() && !job.saved) {
-        if (line.given().size() > 1 || !job.model.empty())
-            throw common::Refused("--resume takes no other option: it continues with the original ones");
+        common::need(line.given().size() == 1 && job.model.empty(),
+                     "--resume takes no other option: it continues with the original ones");
         job.saved.emplace(job.resume);
         common::CommandLine original("radiosity solve", job.saved->words);
         return readSolveJob(original, job);
     }
-    if (job.model.empty()) throw common::Refused("name a model: radiosity solve MODEL.obj -o OUT");
-    if (job.out.empty()) throw common::Refused("name a file for the solution with -o OUT");
+    common::need(!job.model.empty(), "name a model: radiosity solve MODEL.obj -o OUT");
+    common::need(!job.out.empty(), "name a file for the solution with -o OUT");
     job.options.finish(line);
     if ((job.keeps = claimOutput(job.out))) common::claimOutput(job.state());
 }
@@ -124,9 +124,9 @@ public:
         std::vector<std::string> notes;
         read(notes);
         job.options.addLights(mesh, settings.surroundings, notes);
-        if (job.saved && job.saved->model != state.model)
-            throw common::Refused(job.resume + ": belongs to another model, or " + job.model +
-                                  " has changed: solve the model again");
+        common::need(!job.saved || job.saved->model == state.model,
+                     job.resume + ": belongs to another model, or " + job.model +
+                         " has changed: solve the model again");
         printNotes(notes);
         prepare();
         Solved solved = solve();

@@ -15,8 +15,7 @@ constexpr char kByRays[] = "By rays from every element",
 
 Rgb lightOf(const std::string &option, const double *n) {
     for (int k = 0; k < 3; ++k)
-        if (!(n[k] >= 0 && n[k] <= kMostPower))
-            throw common::Refused(option + ": light must be from 0 to 1e12");
+        common::need(n[k] >= 0 && n[k] <= kMostPower, option + ": light must be from 0 to 1e12");
     return {(float)n[0], (float)n[1], (float)n[2]};
 }
 
@@ -97,8 +96,8 @@ void SolveOptions::finish(const common::CommandLine &line) {
         throw common::Refused(byRays.back().option + " and " + byPatches.back().option +
                               " do not go together: one solves by rays, the other between patches");
     if (!byPatches.empty()) settings.method = SolveMethod::kPatches;
-    if (settings.shots > 0 && settings.bounces >= 0)
-        throw common::Refused("--shots and --bounces do not go together: shots have no order by bounces");
+    common::need(settings.shots == 0 || settings.bounces < 0,
+                 "--shots and --bounces do not go together: shots have no order by bounces");
     settings.memory = (size_t)(megabytes * 1048576);
     if (line.has("--power")) settings.evenSky = false; // without lamps the model stays dark
     Surroundings &to = settings.surroundings;
@@ -114,7 +113,7 @@ void SolveOptions::finish(const common::CommandLine &line) {
     }
     for (const std::string &text : lamps) {
         auto l = common::numbersOf("--lamp", text, 7);
-        if (!(l[3] > 0)) throw common::Refused("--lamp: its size must be above 0");
+        common::need(l[3] > 0, "--lamp: its size must be above 0");
         to.lamps.push_back(ballLamp({l[0], l[1], l[2]}, l[3] / 2, lightOf("--lamp", &l[4])));
     }
 }

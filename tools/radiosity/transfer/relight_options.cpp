@@ -66,11 +66,9 @@ void RelightOptions::refuseFor(const std::string &path, const common::CommandLin
 }
 
 Lighting RelightOptions::of(const TransferRoom &room, Projected *projectedSky) const {
-    if (bands > room.bands)
-        throw common::Refused("--bands: the room has " + common::counted((size_t)room.bands, "band"));
-    if (rank > room.clusters.rank)
-        throw common::Refused("--rank: the room's clusters have " +
-                              common::counted((size_t)room.clusters.rank, "axis", "axes"));
+    common::need(bands <= room.bands, "--bands: the room has " + common::counted((size_t)room.bands, "band"));
+    common::need(rank <= room.clusters.rank, "--rank: the room's clusters have " +
+                                                 common::counted((size_t)room.clusters.rank, "axis", "axes"));
     Lighting light = {{}, readLamps(lamps, room), bands ? bands : room.bands, rank};
     if (clusters && rank < 0) light.rank = room.clusters.rank;
     std::vector<std::string> notes;
@@ -89,8 +87,8 @@ Lighting RelightOptions::of(const TransferRoom &room, Projected *projectedSky) c
 
 void RelightOptions::changeClusters(TransferRoom &room, Workers &workers) const {
     if (!clusters || clusters == room.clusters.count) return;
-    if ((size_t)clusters > room.texels())
-        throw common::Refused("--clusters: the room has " + std::to_string(room.texels()) + " texels");
+    common::need((size_t)clusters <= room.texels(),
+                 "--clusters: the room has " + std::to_string(room.texels()) + " texels");
     room.clusters = clustersOf(room, clusters, room.clusters.rank, workers);
 }
 

@@ -24,9 +24,9 @@ struct TransferJob {
 void readGloss(const std::string &text, TransferSettings &s) {
     auto numbers = common::numbersOf("--gloss", text, 2);
     s.polish = (float)numbers[0], s.exponent = (float)numbers[1];
-    if (!(s.polish >= 0 && s.polish <= 1 && s.exponent >= 1 && s.exponent <= 1000))
-        throw common::Refused(
-            "--gloss takes a reflectance, 0 to 1, and an exponent, 1 to 1000, like 0.06,16, not " + text);
+    common::need(s.polish >= 0 && s.polish <= 1 && s.exponent >= 1 && s.exponent <= 1000,
+                 "--gloss takes a reflectance, 0 to 1, and an exponent, 1 to 1000, like 0.06,16, not " +
+                     text);
 }
 
 void readTransferJob(common::CommandLine &line, TransferJob &job) {
@@ -52,10 +52,9 @@ void readTransferJob(common::CommandLine &line, TransferJob &job) {
     line.option("--sky", "FILE", job.skies, "with --check: also compare under this sky");
     job.options.addTo(line, SolveOptions::For::kTransfer);
     line.parse();
-    if (job.model.empty()) throw common::Refused("name a model: radiosity transfer MODEL.obj -o ROOM.prt");
-    if (job.out.empty()) throw common::Refused("name a file for the room with -o ROOM.prt");
-    if (!job.skies.empty() && !job.check)
-        throw common::Refused("--sky belongs to --check: a room is solved for any sky");
+    common::need(!job.model.empty(), "name a model: radiosity transfer MODEL.obj -o ROOM.prt");
+    common::need(!job.out.empty(), "name a file for the room with -o ROOM.prt");
+    common::need(job.skies.empty() || job.check, "--sky belongs to --check: a room is solved for any sky");
     job.options.finish(line);
     s.solve = job.options.settings, s.upIsZ = job.options.upIsZ;
     for (const std::string &sky : job.skies) common::noteInput(sky); // they are read after the room is saved
