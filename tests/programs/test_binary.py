@@ -10,9 +10,9 @@ import pytest
 from running import BUILD, SOURCE, needs, run
 
 needs('readelf', 'objdump', 'strip')
-AVX = r'%ymm|\bv[a-z0-9]+[ps][sd] '
-RED_ZONE = r'[^x]-0x[0-9a-f]+\(%rsp'
-both = pytest.mark.parametrize('name', ['odraz', 'odraz-safe'])
+RED_ZONE, SEGMENTS = r'[^x]-0x[0-9a-f]+\(%rsp', '%[fg]s:'
+AVX, APPROXIMATE = r'%ymm|\bv[a-z0-9]+[ps][sd] ', 'v?(rcp|rsqrt)[0-9]*[ps]s'
+FILMS = ['odraz.elf', 'odraz-windows.elf']
 
 
 @functools.cache
@@ -30,50 +30,52 @@ def found(pattern, text):
     return [line for line in text.splitlines() if re.search(pattern, line)]
 
 
-@both
-def test_it_has_a_fixed_base_and_no_segment_is_writable_and_executable(name):
+@pytest.mark.parametrize('name', ['odraz', 'odraz-safe'])
+def test_it_has_a_fixed_base_no_segment_to_write_and_execute_and_needs_one_library(name):
     segments = printed('readelf', '-lW', BUILD / name)
     assert 'EXEC (Executable' in segments
     assert not found('(LOAD|GNU_STACK) .* RWE', segments)
     assert found('GNU_STACK .* RW ', segments)
-
-
-@both
-def test_it_needs_one_library_which_is_found(name):
     assert len(found('NEEDED', printed('readelf', '-dW', BUILD / name))) == 1
     assert 'libdl.so.2 => /' in printed('ldd', BUILD / name)
 
 
-def test_it_imports_two_functions():
+def test_it_imports_two_functions_and_has_no_constructor_and_no_path_of_the_build_machine():
     imports = re.findall(r'R_X86_64_(\w+) +\w+ (.*) \+', printed('readelf', '-rW', BUILD / 'odraz-safe'))
     assert imports == [('GLOB_DAT', 'dlopen'), ('GLOB_DAT', 'dlsym')]
-
-
-def test_there_are_no_constructors():
     assert not found('init_array|ctors', printed('readelf', '-SW', BUILD / 'odraz.elf'))
-
-
-def test_it_has_no_path_of_the_build_machine():
     assert str(SOURCE).encode() not in (BUILD / 'odraz-safe').read_bytes()
 
 
-# Approximate instructions give other results on other makers' processors, and pictures must not differ
-def test_no_instruction_is_approximate():
-    assert not found('v?(rcp|rsqrt)[0-9]*[ps]s', code_of('odraz.elf'))
-    assert found('v?(sqrt|div)ps', code_of('odraz.elf'))  # such a search finds others
+# The film for Windows, made from the same objects, names five libraries, but imports from one
+def test_the_film_for_windows_needs_five_libraries():
+    names = re.findall(rb'[a-z0-9_-]+\.(?:dll|drv)', (BUILD / 'odraz-safe.exe').read_bytes().lower())
+    libraries = [b'gdi32.dll', b'kernel32.dll', b'opengl32.dll', b'user32.dll', b'winmm.dll']
+    assert {next((known for known in libraries if name.endswith(known)), name) for name in names} == set(libraries)
+    assert re.findall('DLL Name: (.*)', printed('objdump', '-p', BUILD / 'odraz.exe')) == ['kernel32.dll']
 
 
-# This code runs before the processor is checked
-@pytest.mark.parametrize('name', ['libhost.a', 'libhost_windows.a'] + [
-    f'intro/CMakeFiles/{film}.elf.dir/start/{part}.cpp.o' for film, parts in [
-        ('odraz', ['answers', 'early', 'linux/entry', 'start', 'memory']),
-        ('odraz-windows', ['windows/entry', 'windows/command_line'])] for part in parts])
-def test_code_that_starts_the_film_uses_no_avx(name):
-    assert not found(AVX, code_of(name))
+@pytest.mark.parametrize('pattern, names', [
+    (RED_ZONE, FILMS),
+    (SEGMENTS, FILMS),
+    (APPROXIMATE, FILMS),  # its results differ between makers of processors, and pictures must not
+    (AVX, ['libhost.a', 'libhost_windows.a'] + [  # before the processor is checked
+        f'intro/CMakeFiles/{film}.elf.dir/start/{part}.cpp.o' for film, parts in [
+            ('odraz', ['answers', 'early', 'linux/entry', 'start', 'memory']),
+            ('odraz-windows', ['windows/entry', 'windows/command_line'])] for part in parts])])
+def test_code_has_no(pattern, names):
+    assert not [name for name in names if found(pattern, code_of(name))]
 
 
-def test_a_search_for_avx_would_find_it():
-    assert found(AVX, code_of('odraz.elf'))
+@pytest.mark.parametrize('pattern, options', [
+    (RED_ZONE, '-fno-stack-protector'),
+    (SEGMENTS, '-fstack-protector-all'),
+    (APPROXIMATE, '-ffast-math -mrecip'),
+    (AVX, '-mavx')])
+def test_such_code_would_be_found(pattern, options, tmp_path):
+    code = 'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; } float g(float x) { return 1 / x; }'
+    run(*f'g++ -O2 -fno-pic {options} -x c++ -c -o {tmp_path}/made.o -'.split(), input=code)
+    assert found(pattern, code_of(tmp_path / 'made.o'))
 
 
 # The pages that are decoded first hold only code that runs before the rest is decoded
@@ -110,30 +112,6 @@ def test_an_intruder_in_that_part_would_be_found(intruder):
     line = f' .text.intruder 0x0000000000402000       0x29 {intruder}'
     lines = re.sub(r'^\.early .*', rf'\g<0>\n{line}', (BUILD / 'odraz.map').read_text(), flags=re.M).splitlines()
     assert early(lines) == LINUX | {Path(intruder).name}
-
-
-# The film for Windows, made from the same objects
-def test_the_film_for_windows_names_five_libraries():
-    names = re.findall(rb'[a-z0-9_-]+\.(?:dll|drv)', (BUILD / 'odraz-safe.exe').read_bytes().lower())
-    libraries = [b'gdi32.dll', b'kernel32.dll', b'opengl32.dll', b'user32.dll', b'winmm.dll']
-    assert {next((known for known in libraries if name.endswith(known)), name) for name in names} == set(libraries)
-
-
-def test_the_film_for_windows_imports_from_one_library():
-    assert re.findall('DLL Name: (.*)', printed('objdump', '-p', BUILD / 'odraz.exe')) == ['kernel32.dll']
-
-
-@pytest.mark.parametrize('name', ['odraz.elf', 'odraz-windows.elf'])
-def test_code_uses_neither_the_red_zone_nor_segments(name):
-    assert not found(RED_ZONE, code_of(name))
-    assert not found('%[fg]s:', code_of(name))
-
-
-@pytest.mark.parametrize('option, pattern', [('-fstack-protector-all', '%fs:'), ('-fno-stack-protector', RED_ZONE)])
-def test_the_red_zone_and_segments_would_be_found(option, pattern, tmp_path):
-    code = 'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
-    run(*f'g++ -O2 -fno-pic {option} -x c++ -c -o {tmp_path}/made.o -'.split(), input=code)
-    assert found(pattern, code_of(tmp_path / 'made.o'))
 
 
 # Windows calls one of the film's functions, which must restore all of these registers
