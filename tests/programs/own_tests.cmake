@@ -10,17 +10,17 @@ function(odraz_pytests kind)
 endfunction()
 
 odraz_pytests(usual
-    binary 10   damaged 2   doctor 2   house 2   install 2   killed 4   ledger 1   machine 4   measure 2
-    memcheck 30   new_film 2   odr 8   pack_any 8   pack_process 6   packed 2   packing 4   pages 1   panel 10
+    binary 10   doctor 2   house 2   install 2   killed 4   ledger 1   machine 4   measure 2
+    memcheck 30   new_film 2   odr 8   pack_any 8   pack_process 6   packed 4   packing 4   pages 1   panel 10
     pictures 10   playing 10   radiosity 8   radiosity_atlas 3   radiosity_errors 8   radiosity_files 3
     radiosity_gltf 1   radiosity_light 5   radiosity_models 3   radiosity_pictures 1   radiosity_resume 8
     radiosity_study 10   radiosity_transfer 8   radiosity_view 15   radiosity_view_transfer 10   release 30
     render 15   report 3   rocket 18   screens 15   shown 5   sound 16   surroundings 15   tradeoff 4   watch 10
     web 50   window 40   words 8)
 odraz_pytests(long
-    binary 80   busy 9000   commandline 120   damaged 120   doubleclick 100   killed 60   live 300   machine 100
-    memcheck 600   new_film 200   pack_any 50   pack_kernels 120   pack_programs 500   radiosity_errors 60
-    radiosity_resume 60   release 60   report_page 60   same_film 250   soak 180   surroundings 150   systems 200
+    binary 80   busy 9000   commandline 120   doubleclick 100   killed 60   live 300   machine 100
+    memcheck 600   new_film 200   pack_any 50   pack_kernels 120   pack_programs 500   packed 120   radiosity_errors 60
+    radiosity_resume 60   report_page 60   same_film 250   soak 180   surroundings 150   systems 200
     tradeoff 45   watch 40   words 300)
 foreach(reader gltf hdr obj pack picture prt rad)
     odraz_pytest(long fuzz 610 ${reader})
