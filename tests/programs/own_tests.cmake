@@ -10,7 +10,7 @@ function(odraz_pytests kind)
 endfunction()
 
 odraz_pytests(usual
-    binary 10   doctor 2   house 2   install 2   killed 4   ledger 1   machine 4   measure 2
+    binary 10   house 2   install 2   killed 4   ledger 1   machine 6   measure 2
     memcheck 30   new_film 2   odr 8   pack_any 8   pack_process 6   packed 4   packing 4   pages 1   panel 10
     pictures 10   playing 10   radiosity 8   radiosity_atlas 3   radiosity_errors 8   radiosity_files 3
     radiosity_gltf 1   radiosity_light 5   radiosity_models 3   radiosity_pictures 1   radiosity_resume 8

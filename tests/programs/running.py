@@ -23,9 +23,9 @@ PATIENCE = float(os.environ.get('PATIENCE', 1200))
 
 
 def needs(*programs):
-    """Skips the test, or at the top of a file all its tests, where one of these programs is not installed."""
+    """Skips the test, or at the top of a file all its tests, where one of these programs or files is not installed."""
     for program in programs:
-        if not shutil.which(program):
+        if not shutil.which(program) and not Path(program).exists():
             pytest.skip(f'{program} is not installed', allow_module_level=True)
 
 

@@ -1,12 +1,15 @@
-"""Where a machine lacks something, the film prints one line on standard error and exits with status 1."""
+"""Where a machine lacks something, the film prints one line on standard error and exits with status 1. --doctor lists
+what this machine has and lacks, one line for each."""
+import os
+import re
 import subprocess
 from pathlib import Path
 
 import pytest
 
-from running import BUILD, FILM, check_bytes, lacking, needs, number, refuses, run
+from running import BUILD, FILM, check_bytes, lacking, needs, number, redirected, refuses, run
 
-SAFE = BUILD / f'{FILM}-safe'
+SAFE, SCREEN = BUILD / f'{FILM}-safe', '640x400'
 PLAIN = ('--dump', '-', '--from', 20, '--to', 20.04, '--size', '64x36')
 HALL = ('--dump', '-', '--from', 120, '--to', 120.04, '--size', '64x36')
 
@@ -41,9 +44,6 @@ def test_needs_no_opengl_for_an_empty_interval_of_the_hall(film, tmp_path):
 
 def test_reports_too_little_memory(film):
     refuses(1, 'not enough memory', 'prlimit', f'--as={300000 * 1024}', film, '--dump', '-', '--size', '7680x4320')
-
-
-def test_reports_too_little_memory_for_opengl():
     text = 'not enough memory for OpenGL: raise ulimit -v'
     refuses(1, text, 'prlimit', f'--as={700000 * 1024}', SAFE, *HALL[:-1], '1x1')
 
@@ -76,3 +76,55 @@ def test_reports_a_processor_of_2008_and_runs_on_one_of_2013(film):
     refuses(1, 'AVX2', 'qemu-x86_64', '-cpu', 'Nehalem', film, '--version')
     # qemu prints on stderr which features it cannot emulate
     assert run('qemu-x86_64', '-cpu', 'Haswell', film, '--version').stdout.startswith(FILM)
+
+
+# --- --doctor ---
+
+NAMES = ['processor', 'memory', 'write and run', 'OpenGL', 'OpenGL for --dump', 'sound']
+
+
+@pytest.fixture
+def doctor(screen, tmp_path):
+    """doctor(STATUS) returns what --doctor prints of each name. All names must be listed. errors: what stderr holds;
+    prefix: words before the command; sound: the type of ALSA's device; lacks: a library that cannot be loaded."""
+    needs('/usr/share/alsa/alsa.conf')
+
+    def doctor(status, errors='', prefix=(), sound='null', lacks='none', env=None, **options):
+        (tmp_path / 'alsa.conf').write_text(f'pcm.!default {{ type {sound} }}\n')
+        env = {'HOME': tmp_path, 'ALSA_CONFIG_PATH': tmp_path / 'alsa.conf', **screen.env, **(env or {})}
+        result = run(*prefix, SAFE, '--doctor', status=status, env={**env, **lacking(lacks, tmp_path)}, **options)
+        version, *lines = result.stdout.splitlines()
+        assert version == run(SAFE, '--version').stdout.strip()
+        found = dict(line.split(': ', 1) for line in lines)
+        assert [*found] == NAMES
+        assert re.fullmatch(errors, result.stderr, re.S)
+        return found
+    return doctor
+
+
+def test_doctor_finds_a_machine_with_all_that_it_needs_fine(doctor):
+    found = doctor(0, prefix=('taskset', '-c', min(os.sched_getaffinity(0))))
+    assert found['sound'] == 'fine'
+    assert re.search('llvmpipe|softpipe|Mesa', found['OpenGL'])
+    assert re.search('llvmpipe|softpipe', found['OpenGL for --dump'])
+    assert found['processor'].startswith('1 x ')
+
+
+@pytest.mark.parametrize('name, text, options', [
+    ('OpenGL', 'no X display: set DISPLAY', {'env': {'DISPLAY': None}}),
+    ('OpenGL', 'libGL.so.1 is missing: install', {'lacks': 'libGL.so.1'}),
+    ('OpenGL', 'no OpenGL 3.3 .*: install', {'env': {'LIBGL_DRIVERS_PATH': '/none'}, 'errors': '.*swrast.*'}),
+    ('OpenGL for --dump', 'libEGL.so.1 is missing: install', {'lacks': 'libEGL.so.1'}),
+    ('sound', 'no libasound.so.2', {'lacks': 'libasound.so.2'}),
+    ('sound', '.*silence$', {'sound': 'hw card 31'}),
+    ('memory', 'too little', {'prefix': ('prlimit', f'--as={500000 * 1024}')})])
+def test_doctor_names_what_is_missing(doctor, name, text, options):
+    assert re.match(text, doctor(1, **options)[name])
+
+
+def test_doctor_names_what_forbids_to_run_written_memory(doctor, mdwe):
+    assert doctor(1, preexec_fn=mdwe)['write and run'].startswith('MemoryDenyWriteExecute')
+
+
+def test_doctor_reports_a_full_disk():
+    refuses(1, 'no space left', *redirected('>/dev/full', SAFE, '--doctor'))

@@ -1,15 +1,13 @@
 """The film plays its music to ALSA's file device, to a PulseAudio server that stops and is killed, and to no device.
 (playback_test tests that a film that was stopped continues where it stopped.)"""
 import signal
-from pathlib import Path
 
 import pytest
 
 from recordings import RATE, Server, frames_of, is_loud, is_music, music_of
-from running import BUILD, FILM, refuses, wait_for
+from running import BUILD, FILM, needs, refuses, wait_for
 
-if not Path('/usr/share/alsa/alsa.conf').exists():
-    pytest.skip('libasound2 is not installed', allow_module_level=True)
+needs('/usr/share/alsa/alsa.conf')
 SAFE = BUILD / f'{FILM}-safe'  # the packed film is the same program and starts seconds later
 
 
