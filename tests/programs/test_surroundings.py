@@ -84,27 +84,22 @@ def test_leaves_whole_frames_if_the_kernel_ends_it_after_two_seconds_of_processo
 
 # --- The environment, folder and signals that it starts with ---
 
-@pytest.mark.parametrize('variables', [
-    pytest.param(dict.fromkeys('ABCD', LONG), id='huge'),
-    pytest.param({'HOME': '/nowhere', 'LC_ALL': 'tr_TR.UTF-8', 'LANG': b'\xff', 'TERM': '', 'TZ': ':/dev/zero',
-                  'LANGUAGE': 'xx', 'XDG_RUNTIME_DIR': '/', 'TMPDIR': '/nowhere'}, id='odd')])
-def test_draws_in_an_environment(film, draws, variables):
-    draws('plain', film, env=variables)
+def ignore_signals():
+    for name in 'INT', 'TERM', 'HUP', 'CHLD', 'PIPE', 'USR1':
+        signal.signal(signal.Signals[f'SIG{name}'], signal.SIG_IGN)
 
 
-def test_draws_without_a_program_name(film, draws):
-    draws('plain', '', executable=film)
+@pytest.mark.parametrize('options', [
+    {'env': dict.fromkeys('ABCD', LONG)},
+    {'env': {'HOME': '/nowhere', 'LC_ALL': 'tr_TR.UTF-8', 'LANG': b'\xff', 'TERM': '', 'TZ': ':/dev/zero',
+             'LANGUAGE': 'xx', 'XDG_RUNTIME_DIR': '/', 'TMPDIR': '/nowhere'}},
+    {'preexec_fn': ignore_signals}], ids=['huge', 'odd', 'signals'])
+def test_draws_in(film, draws, options):
+    draws('plain', film, **options)
 
 
-def test_draws_in_a_folder_that_was_removed(film, draws, tmp_path):
-    draws('plain', film, cwd=tmp_path, preexec_fn=tmp_path.rmdir)
-
-
-def test_draws_where_signals_are_ignored(film, draws):
-    def ignore():
-        for name in 'INT', 'TERM', 'HUP', 'CHLD', 'PIPE', 'USR1':
-            signal.signal(signal.Signals[f'SIG{name}'], signal.SIG_IGN)
-    draws('plain', film, preexec_fn=ignore)
+def test_draws_without_a_program_name_in_a_folder_that_was_removed(film, draws, tmp_path):
+    draws('plain', '', executable=film, cwd=tmp_path, preexec_fn=tmp_path.rmdir)
 
 
 @pytest.fixture(params=['safe', 'debug'])
@@ -120,20 +115,13 @@ def test_refuses_a_display_that_does_not_exist(opens, name):
     refuses(1, f'DISPLAY is {name[:400]}', *opens, env={'DISPLAY': name})
 
 
-def test_refuses_a_screen_that_its_display_does_not_have(opens, display):
-    name = display().env['DISPLAY'] + '.99'
-    refuses(1, f'DISPLAY is {name}, which cannot be opened', *opens, env={'DISPLAY': name})
-
-
-def test_refuses_a_display_that_does_not_admit_the_user(opens, display, tmp_path):
-    (tmp_path / 'cookie').write_bytes(b'\xff\xff' + bytes(5) + b'\x12MIT-MAGIC-COOKIE-1\0\x10' + 16 * b'x')
-    name = display('64x64', '-auth', tmp_path / 'cookie').env['DISPLAY']
-    line = f'DISPLAY is {name}, which cannot be opened'
-    refuses(1, line, *opens, env={'DISPLAY': name, 'XAUTHORITY': '/dev/null'})
-
-
-def test_refuses_to_open_a_window_without_a_display(opens):
+def test_refuses_a_display_that_is_not_named_lacks_the_screen_or_does_not_admit_the_user(opens, display, tmp_path):
     refuses(1, 'no X display: set DISPLAY', *opens, env={'DISPLAY': ''})
+    (tmp_path / 'cookie').write_bytes(b'\xff\xff' + bytes(5) + b'\x12MIT-MAGIC-COOKIE-1\0\x10' + 16 * b'x')
+    strict = display('64x64', '-auth', tmp_path / 'cookie').env['DISPLAY']
+    for name in display().env['DISPLAY'] + '.99', strict:
+        line = f'DISPLAY is {name}, which cannot be opened'
+        refuses(1, line, *opens, env={'DISPLAY': name, 'XAUTHORITY': '/dev/null'})
 
 
 # --- Environments that only root can make ---
@@ -165,17 +153,15 @@ def test_draws_where_folders_are_empty(film, draws, inside, scene, folders):
     draws(scene, *inside, film)
 
 
-def test_reports_a_full_disk_and_leaves_no_half_written_frame(film, inside, disk):
-    line = refuses(1, '', *inside, film, '--dump', disk / 'd', *SMALL)
+def test_reports_a_full_disk_and_leaves_no_half_written_frame_and_a_read_only_disk(film, inside, disk):
+    command = (*inside, film, '--dump', disk / 'd', *SMALL)
+    line = refuses(1, '', *command)
     assert re.fullmatch(rf'{FILM}: cannot write {disk}/d/frame-0005\d\d\.ppm: no space left on the device\n', line)
     frames = run(*inside, 'ls', disk / 'd').stdout.split()
     assert len(frames) >= 3 and all(frame.endswith('.ppm') for frame in frames)
-
-
-def test_reports_a_read_only_disk(film, inside, disk):
+    run(*inside, 'rm', '-r', disk / 'd')
     run(*inside, 'mount', '-o', 'remount,ro', disk)
-    line = refuses(1, '', *inside, film, '--dump', disk / 'd', *SMALL)
-    assert line == f'{FILM}: cannot write {disk}/d: the file system is read-only\n'
+    assert refuses(1, '', *command) == f'{FILM}: cannot write {disk}/d: the file system is read-only\n'
 
 
 def test_draws_from_a_read_only_disk(film, draws, inside, disk):
@@ -206,11 +192,8 @@ def test_setuid_does_not_load_libraries_that_the_user_names(draws, nobody):
     refuses(127, 'evil/', './film', *SCENES['plain'], env={'LD_LIBRARY_PATH': 'evil'}, **nobody)
 
 
-def test_reports_a_folder_that_the_user_may_not_write_to(nobody):
+def test_reports_a_folder_that_the_user_may_not_write_to_and_a_thread_that_it_may_not_start(draws, nobody):
     refuses(1, 'cannot write mine: permission denied', './film', '--dump', 'mine', *SMALL, **nobody)
-
-
-def test_draws_in_one_thread_where_the_user_may_start_no_other(draws, nobody):
     command = ('prlimit', '--nproc=1', './film', '--threads')
     text = 'without room for another thread: try --threads 1'
     refuses(1, text, *command, 8, *SCENES['plain'], **nobody)
