@@ -52,15 +52,12 @@ def video(in_work):
     return Path('one.mp4')
 
 
-def test_frames_are_the_films_own(frames):
+def test_frames_are_the_films_own_also_in_three_shards(frames):
     run(SAFE, '--dump', 'dump', *SMALL)
     run('diff', '-r', 'dump', frames)
     assert len(os.listdir(frames)) == 12
     run('sha256sum', '--check', '--strict', '--status', '../one.manifest', cwd=frames)
     assert f'# {run(SAFE, "--version").stdout}' in Path('one.manifest').read_text()
-
-
-def test_frames_in_three_shards_are_the_same(frames):
     render('a name', *PARTED, '--jobs', 2)
     assert_same('a name', frames)
 
@@ -78,11 +75,8 @@ def test_the_end_is_the_films_last_frame():
     assert os.listdir('end') == ['frame-004099.ppm']
 
 
-def test_a_video_has_the_sums_of_its_frames(frames, video):
+def test_a_video_holds_h264_and_aac_and_the_sums_of_its_frames(frames, video):
     run('cmp', f'{video}.manifest', f'{frames}.manifest')
-
-
-def test_a_video_holds_h264_and_aac(video):
     shown = run('ffprobe', '-loglevel', 'error', '-count_frames', '-show_streams', '-of', 'json', video).stdout
     pictures, sound = json.loads(shown)['streams']
     assert (pictures['codec_name'], sound['codec_name']) == ('h264', 'aac')
@@ -90,6 +84,8 @@ def test_a_video_holds_h264_and_aac(video):
     assert pictures['duration'] == sound['duration'] == '0.480000'
     assert (pictures['pix_fmt'], pictures['color_range']) == ('yuv420p', 'tv')
     assert pictures['color_space'] == pictures['color_transfer'] == pictures['color_primaries'] == 'bt709'
+    data = video.read_bytes()
+    assert data.index(b'moov') < data.index(b'mdat')  # so it can be played before it is loaded completely
 
 
 def test_the_colours_of_a_video_are_those_of_rec_709(frames, video):
@@ -99,11 +95,6 @@ def test_the_colours_of_a_video_are_those_of_rec_709(frames, video):
         run('ffmpeg', '-loglevel', 'error', '-y', '-i', video, '-frames:v', 1, '-vf', convert, 'last.ppm')
         return psnr('last.ppm', frames / 'frame-000306.ppm')
     assert like('bt709') > like('bt601') + 1
-
-
-def test_a_video_can_be_played_before_it_is_loaded_completely(video):
-    data = video.read_bytes()
-    assert data.index(b'moov') < data.index(b'mdat')
 
 
 def test_a_video_without_loss_has_every_bit_of_frames_and_music(frames, tmp_path):
@@ -222,11 +213,8 @@ def test_a_host_takes_the_shards_of_one_that_fails(video, tmp_path):
     assert not os.listdir(tmp_path), 'a film is left there'
 
 
-def test_reports_that_no_host_is_left():
+def test_reports_hosts_that_fail_or_cannot_be_reached():
     assert ' --resume continues with them' in render('none.mp4', *PARTED, *on('broken'), status=1)
-
-
-def test_refuses_a_host_that_cannot_be_reached():
     refuses(1, 'cannot copy the film to deaf', *RENDER, *PARTED, *on('deaf'), 'deaf.mp4')
 
 
