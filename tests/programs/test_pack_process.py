@@ -55,15 +55,9 @@ def test_sees_its_process_as_before(command, printed, made):
     assert re.search(printed, same(made, *command.split()), re.M)
 
 
-def test_sees_any_argv_0(made):
+def test_runs_by_any_argv_0_from_elsewhere_and_with_closed_descriptors(made):
     assert 'called another name, is run' in same(made, 'another name', executable='./run')
-
-
-def test_runs_by_a_path_from_elsewhere(made, packed):
-    assert transcript(packed / 'run', 'x', cwd='/') == transcript(made / 'before/run', 'x', cwd='/')
-
-
-def test_runs_with_closed_descriptors(made):
+    assert transcript(made / 'packed/run', 'x', cwd='/') == transcript(made / 'before/run', 'x', cwd='/')
     same(made, *redirected('<&- 2>&-', './run'))
 
 
@@ -103,23 +97,14 @@ def test_sigterm_ends_it_while_it_decodes(packed, background):
     wait_for(is_ended_by_it)
 
 
-@pytest.fixture
-def waiting(packed, background):
-    program = background('./run', 'wait', cwd=packed)
-    program.comes(lambda: 'here' in program.output())
-    return program
-
-
-def test_no_memory_is_both_writable_and_executable(waiting):
+# Debuggers get the packed file's headers from the kernel, so they need the program's address
+def test_no_memory_is_both_writable_and_executable_and_gdb_finds_where_it_waits(made, packed, background):
+    waiting = background('./run', 'wait', cwd=packed)
+    waiting.comes(lambda: 'here' in waiting.output())
     maps = Path(f'/proc/{waiting.pid}/maps').read_text()
     assert '/packed/run\n' in maps
     assert ' rwx' not in maps
-
-
-# Debuggers get the packed file's headers from the kernel, so they need the program's address
-def test_gdb_attaches_to_it_and_finds_where_it_waits(made, waiting):
     needs('gdb')
-    maps = Path(f'/proc/{waiting.pid}/maps').read_text()
     base = re.search('^([0-9a-f]+).*/run$', maps, re.M)
     libc = re.search('^([0-9a-f]+).* (/.*libc[.-].*)$', maps, re.M)
     commands = (f'symbol-file {made}/before/run -o 0x{base[1]}', f'add-symbol-file {libc[2]} -o 0x{libc[1]}', 'bt')

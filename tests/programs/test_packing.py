@@ -39,15 +39,12 @@ def test_packs_over_its_earlier_output_and_prints_the_difference():
     assert os.access('hello', os.X_OK)
 
 
-def test_the_films_packer_makes_the_same():
+def test_the_films_packer_makes_the_same_and_a_plain_program_runs():
     Path('none').touch()
     result = run(BUILD / 'pack_film', *'elf in same model'.split(), '', *'65536 none none same.json'.split())
     assert re.fullmatch(r'same: \d+ bytes .* left of 65536\n', result.stdout)  # tools/ledger pack prints the costs
     run('cmp', 'same', 'hello')
     run('cmp', 'same.json', 'report')
-
-
-def test_a_plain_program_runs():
     pack('in -o plain --plain')
     result = run('./plain', 'a', 'b', status=7)
     assert (result.stdout, result.stderr) == ('hello, 3 words, 42\n', '')
@@ -68,8 +65,9 @@ def test_an_interrupted_search_packs_with_the_best_contexts_so_far(background):
     run('cmp', 'found', 'again')
 
 
-def test_a_search_ends_by_itself():
+def test_a_search_ends_by_itself_and_contexts_may_replace_those_that_were_given():
     assert 'bytes left' in pack('in -o found --effort 0.5').stdout
+    pack('in -o packed --model model --save-model model')
 
 
 def test_a_program_may_have_just_its_budget():
@@ -78,11 +76,8 @@ def test_a_program_may_have_just_its_budget():
     command = f'in --model model -o hello --budget {size - 1}'
     refuses(1, 'over budget by 1 bytes (3,', PACK, *command.split())
     assert not Path('hello').exists()
-
-
-def test_a_program_over_budget_does_not_remove_a_file_that_it_is_appended_to():
     Path('appended').write_text('kept\n')
-    with open('appended', 'ab') as appended:
+    with open('appended', 'ab') as appended:  # a file that is appended to is not removed
         pack('in --model model -o /dev/stdout --budget 9', status=1, stdout=appended)
     assert Path('appended').read_text() == 'kept\n'
 
@@ -108,7 +103,3 @@ def test_refuses_and_writes_nothing(text, words, made):
     refuses(2, text, PACK, *words.split())
     assert sorted(os.listdir()) == ['fifo', 'hello', 'in', 'model', 'report']
     run('cmp', 'in', made / 'in')
-
-
-def test_contexts_may_replace_those_that_were_given():
-    pack('in -o packed --model model --save-model model')

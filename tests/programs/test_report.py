@@ -50,43 +50,31 @@ def report_adds_up(path):
     return report
 
 
-def test_page_and_report_add_up_to_the_file():
+def test_page_and_report_add_up_to_the_file_and_the_text_has_size_and_budget():
     tables, instructions = adds_up('a.html')
-    assert tables['file'] == report_adds_up('a.json')['file'] == os.path.getsize('packed')
+    size = os.path.getsize('packed')
+    assert tables['file'] == report_adds_up('a.json')['file'] == size
     assert 10 <= len(tables['stretches']) < 100
     assert instructions > 0
-
-
-def test_the_text_has_size_and_budget():
-    size = os.path.getsize('packed')
     assert re.search(rf'^\*\*`packed`: {size:,} bytes\*\*, .* left of 5,000$', Path('a.md').read_text(), re.M)
 
 
-def test_the_page_lists_each_part_once():
+def test_the_page_lists_each_part_once_has_the_programs_bytes_and_needs_no_network():
     *_, objects, folders, symbols = zip(*adds_up('a.html')[0]['stretches'])
     assert {('twice.o', 'libtwice.a'), ('main.o', 'folder')} <= set(zip(objects, folders))
     assert symbols.count('once') + symbols.count('again') == 1, 'two names of one function'
     assert '(nothing named in .rodata)' in symbols
-
-
-def test_the_page_has_the_programs_bytes():
     address = re.search(r' \.text +PROGBITS +([0-9a-f]+)', run('readelf', '-SW', 'program').stdout)[1]
     run('objcopy', '-O', 'binary', '-j', '.text', 'program', 'code')
     code, at = Path('code').read_bytes(), int(address, 16)
     assert part_of('a.html', 'bytes')[at:at + len(code)] == code
-
-
-def test_the_page_needs_no_network():
     assert not re.search(r'https?://|src=|@import|url\(', page := Path('a.html').read_text())
     assert '<noscript><p>This page needs JavaScript' in page  # a browser that runs scripts does not show it
 
 
-def test_without_objdump_the_page_has_no_instructions():
+def test_without_objdump_the_page_has_no_instructions_and_without_symbols_the_text_is_about_sections():
     pack('program -o packed_c --html c.html', env={'PATH': '/none'})
     assert adds_up('c.html')[1] == 0
-
-
-def test_without_symbols_the_text_is_about_sections():
     run('strip', 'program', '-o', 'stripped')
     pack('stripped -o packed_d --html d.html --text d.md')
     adds_up('d.html')
@@ -126,12 +114,9 @@ def test_a_comparison_names_what_grew():
     assert re.search(r'^No symbol changed by four bytes or more\.$', unchanged, re.M)
 
 
-def test_a_program_over_its_budget_gets_a_page_too():
+def test_a_program_over_its_budget_gets_a_page_too_and_a_missing_earlier_report_is_noted():
     pack(f'{SECOND} --html over.html --budget 9', status=1)
     adds_up('over.html')
-
-
-def test_a_missing_earlier_report_is_noted():
     result = run(*PACK, *f'{FIRST} --text - --than none'.split())
     note = 'pack: there is no none yet, so nothing is compared: write it with --report'
     assert note in result.stderr.splitlines()
