@@ -89,8 +89,8 @@ class Scratch:
 
 
 @pytest.fixture(scope='module')
-def unmeasured(tmp_path_factory):
-    scratch = Scratch(tmp_path_factory.mktemp('unmeasured'))
+def unmeasured(work):
+    scratch = Scratch(work / 'unmeasured')
     scratch.write('README.md', 'A film.\n<!-- figures -->\nBalls: 7 ms.\n<!-- /figures -->\nMore.\n')
     scratch.write('intro/file.cpp', 'int main() { int one = 1; return one - 1; }\n')
     scratch.write('packer/file', '1\n')
@@ -111,29 +111,25 @@ def unmeasured(tmp_path_factory):
 
 
 @pytest.fixture(scope='module')
-def fresh(unmeasured, tmp_path_factory):
-    scratch = Scratch(shutil.copytree(unmeasured.folder, tmp_path_factory.mktemp('fresh') / 'copy'))
-    scratch.all('--built')
-    return scratch
+def measured(unmeasured, work):
+    Scratch(shutil.copytree(unmeasured.folder, work / 'measured')).all('--built')
+    return work / 'measured'
 
 
 @pytest.fixture
-def scratch(fresh, tmp_path):
+def scratch(measured, tmp_path):
     """A copy in which both sections are measured."""
-    return Scratch(shutil.copytree(fresh.folder, tmp_path / 'copy'))
+    return Scratch(shutil.copytree(measured, tmp_path / 'copy'))
 
 
 def test_sections_that_were_not_measured_are_reported(unmeasured):
     unmeasured.reports(1, 'unmeasured: two: run tools/measure/all --only two, 1 minutes')
 
 
-def test_what_was_measured_is_fresh_and_its_figures_are_between_their_marks(scratch):
+def test_what_was_measured_is_fresh_also_with_other_comments_and_prose(scratch):
     scratch.reports(0, FRESH, '--strict')
     readme = (scratch.folder / 'README.md').read_text()
     assert readme == 'A film.\n<!-- figures -->\nBalls: 1,235 ms.\n<!-- /figures -->\nMore.\n'
-
-
-def test_comments_and_prose_make_nothing_stale(scratch):
     scratch.write('intro/file.cpp', 'int main() { /* its status */ int one = 1; return one - 1; } // no more\n')
     scratch.write('intro/README.md', 'text\n')
     scratch.write('packer/file', '1\n# why\n')
@@ -155,22 +151,16 @@ def test_other_code_makes_its_section_stale_until_it_is_measured(scratch):
     progress = scratch.all('--built', '--stale').stderr
     assert len(re.findall('^measuring', progress, re.M)) == 1
     scratch.reports(0, FRESH, '--strict')
-
-
-def test_a_scripts_code_makes_its_section_stale_whatever_was_built(scratch):
-    scratch.write('packer/file', '1\n2\n')
+    scratch.write('packer/file', '1\n2\n')  # a script's code, whatever was built
     scratch.reports(0, scratch.changed('two', 'packer/file'))
 
 
-def test_wrong_figures_are_reported_and_written_again(scratch):
+def test_wrong_figures_are_reported_and_written_again_and_a_missing_source_is_reported(scratch):
     readme = (scratch.folder / 'README.md').read_text()
     scratch.write('README.md', readme.replace('1,235', '1,234'))
     scratch.reports(1, 'the figures of README.md differ from RESULTS.md: run tools/measure/all --readme')
     scratch.all('--readme')
     scratch.reports(0, FRESH, '--strict')
-
-
-def test_a_missing_source_is_reported(scratch):
     sections = (scratch.folder / 'tools/measure/sections.py').read_text()
     scratch.write('tools/measure/sections.py', sections.replace('packer/file', 'packer/none'))
     scratch.reports(1, 'unknown: two needs packer/none, which git does not have')
