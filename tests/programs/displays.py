@@ -132,14 +132,12 @@ class Window:
     def geometry(self):
         """Its place and size on the screen, 'WIDTHxHEIGHT+X+Y'; '' if it is gone."""
         info = self.display.run('xwininfo', '-id', self.number, status=None).stdout
-        found = re.search(r'-geometry (\S+)', info)
-        return found.group(1) if found else ''
+        return ''.join(re.findall(r'-geometry (\S+)', info))
 
     def size(self):
         """Its width and height; None if it is gone."""
-        info = self.display.run('xwininfo', '-id', self.number, status=None).stdout
-        found = re.findall(r'(?:Width|Height): (\d+)$', info, re.M)
-        return tuple(map(int, found)) if len(found) == 2 else None
+        found = re.match(r'(\d+)x(\d+)', self.geometry())
+        return found and tuple(map(int, found.groups()))
 
     def picture(self, area=None):
         return self.display.picture(self.number, area)
@@ -220,12 +218,19 @@ class Window:
         """Sends keys to this window alone. Programs may tell this from a real key, which display.do('key') sends."""
         self.display.do('key', '--window', self.number, *keys)
 
-    def wait_until_drawn(self):
-        """Waits until the time in odraz-debug's title has changed twice. By then the picture shows every request."""
+    def focus(self):
+        self.display.do('windowfocus', '--sync', self.number)
+
+    def titled(self, text):
+        self.comes(lambda: text in self.title())
+
+    def drawn(self):
+        """What odraz-debug shows when every request is drawn: when the time in its title has changed twice."""
         __tracebackhide__ = True
         for _ in range(2):
             before = self.title()
             self.comes(lambda: self.title() != before)
+        return self.picture()
 
     def escape(self):
         """Presses ESC, which must end the program with status 0 and nothing on stderr."""

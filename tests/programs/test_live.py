@@ -54,15 +54,7 @@ class Maker(Window):
     def __init__(self, house, window):
         super().__init__(window.display, window.program, window.number)
         self.house, self.intro, self.comes, self.marked = house, house / 'intro', self.program.comes, 0
-        self.display.do('windowfocus', '--sync', self.number)
-
-    def drawn(self):
-        """What it shows when all requests are done."""
-        self.wait_until_drawn()
-        return self.picture()
-
-    def titled(self, text):
-        self.comes(lambda: text in self.title())
+        self.focus()
 
     def mark(self):
         """Only what is printed from now on is `reported`."""

@@ -83,16 +83,13 @@ def document(work):
     return work / 'film.rocket'
 
 
-def test_the_document_has_each_track_once_and_keys_on_the_films_rows(document):
+def test_the_document_has_each_track_once_and_keys_on_the_films_rows(document, work):
     names = [name for name, _ in tracks_of(document)]
     camera = 'eye.x', 'eye.y', 'eye.z', 'target.x', 'target.y', 'target.z', 'roll', 'lens'
     assert {*(f'table.camera.tableWide:{number}' for number in camera), 'hall:exposure'} <= {*names}
     assert len(names) == len({*names})
     assert (116, 1.40625, SMOOTH) in dict(tracks_of(document))[HEIGHT]
-
-
-def test_refuses_a_document_in_a_missing_folder(tmp_path):
-    refuses(1, f'cannot write {tmp_path}/none/tracks', DEBUG, '--tracks', tmp_path / 'none/tracks')
+    refuses(1, f'cannot write {work}/none/tracks', DEBUG, '--tracks', work / 'none/tracks')
 
 
 @pytest.fixture(scope='module')
@@ -107,14 +104,13 @@ def window(editor, work):
         screen.manage()
         window = screen.begin(DEBUG, '--mute', '--threads', 1, '--size', '160x90', '--from', 20, '--quality', 'draft',
                               '--rocket', f'127.0.0.1:{editor.port}', title=f'^{FILM}-debug ', cwd=work)
-        screen.do('windowfocus', '--sync', window.number)
+        window.focus()
         yield window
 
 
 def comes_to(window, row):
     window.comes(lambda: f'row {row}.0 ' in window.title() and 'paused' in window.title())
-    window.wait_until_drawn()
-    return window.picture()
+    return window.drawn()
 
 
 @pytest.fixture
@@ -149,8 +145,7 @@ def test_shows_other_interpolations_than_the_films(window, editor, document, pau
     editor.open(document)
     editor.set_key('point:rimLight', 40, 0, STEP)
     window.comes(lambda: window.differs(light))
-    window.wait_until_drawn()
-    step = window.picture()
+    step = window.drawn()
     editor.set_key('point:rimLight', 40, 0, RAMP)
     window.comes(lambda: window.differs(step))
     assert window.differs(light)
@@ -164,8 +159,7 @@ def fly(window, key):
     window.display.do('keydown', '--window', window.number, key)
     window.comes(lambda: window.differs(before))
     window.display.do('keyup', '--window', window.number, key)
-    window.wait_until_drawn()
-    return window.picture()
+    return window.drawn()
 
 
 def test_a_key_keeps_the_view_of_a_flight_until_it_is_removed(window, editor, paused):
@@ -193,20 +187,13 @@ def test_a_key_keeps_the_view_of_a_flight_until_it_is_removed(window, editor, pa
     window.comes(lambda: window.shows(film))
 
 
-@pytest.fixture
-def written(work):
-    """The document that the film writes in its folder."""
-    (work / f'{FILM}.rocket').unlink(missing_ok=True)
-    return work / f'{FILM}.rocket'
-
-
-def test_writes_keys_into_a_document_but_overwrites_none(window, paused, written):
-    film = paused(128)
+def test_writes_keys_into_a_document_also_when_the_editor_saves_but_overwrites_none(window, editor, paused, work):
+    film, written = paused(128), work / f'{FILM}.rocket'
     window.press('k')
-    window.comes(lambda: 'key set on row' in window.title())
+    window.titled('key set on row')
     written.write_text("somebody's work\n")
     window.press('x')
-    window.comes(lambda: f'{FILM}.rocket already exists' in window.title())
+    window.titled(f'{FILM}.rocket already exists')
     assert written.read_text() == "somebody's work\n"
     written.unlink()
     window.press('x')
@@ -215,10 +202,7 @@ def test_writes_keys_into_a_document_but_overwrites_none(window, paused, written
     assert sum(bool(re.search('tableWide:(eye|target)', name)) for name in set_on_128) == 6
     window.press('shift+k')
     window.comes(lambda: window.shows(film))
-
-
-def test_writes_the_document_when_the_editor_saves(window, editor, paused, written):
-    paused(128)
+    written.unlink()
     editor.save()
     window.comes(lambda: written.exists() and written.stat().st_size)
 
