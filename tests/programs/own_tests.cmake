@@ -15,12 +15,12 @@ odraz_pytests(usual
     pictures 10   playing 10   radiosity 8   radiosity_atlas 3   radiosity_errors 8   radiosity_files 3
     radiosity_gltf 1   radiosity_light 5   radiosity_models 3   radiosity_pictures 1   radiosity_resume 8
     radiosity_study 10   radiosity_transfer 8   radiosity_view 15   radiosity_view_transfer 10   release 30
-    render 15   report 3   rocket 18   screens 15   shown 5   sound 16   surroundings 15   tradeoff 4   watch 10
-    web 50   window 40   words 8)
+    render 15   report 3   rocket 18   shown 5   sound 16   surroundings 15   tradeoff 4   watch 10
+    web 50   window 55   words 8)
 odraz_pytests(long
     binary 80   busy 9000   commandline 120   doubleclick 100   killed 60   live 300   machine 100
-    memcheck 600   new_film 200   pack_any 50   pack_kernels 120   pack_programs 500   packed 120   radiosity_errors 60
-    radiosity_resume 60   report_page 60   same_film 250   soak 180   surroundings 150   systems 200
+    memcheck 600   new_film 200   pack_any 50   pack_programs 600   packed 120   radiosity_errors 60
+    radiosity_resume 60   report 60   same_film 450   soak 180   surroundings 150
     tradeoff 45   watch 40   words 300)
 foreach(reader gltf hdr obj pack picture prt rad)
     odraz_pytest(long fuzz 610 ${reader})

@@ -44,20 +44,15 @@ def test_help_names_every_option(film):
     assert [part for part in re.split('[,:] ', keys) if part.rpartition(' ')[0] and part not in readme] == []
 
 
-@pytest.mark.parametrize('status, text, options', [
-    (2, "unknown option '--nope'", ['--nope']),
-    (2, "beyond the film's end", ['--to', 999]),
-    (2, "not 'a?b?[31m'", ['--fps', 'a\nb\33[31m']),  # unprintable characters, in one line
-    (1, 'cannot write /proc/frame-000050.ppm', ['--dump', '/proc', *SMALL])])
-def test_refuses(film, status, text, options):
-    refuses(status, text, film, *options)
-
-
-@pytest.mark.parametrize('text, options', [
-    ('no space left', ['--help']),
-    ('cannot write standard output: no space left', ['--dump', '-', *SMALL])])
-def test_reports_a_full_disk(film, text, options):
-    refuses(1, text, *redirected('>/dev/full', film, *options))
+@pytest.mark.parametrize('status, text, to, options', [
+    (2, "unknown option '--nope'", '', ['--nope']),
+    (2, "beyond the film's end", '', ['--to', 999]),
+    (2, "not 'a?b?[31m'", '', ['--fps', 'a\nb\33[31m']),  # unprintable characters, in one line
+    (1, 'cannot write /proc/frame-000050.ppm', '', ['--dump', '/proc', *SMALL]),
+    (1, 'no space left', '>/dev/full', ['--help']),
+    (1, 'cannot write standard output: no space left', '>/dev/full', ['--dump', '-', *SMALL])])
+def test_refuses(film, status, text, to, options):
+    refuses(status, text, *redirected(to, film, *options))
 
 
 def test_reports_a_closed_pipe(film, background):

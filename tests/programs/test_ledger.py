@@ -24,7 +24,7 @@ def has_row(pattern, table):
     return re.search(f'^{pattern}', re.sub(' +', ' ', table), re.M)
 
 
-def test_rooms_that_keep_to_their_shares_are_listed(tmp_path):
+def test_rooms_that_keep_to_their_shares_are_listed_and_every_folder_of_the_engine(tmp_path):
     table, errors = rooms(tmp_path, 4000)
     assert has_row('trace 4000 ', table)
     assert has_row('intro 100 ', table)
@@ -32,22 +32,15 @@ def test_rooms_that_keep_to_their_shares_are_listed(tmp_path):
     assert has_row(f'the film 6600 65536 58936 {6600 - before}$', table)
     assert has_row(r'the \.exe 65000 65536 536$', table)
     assert errors == ''
-
-
-def test_every_folder_of_the_engine_has_its_row(tmp_path):
-    table, _ = rooms(tmp_path, 4000)
     folders = {path.relative_to(SOURCE / 'intro').parts[0] for path in SOURCE.glob('intro/*/**/*.cpp')}
     assert folders - {line.split()[0] for line in table.splitlines()} == {'maker'}  # which is not in the film
 
 
-def test_a_room_over_its_share_is_reported(tmp_path):
+def test_a_room_over_its_share_is_reported_and_a_film_that_is_not_built_refused(tmp_path):
     table, errors = rooms(tmp_path, 40000)
     assert has_row('trace 40000 .*more than its share$', table)
     assert 'trace is over its share' in errors
-
-
-def test_refuses_a_film_that_is_not_built(tmp_path):
-    refuses(1, 'build film and pack first', LEDGER, 'rooms', env={'BUILD': tmp_path})
+    refuses(1, 'build film and pack first', LEDGER, 'rooms', env={'BUILD': tmp_path / 'none'})
 
 
 class House:
@@ -80,12 +73,8 @@ class House:
         return result.stdout, result.stderr
 
 
-@pytest.fixture
-def house(tmp_path):
-    return House(tmp_path)
-
-
-def test_lines_are_listed_with_their_changes_and_the_budget(house):
+def test_lines_are_listed_with_their_changes_and_the_budget(tmp_path):
+    house = House(tmp_path)
     table, errors = house.lines()
     assert has_row(r'intro 4 0 1 0 5 \+0$', table)
     assert has_row(f'budget {house.budget}, left 9$', table)
@@ -94,7 +83,8 @@ def test_lines_are_listed_with_their_changes_and_the_budget(house):
     refuses(1, "there is no commit 'colour'", 'tools/ledger', 'lines', 'colour', cwd=house.folder)
 
 
-def test_pictures_models_data_texts_and_untracked_files_do_not_count(house):
+def test_pictures_models_data_texts_and_untracked_files_do_not_count(tmp_path):
+    house = House(tmp_path)
     for ending in 'svg jpg exr gltf glb obj mtl csv bin keys md nfo diz'.split():
         house.write(f'intro/trace/file.{ending}', 20)
     house.write('LICENSE', 20)
@@ -103,7 +93,8 @@ def test_pictures_models_data_texts_and_untracked_files_do_not_count(house):
     assert has_row(r'intro/trace 10 0 0 60 10 \+0$', house.lines()[0])
 
 
-def test_a_tree_may_fill_its_budget_but_not_exceed_it(house):
+def test_a_tree_may_fill_its_budget_but_not_exceed_it(tmp_path):
+    house = House(tmp_path)
     house.write('intro/trace/run', 9)
     house.git('add', '-A')
     assert has_row(r'intro/trace 10 0 9 0 19 \+9$', house.lines()[0])

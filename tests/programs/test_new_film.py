@@ -17,52 +17,31 @@ NEW = SOURCE / 'tools/new-film'
 PACKAGES = 'cmake ninja-build libcli11-dev libstb-dev libtinyexr-dev zlib1g-dev libglfw3-dev'.split()
 
 
-def refuses_to_make(text, to, name, folder):
-    """It must refuse, and leave in the folder what was there."""
-    __tracebackhide__ = True
-    before = sorted(folder.glob('*'))
-    refuses(2, text, NEW, to, name, cwd=folder)
-    assert sorted(folder.glob('*')) == before
-
-
-def test_prints_its_usage_and_needs_a_folder_and_a_name():
+def test_prints_its_usage_needs_a_folder_and_a_name_and_prints_gits_own_line_where_git_refuses(tmp_path):
     assert run(NEW, '--help').stdout.startswith('usage: tools/new-film DIR NAME')
     refuses(2, 'name a folder and the film', NEW)
+    env = {'GIT_TEST_ASSUME_DIFFERENT_OWNER': 1}
+    assert 'dubious ownership' in refuses(2, 'safe.directory', NEW, tmp_path / 'made', 'mira', env=env)
 
 
-@pytest.mark.parametrize('name', ['', 'twelveletter', 'a film', 'a_b', 'a.b', 'a/b', 'película', 'a\nb'])
-def test_refuses_an_unsuitable_name(name, tmp_path):
-    refuses_to_make('a name has 1 to 11 letters, digits and -', tmp_path / 'made', name, tmp_path)
-
-
-@pytest.mark.parametrize('name', 'odraz pack Tests film all compare live'.split())
-def test_refuses_the_name_of_a_part_of_odraz(name, tmp_path):
-    refuses_to_make(f'the name {name} is already used', tmp_path / 'made', name, tmp_path)
-
-
-@pytest.mark.parametrize('to, text', [
-    ('no/where', 'there is no folder no to make'),
-    ('full', 'already exists: choose a new or empty folder'),
-    ('full/.file', 'already exists'),
-    (SOURCE / 'tools/mira', 'is in this repository'),
-    ('link/mira', 'is in this repository'),
-    ('/mira', 'cannot write to /')])
-def test_refuses_an_unsuitable_folder(to, text, tmp_path):
+@pytest.mark.parametrize('to, name, text', [
+    *[('made', name, 'a name has 1 to 11 letters, digits and -')
+      for name in ('', 'twelveletter', 'a film', 'a_b', 'a.b', 'a/b', 'película', 'a\nb')],
+    *[('made', name, f'the name {name} is already used') for name in 'odraz pack Tests film all compare live'.split()],
+    ('no/where', 'mira', 'there is no folder no to make'),
+    ('full', 'mira', 'already exists: choose a new or empty folder'),
+    ('full/.file', 'mira', 'already exists'),
+    (SOURCE / 'tools/mira', 'mira', 'is in this repository'),
+    ('link/mira', 'mira', 'is in this repository'),
+    ('/mira', 'mira', 'cannot write to /')])
+def test_refuses_an_unsuitable_folder_or_name_and_leaves_nothing(to, name, text, tmp_path):
     if to == '/mira' and os.getuid() == 0:
         pytest.skip('root may write to /')
     (tmp_path / 'full').mkdir()
     (tmp_path / 'full/.file').touch()
     (tmp_path / 'link').symlink_to(SOURCE)
-    refuses_to_make(text, to, 'mira', tmp_path)
-
-
-def test_prints_gits_own_line_where_git_refuses(tmp_path):
-    env = {'GIT_TEST_ASSUME_DIFFERENT_OWNER': 1}
-    assert 'dubious ownership' in refuses(2, 'safe.directory', NEW, tmp_path / 'made', 'mira', env=env)
-
-
-def test_the_page_takes_the_name_of_its_film():
-    assert not re.search(FILM, (SOURCE / 'intro/host/web/page.html').read_text())
+    refuses(2, text, NEW, to, name, cwd=tmp_path)
+    assert sorted(file.name for file in tmp_path.rglob('*')) == ['.file', 'full', 'link']
 
 
 def not_copied(film):
@@ -95,6 +74,7 @@ def test_leaves_nothing_where_it_is_interrupted(exists, tmp_path, background):
     assert film.exists() == exists
     assert not exists or not [*film.iterdir()]
     assert not missing
+    assert not re.search(FILM, (SOURCE / 'intro/host/web/page.html').read_text())  # it takes the film's name
 
 
 # --- The whole film ---
@@ -114,18 +94,14 @@ def made(work):
 
 
 @long
-def test_a_new_film_has_tests_and_is_committed(made):
+def test_a_new_film_has_tests_is_committed_and_far_smaller_than_its_budget(made):
     assert number(r'Total Tests: (\d+)', run('ctest', '--test-dir', made / 'build', '-N').stdout) >= 30
     assert (made / '.git').is_dir()
     assert run('git', 'status', '--porcelain', cwd=made).stdout == ''
     commit = run('git', 'rev-parse', '--short=12', 'HEAD', cwd=made).stdout
     assert run(made / 'build' / NAME, '--version').stdout == f'{NAME} 0.1.0 {commit}'
-
-
-@long
-def test_a_new_film_is_far_smaller_than_its_budget_and_its_rooms_keep_to_their_shares(made):
     assert (made / 'build' / NAME).stat().st_size < 49152
-    assert run(made / 'tools/ledger', 'rooms').stderr == ''
+    assert run(made / 'tools/ledger', 'rooms').stderr == ''  # its rooms keep to their shares
 
 
 def names_odraz(program):

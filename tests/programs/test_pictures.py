@@ -36,12 +36,9 @@ def live(work):
     return dump(work / 'live', *LIVE_ACROSS_A_CUT, '--threads', 1)
 
 
-def test_an_interval_has_all_its_pictures(one_thread):
-    assert len(one_thread) == 18 and len(set(one_thread.values())) > 15
-
-
 @pytest.mark.parametrize('threads', [2, 64])
-def test_threads_make_the_same_pictures(one_thread, tmp_path, threads):
+def test_threads_make_the_same_pictures_all_of_an_interval(one_thread, tmp_path, threads):
+    assert len(one_thread) == 18 and len(set(one_thread.values())) > 15
     assert dump(tmp_path / 'many', *ACROSS_A_CUT, '--threads', threads) == one_thread
 
 
@@ -58,13 +55,10 @@ def test_as_played_a_frame_alone_is_the_same(live, tmp_path):
     assert alone == {'frame-002391.ppm': live['frame-002391.ppm']}
 
 
-def test_as_played_even_frames_are_those_of_quality_play(live, tmp_path):
+def test_as_played_even_frames_are_those_of_quality_play_and_the_film_has_its_last_frame(live, tmp_path):
     traced = dump(tmp_path / 'traced', *LIVE_ACROSS_A_CUT, '--quality', 'play')
     assert len(live) == 24
     assert [name for name in sorted(live) if live[name] == traced[name]] == sorted(live)[::2]
-
-
-def test_as_played_the_film_has_its_last_frame(tmp_path):
     assert list(dump(tmp_path / 'last', *LIVE, '--from', 163.98)) == ['frame-009839.ppm']
 
 
@@ -171,13 +165,10 @@ def test_compare_writes(pictures, status, words, wanted):
     assert psnr(pictures / 'made.png', pictures / wanted) == 999
 
 
-def test_compare_writes_into_a_pipe(pictures):
+def test_compare_writes_into_a_pipe_and_notes_that_a_copy_is_turned(pictures):
     piped = run(BUILD / 'compare', '--png', 'a.ppm', '/dev/stdout', cwd=pictures, text=False).stdout
     (pictures / 'piped.png').write_bytes(piped)
     assert psnr(pictures / 'piped.png', pictures / 'a.ppm') == 999
-
-
-def test_compare_notes_that_a_copy_is_turned(pictures):
     copied = run(BUILD / 'compare', '--png', 'turned.jpg', 'copy.png', cwd=pictures)
     assert 'turned.jpg: orientation is not used' in copied.stderr
 
@@ -198,12 +189,9 @@ sys.stdout.buffer.write(b'P6 %d %d 255 ' % (width, height) + bytes(3 * width * h
     assert still.read_bytes().startswith(b'\xff\xd8\xff') and read_picture(still).shape == (180, 320, 3)
 
 
-def test_contact_sheet_refuses_a_program_that_fails(tmp_path):
+def test_contact_sheet_refuses_a_program_that_fails_to_write_over_its_film_and_other_formats(tmp_path):
     run(BUILD / 'contact_sheet', '/bin/false', tmp_path / 'sheet.png', status=1)
     assert not (tmp_path / 'sheet.png').exists()
-
-
-def test_contact_sheet_does_not_write_over_its_film_nor_in_other_formats(tmp_path):
     film = tmp_path / 'film'
     film.write_bytes(A)
     refuses(2, 'would be overwritten', BUILD / 'contact_sheet', film, film)

@@ -10,7 +10,6 @@ from running import BUILD, FILM, needs, refuses, wait_for
 needs('/usr/share/alsa/alsa.conf')
 SAFE = BUILD / f'{FILM}-safe'  # the packed film is the same program and starts seconds later
 
-
 FILE_DEVICE = """pcm.!default {{ type file slave.pcm "nothing" file "{}" format "raw" }}
 pcm.nothing {{ type null }}
 """
@@ -62,8 +61,9 @@ def test_plays_from_the_middle_with_its_sound(into_file):
     wait_for(lambda: (sound := into_file('--from', 50, '--to', 51.5)) is not None and is_loud(sound))
 
 
-def test_mute_plays_in_silence(into_file):
+def test_mute_plays_in_silence_and_is_for_playing_alone(into_file, tmp_path):
     assert into_file('--mute', '--to', 1) is None
+    refuses(2, '--mute is for playing', SAFE, '--mute', '--wav', tmp_path / 'none')
 
 
 def test_m_mutes_and_the_music_is_heard_again(screen, tmp_path):
@@ -82,15 +82,8 @@ def test_m_mutes_and_the_music_is_heard_again(screen, tmp_path):
     window.escape()
 
 
-def test_mute_is_for_playing_alone(tmp_path):
-    refuses(2, '--mute is for playing', SAFE, '--mute', '--wav', tmp_path / 'none')
-
-
-def test_plays_without_a_device(play):
+def test_plays_without_a_device_and_where_alsa_is_broken(play, screen, tmp_path):
     play('--to', 1, devices='pcm.!default { type hw card 31 }\n')
-
-
-def test_plays_where_alsa_is_broken(play, screen, tmp_path):
     screen.env['ALSA_CONFIG_PATH'] = tmp_path / 'none.conf'
     play('--to', 1)
 

@@ -56,11 +56,16 @@ def tools(archives, version, work):
     return unpacked(work / 'tools', 'tar', '-xzf', archives / f'odraz-tools-{version}-unclean-linux-x86_64.tar.gz')
 
 
-def test_archives_of_the_film_and_the_tools_are_made(archives, version):
+def test_archives_of_the_film_and_the_tools_are_made_and_the_index_has_links_to_all_files_alone(archives, version):
     endings = ['.tar.gz', '.zip', *(['.html'] if (BUILD / 'odraz.html').exists() else [])]
     wanted = {f'odraz-{version}-unclean{ending}' for ending in endings}
-    wanted |= {f'odraz-tools-{version}-unclean-linux-x86_64.tar.gz', *(['index.html'] if '.html' in endings else [])}
-    assert {path.name for path in archives.iterdir()} == wanted
+    wanted |= {f'odraz-tools-{version}-unclean-linux-x86_64.tar.gz'}
+    assert {path.name for path in archives.iterdir()} - {'index.html'} == wanted
+    assert (archives / 'index.html').exists() == ('.html' in endings)
+    needs_built('odraz.html')
+    index = (archives / 'index.html').read_text()
+    assert set(re.findall('(?:href|src)="([^"]*)"', index)) == wanted
+    assert not re.search('@[A-Z_]*@', index)
 
 
 def test_they_have_the_same_bytes_with_another_umask_time_and_zone_and_there_is_a_video(archives, work):
@@ -92,24 +97,11 @@ def test_an_archive_unpacks_with_its_files_and_modes(command, ending, programs, 
     assert modes == {**dict.fromkeys(LINUX, 0o755), **dict.fromkeys([*TEXTS, *PICTURES, *programs], 0o644)}
 
 
-def test_the_film_is_the_one_that_was_built_and_runs(inside, tmp_path):
+def test_the_film_is_the_one_that_was_built_and_runs_and_its_texts_are_filled_in(inside, tmp_path):
     for program in 'odraz', *WINDOWS:
         run('cmp', inside / program, BUILD / program)
     run(inside / 'odraz', '--dump', tmp_path / 'frames', '--from', 20, '--to', 20.04, '--size', '64x36')
-
-
-@pytest.mark.long
-def test_its_pictures_are_rendered_and_small(tmp_path):
-    needs_built('contact_sheet')
-    run(RELEASE, '--built', '--unclean', '--no-capture', '--to', tmp_path, env=ENV)
-    (archive,) = tmp_path.glob('*.zip')
-    folder = unpacked(tmp_path / 'unpacked', 'unzip', '-q', archive)
-    assert (folder / 'poster.jpg').stat().st_size < 350e3
-    assert read_picture(folder / 'screenshot.jpg').shape == (900, 1600, 3)
-
-
-def test_its_texts_are_filled_in(inside):  # tools/release itself counts their columns
-    texts = {name: (inside / name).read_bytes() for name in TEXTS}
+    texts = {name: (inside / name).read_bytes() for name in TEXTS}  # tools/release itself counts their columns
     for text in texts.values():
         # Every character is ASCII, and so has the same code in CP437
         assert not re.search(rb'@[A-Z][A-Z_]*@|[^\x20-\x7e\r\n]', text)
@@ -120,6 +112,16 @@ def test_its_texts_are_filled_in(inside):  # tools/release itself counts their c
         assert b'%s bytes' % f'{(BUILD / program).stat().st_size:,}'.encode() in nfo
     for word in b'ESC', b'chmod +x', b'scanner', b'libdl.so.2', b'--doctor', b'AVX2', b'Wine', b'odraz.exe':
         assert word in texts['README.txt']
+
+
+@pytest.mark.long
+def test_its_pictures_are_rendered_and_small(tmp_path):
+    needs_built('contact_sheet')
+    run(RELEASE, '--built', '--unclean', '--no-capture', '--to', tmp_path, env=ENV)
+    (archive,) = tmp_path.glob('*.zip')
+    folder = unpacked(tmp_path / 'unpacked', 'unzip', '-q', archive)
+    assert (folder / 'poster.jpg').stat().st_size < 350e3
+    assert read_picture(folder / 'screenshot.jpg').shape == (900, 1600, 3)
 
 
 def test_the_texts_have_the_fields_of_the_conf_and_no_lines_for_empty_ones(inside, tmp_path):
@@ -137,14 +139,6 @@ def test_the_texts_have_the_fields_of_the_conf_and_no_lines_for_empty_ones(insid
     assert 'group' not in (texts / 'file_id.diz').read_text() and '\n\n' not in nfo
 
 
-def test_the_index_has_links_to_all_files_and_to_no_others(archives):
-    needs_built('odraz.html')
-    index = (archives / 'index.html').read_text()
-    links = set(re.findall('(?:href|src)="([^"]*)"', index))
-    assert links == {path.name for path in archives.iterdir()} - {'index.html'}
-    assert not re.search('@[A-Z_]*@', index)
-
-
 # --- The tools' archive ---
 
 def test_the_tools_can_be_released_alone(archives, tmp_path):
@@ -153,15 +147,6 @@ def test_the_tools_can_be_released_alone(archives, tmp_path):
     (alone,), (other,) = tmp_path.iterdir(), archives.glob('odraz-tools-*')
     assert run('tar', '-tzf', alone).stdout == run('tar', '-tzf', other).stdout
     refuses(2, "--only needs tools, not 'film'", RELEASE, '--only', 'film')
-
-
-def test_they_have_their_texts(tools):
-    for text in 'doc/packer/README.md', 'doc/tools/radiosity/METHOD.md', 'LICENSE.txt', 'NOTICES.txt':
-        assert (tools / text).stat().st_size
-    assert dead_links((tools / 'doc').rglob('*.md')) == []
-    readme = (tools / 'README.txt').read_text()
-    assert not re.search('@[A-Za-z][A-Za-z_-]*@', readme)
-    assert max(map(len, readme.splitlines())) <= 80  # columns of a terminal
 
 
 @pytest.mark.parametrize('program', ['compare', 'pack', 'radiosity'])
@@ -176,7 +161,13 @@ def test_a_tool_runs_is_listed_and_needs_no_library_or_an_old_one(tools, program
     assert bool(versions) == bool(needed) and max(versions, default=(0, 0)) <= (2, 31)
 
 
-def test_their_radiosity_solves_as_that_of_the_build(tools, tmp_path):
+def test_they_have_their_texts_and_their_radiosity_solves_as_that_of_the_build(tools, tmp_path):
+    for text in 'doc/packer/README.md', 'doc/tools/radiosity/METHOD.md', 'LICENSE.txt', 'NOTICES.txt':
+        assert (tools / text).stat().st_size
+    assert dead_links((tools / 'doc').rglob('*.md')) == []
+    readme = (tools / 'README.txt').read_text()
+    assert not re.search('@[A-Za-z][A-Za-z_-]*@', readme)
+    assert max(map(len, readme.splitlines())) <= 80  # columns of a terminal
     cube = tmp_path / 'cube.obj'
     run(tools / 'radiosity', 'generate', 'cube', '-o', cube)
     for folder, to in (tools, 'one'), (BUILD, 'two'):

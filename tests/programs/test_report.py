@@ -1,18 +1,21 @@
 """pack and tools/ledger pack report sizes: pages, texts and JSON add up to the file, and are compared with earlier
-ones."""
+ones. In a long run Chromium opens the film's page."""
+import base64
 import json
 import os
 import re
 import shutil
+import zlib
 from pathlib import Path
 
 import pytest
 
-from report_pages import adds_up, part_of
-from running import BUILD, SOURCE, needs, refuses, run
+from pictures import numpy, read_picture
+from running import BUILD, SOURCE, needs, number, refuses, run
 
 needs('objdump', 'gcc', 'ar', 'perl')
 pytestmark = pytest.mark.usefixtures('made')
+long = pytest.mark.long
 PROGRAMS, EXAMPLE = SOURCE / 'tests/support/programs', SOURCE / 'packer/example/build.sh'
 PACK = (BUILD / 'pack', '--model', SOURCE / 'tests/support/small.model')
 FIRST = 'program -o packed --map program.map'
@@ -38,6 +41,38 @@ def made(in_work):
     build(in_work, '')
     build(in_work / 'second', '+ (i > 5 ? i / 7 : i << 20 ^ 0x12345678)')
     pack(f'{FIRST} --html a.html --report a.json --text a.md --budget 5000')
+
+
+def part_of(page, name):
+    """A part of a page's data: tables, bytes, costs or code."""
+    pattern = rf'<script type="application/octet-stream" id="{name}">([A-Za-z0-9+/=]*)</script>'
+    return zlib.decompress(base64.b64decode(re.search(pattern, Path(page).read_text())[1]))
+
+
+def adds_up(page):
+    """Asserts that a page's figures add up to the file; returns its tables, and the number of its instructions."""
+    tables, costs = json.loads(part_of(page, 'tables')), list(part_of(page, 'costs'))
+    for at, cost in tables['high']:
+        costs[at] = cost
+    assert len(costs) == len(part_of(page, 'bytes')) == tables['size'], 'not a cost for each byte'
+    # Each byte is in one stretch, whose cost is the sum of its bytes' costs
+    at = 0
+    for begin, size, units, *_ in tables['stretches']:
+        assert begin == at and size > 0, f'a stretch at {begin}, not at {at}'
+        assert sum(costs[begin:begin + size]) == units, f'the stretch at {begin} costs something else'
+        at += size
+    assert at == tables['size'], 'stretches end before the program'
+    # Instructions lie in the program and do not overlap
+    end = instructions = 0
+    for line in part_of(page, 'code').decode().splitlines():
+        if line.startswith('@'):
+            assert int(line[1:], 16) >= end, f'instructions at {line} overlap those before'
+            end = int(line[1:], 16)
+        else:
+            end += int(line[0], 16)
+            instructions += 1
+    assert end <= tables['size'], 'instructions are not in the program'
+    return tables, instructions
 
 
 def report_adds_up(path):
@@ -132,17 +167,84 @@ def test_refuses_before_anything_is_packed_or_written(words, text):
     assert sorted(os.listdir()) == before
 
 
-# --- tools/ledger, with this program in place of the film ---
+# --- tools/ledger ---
+def ledger(*options, build=BUILD):
+    return run(SOURCE / 'tools/ledger', 'pack', *options, env={'BUILD': build}).stdout
+
+
+# This program is in place of the film
 def test_the_films_page_has_rooms_and_adds_up():
     os.makedirs('film/generated')
     for name, place in ('program', 'odraz.elf'), ('program.map', 'odraz.map'), ('a.html', 'odraz'):
         shutil.copy(name, f'film/{place}')
     os.symlink(BUILD / 'pack', 'film/pack')
     Path('film/generated/symbols').touch()
-    ledger = SOURCE / 'tools/ledger', 'pack'
-    assert re.search('^the 20 costliest symbols ', run(*ledger, env={'BUILD': 'film'}).stdout, re.M)
-    run(*ledger, '--html', 'film.html', '--than', SOURCE / 'intro/size_ledger.json', env={'BUILD': 'film'})
+    assert re.search('^the 20 costliest symbols ', ledger(build='film'), re.M)
+    ledger('--html', 'film.html', '--than', SOURCE / 'intro/size_ledger.json', build='film')
     tables, _ = adds_up('film.html')
     assert tables['shares']['stub'] >= 1000
     assert tables['stubRoom'] == 'stub'
     assert tables['before']['rooms']['intro'] >= 10
+
+
+@pytest.fixture(scope='module')
+def page(in_work):
+    needs('chromium', 'convert')
+    ledger('--html', in_work / 'whole.html', '--than', SOURCE / 'intro/size_ledger.json')
+    return in_work / 'whole.html'
+
+
+@pytest.fixture
+def browse(tmp_path):
+    """browse(PAGE, OPTION...) opens a page without a network, and returns what chromium prints. The page may print
+    nothing on its console."""
+    def browse(page, *options):
+        result = run('chromium', '--headless', '--no-sandbox', '--disable-gpu', '--enable-logging=stderr',
+                     f'--user-data-dir={tmp_path}/profile', '--host-resolver-rules=MAP * ~NOTFOUND',
+                     '--window-size=1400,1440', '--virtual-time-budget=60000', *options, f'file://{page}')
+        assert not re.search('.*:CONSOLE.*', result.stderr, re.I)
+        return result.stdout
+    return browse
+
+
+@long
+def test_the_page_is_small_and_a_film_compared_with_itself_is_the_same(page):
+    _, instructions = adds_up(page)
+    assert 10000 <= instructions < 100000
+    assert page.stat().st_size <= 640 * 1024
+    text = ledger('--text', '-', '--than', BUILD / 'odraz.json')
+    assert re.search(r'^\*\*`odraz`: [0-9,]+ bytes\*\*, \+0 .* left of 65,536$', text, re.M)
+    assert re.search(r'^No symbol changed by four bytes or more\.$', text, re.M)
+
+
+@long
+def test_the_page_answers_mouse_and_keys_and_shows_what_objdump_does(page, browse, tmp_path):
+    script = (SOURCE / 'tests/programs/report/poke.js').read_text()
+    poked = tmp_path / 'poked.html'
+    poked.write_text(page.read_text().replace('</body>', f'<script>{script}</script></body>', 1))
+    dom = browse(poked, '--dump-dom')
+    assert re.search('data-failed="([^"]*)"', dom)[1] == ''
+    assert number('data-checked="([0-9]+)"', dom) >= 30
+
+    code = run(*'objdump -d -w -z -M intel --no-show-raw-insn'.split(), BUILD / 'odraz.elf').stdout
+    lines = re.findall(r'^ *([0-9a-f]+):\t(.*)', code, re.M)
+    # without objdump's symbols
+    wanted = [re.sub('  +', ' ', re.sub(' *<.*', '', f'{address} {text}')).rstrip() for address, text in lines]
+    shown = re.search('<pre class="instructions">(.*?)</pre>', dom, re.S)[1].splitlines()
+    assert len(shown) == len(wanted) > 20000
+    assert not sorted(set(shown) ^ set(wanted))[:5]
+
+
+@long
+@pytest.mark.parametrize('size', ['1400,1440', '500,900'])
+def test_the_page_is_drawn(size, page, browse, tmp_path):
+    browse(page, '--hide-scrollbars', f'--window-size={size}', f'--screenshot={tmp_path}/page.png')
+    colours = numpy.unique(read_picture(tmp_path / 'page.png').reshape(-1, 3), axis=0)
+    assert len(colours) > 500
+
+
+@long
+def test_a_damaged_page_shows_an_error(page, browse, tmp_path):
+    damaged = tmp_path / 'damaged.html'
+    damaged.write_text(re.sub('(id="tables">.{5000}).', r'\1!', page.read_text(), count=1))
+    assert 'This page cannot be shown' in browse(damaged, '--dump-dom')

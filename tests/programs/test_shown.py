@@ -64,6 +64,8 @@ def test_each_machine_is_simulated_and_judged_with_each_screen(tmp_path):
     assert [*dict.fromkeys(columns(judged(tmp_path, *PLAYERS, '--summary'), 'screen', 'machine'))] == wanted
     rows = judged(tmp_path, *PLAYERS, '--judged', '64x36', '--at', 52, '--length', 0.05)
     assert columns(rows, 'screen', 'machine', 'scene', 'sixtieths') == [(*player, 'flake', 3) for player in wanted]
+    # The players of pages make no in-betweens
+    assert {*columns(judged(tmp_path, '--machine', 16, '--page', 1.6, '--summary'), 'between')} == {(0,)}
 
 
 def test_squares_of_a_picture_are_written_side_by_side(tmp_path):
@@ -72,10 +74,6 @@ def test_squares_of_a_picture_are_written_side_by_side(tmp_path):
     run(JUDGE, *options, tmp_path / 'crops.jpg')
     assert read_picture(tmp_path / 'crops.jpg').shape == (288, 3 * 288 + 2 * 6, 3)
     refuses(2, '.exr is not written', JUDGE, *options, tmp_path / 'crops.exr')
-
-
-def test_the_players_of_pages_make_no_in_betweens(tmp_path):
-    assert {*columns(judged(tmp_path, '--machine', 16, '--page', 1.6, '--summary'), 'between')} == {(0,)}
 
 
 @pytest.mark.parametrize('text, options', [

@@ -48,7 +48,7 @@ def packed(folder, *options):
     return row
 
 
-def test_a_program_is_packed_and_other_contexts_are_hardly_better(tmp_path):
+def test_a_program_is_packed_other_contexts_are_hardly_better_and_instructions_alone_are_packed(tmp_path):
     # The example of a few hundred bytes, since the film takes a second
     run('bash', SOURCE / 'packer/example/build.sh', BUILD / 'pack', tmp_path)
     program = tmp_path / 'hello.elf'
@@ -58,9 +58,6 @@ def test_a_program_is_packed_and_other_contexts_are_hardly_better(tmp_path):
     packed(tmp_path, '--contexts', 4, '--slots', 16, program)
     assert row['payload'] < packed(tmp_path, '--arbitrary', '--search', 0.2, program)['payload'] + 40
     refuses(2, 'a multiple of 4', BENCH, '--contexts', 5, program)
-
-
-def test_instructions_alone_are_packed(tmp_path):
     run('objcopy', '-O', 'binary', '-j', '.text', BUILD / 'pack', tmp_path / 'code')
     (tmp_path / 'sample').write_bytes((tmp_path / 'code').read_bytes()[:4096])
     assert packed(tmp_path, tmp_path / 'sample')['bytes'] == 4096

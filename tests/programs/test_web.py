@@ -31,20 +31,14 @@ def test_plays_in_a_simulated_browser():
     run('node', TESTS / 'player.mjs', PROGRAM, *scripts)
 
 
-def test_refuses_a_page_over_budget(tmp_path):
+def test_is_within_its_budget_has_a_language_and_says_that_it_needs_scripts(tmp_path):
     sources = (SCRIPTS / name for name in ('page.model', 'page.html', 'worker.js', 'page.js'))
     refuses(1, 'over budget by ', BUILD / 'page', PROGRAM, HOST / 'decode.wasm', *sources, tmp_path / 'over.html', 9)
-
-
-def test_html_keeps_the_bytes_of_the_comment_and_all_of_it():
-    text = re.search(b'<!--(.*?)--><script>', PAGE.read_bytes(), re.S)[1]
-    assert len(text) > 50000
-    assert not re.search(b'[\0\r]|[-!]>', b'-' + text)
-
-
-def test_has_a_language_and_says_that_it_needs_scripts():
-    before = PAGE.read_bytes().partition(b'<!--')[0]
+    before, comment, after = PAGE.read_bytes().partition(b'<!--')
     assert b'<html lang=en>' in before and before.endswith(b'<noscript>This film needs JavaScript.</noscript>')
+    text = re.search(b'<!--(.*?)--><script>', comment + after, re.S)[1]
+    assert len(text) > 50000
+    assert not re.search(b'[\0\r]|[-!]>', b'-' + text)  # HTML keeps the bytes of the comment, and all of it
 
 
 @pytest.fixture(scope='module')

@@ -1,4 +1,5 @@
-"""The film in a window: it starts, draws, pauses, seeks, resizes, fills the screen, and ends."""
+"""The film in a window: it starts, draws, pauses, seeks, resizes, fills screens of many sizes, and ends."""
+import ctypes
 import re
 
 import pytest
@@ -156,12 +157,9 @@ def test_what_lacks_opengl_opens_a_window_and_mesa_prints_nothing(screen, variab
     assert re.fullmatch(line, report_of(screen, SAFE, env={variable: value}))
 
 
-def test_a_screen_of_16_bits_opens_a_window(display):
+def test_a_screen_of_16_bits_opens_a_window_and_a_screen_saver_that_cannot_be_held_off_does_not_matter(display):
     report = report_of(display('640x360x16'), SAFE, '--window', '--mute', '--from', 4)
     assert 'too few colours: set it to 24 bits' in report
-
-
-def test_plays_where_the_screen_saver_cannot_be_held_off(display):
     screen = display('640x360', '-extension', 'MIT-SCREEN-SAVER')
     assert screen.run(SAFE, '--window', '--mute', '--from', 4, '--to', 4.5).stderr == ''
 
@@ -193,3 +191,55 @@ def test_the_close_button_ends_it(screen, film, begin):
     window.comes(window.managed)
     screen.run('wmctrl', '-i', '-c', window.number)
     assert window.ended() == 0
+
+
+# --- Screens: the picture is in the middle, as large as possible, and the rest is black ---
+
+class Monitor(ctypes.Structure):
+    """XRRMonitorInfo."""
+    _fields_ = [('name', ctypes.c_ulong), ('primary', ctypes.c_int), ('automatic', ctypes.c_int),
+                ('count', ctypes.c_int), ('place', ctypes.c_int * 6), ('outputs', ctypes.POINTER(ctypes.c_ulong))]
+
+
+def divide(screen, *places):
+    """Divides a screen into monitors, x, y, width and height, of which the last one is the primary one."""
+    randr = ctypes.CDLL('libXrandr.so.2')
+    randr.XRRGetScreenResources.restype = ctypes.POINTER(ctypes.POINTER(ctypes.c_ulong))
+    with screen.opened() as (x11, display, root):
+        outputs = randr.XRRGetScreenResources(display, root)[5]
+        for i, place in enumerate(places):  # the first one takes the screen's only output
+            name = x11.XInternAtom(display, b'monitor%d' % i, 0)
+            monitor = Monitor(name, i == len(places) - 1, 0, i == 0, (ctypes.c_int * 6)(*place, 200, 150), outputs)
+            randr.XRRSetMonitor(display, root, ctypes.byref(monitor))
+
+
+def test_fills_the_primary_one_of_two_monitors(display):
+    screen = display('1600x600')
+    divide(screen, (0, 0, 900, 600), (900, 0, 700, 600))
+    window = screen.begin(SAFE, '--mute')
+    window.comes(lambda: window.geometry() == '700x600-0+0')
+
+
+@pytest.mark.parametrize('screen, x, y, width, height, options', [
+    ('1366x768', 0, 0, 1365, 768, ()),
+    ('1280x1024', 0, 152, 1280, 720, ()),
+    ('1000x300', 233, 0, 533, 300, ()),
+    ('3000x1800', 0, 56, 3000, 1687, ()),  # more than it traces
+    ('1280x720', 0, 0, 1280, 720, ('--size', '320x180')),  # scaled to the screen
+    ('1280x720', 280, 0, 720, 720, ('--size', '200x200')),  # with its own aspect
+])
+def test_fills_the_screen_as_far_as_its_aspect_allows(display, screen, x, y, width, height, options):
+    screen = display(screen)
+    # From 24 to 31 s the sky is bright in the upper corners; on a busy machine a later picture may be the first
+    window = screen.play(SAFE, '--mute', '--from', 24, *options)
+    pictures = []
+
+    def has_bright_corners():
+        pictures[:] = [screen.picture()]
+        return all(pictures[0][y + 2:y + 4, column:column + 2].mean() > 20 for column in (x + 2, x + width - 4))
+
+    window.comes(has_bright_corners)
+    picture = pictures[0]
+    left, right, above, below = max(x - 1, 0), x + width + 2, max(y - 1, 0), y + height + 2
+    for bar in picture[:, :left], picture[:, right:], picture[:above], picture[below:]:
+        assert not bar.any()
