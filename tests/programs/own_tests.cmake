@@ -10,20 +10,18 @@ function(odraz_pytests kind)
 endfunction()
 
 odraz_pytests(usual
-    binary 10   house 2   install 2   killed 4   ledger 1   machine 6   measure 2
-    memcheck 30   new_film 2   odr 8   pack_any 8   pack_process 6   packed 4   packing 4   pages 1   panel 10
-    pictures 10   playing 10   radiosity 8   radiosity_atlas 3   radiosity_errors 8   radiosity_files 3
-    radiosity_gltf 1   radiosity_light 5   radiosity_models 3   radiosity_pictures 1   radiosity_resume 8
-    radiosity_study 10   radiosity_transfer 8   radiosity_view 15   radiosity_view_transfer 10   release 30
-    render 15   report 3   rocket 18   shown 5   sound 16   surroundings 15   tradeoff 4   watch 10
-    web 50   window 55   words 8)
+    binary 18   house 2   install 2   killed 4   ledger 1   machine 6   measure 2   measuring 10   memcheck 30
+    new_film 2   pack_process 6   packed 4   packing 12   pages 1   panel 10   pictures 10   playing 10
+    radiosity 8   radiosity_atlas 3   radiosity_errors 8   radiosity_files 3   radiosity_gltf 1   radiosity_light 5
+    radiosity_models 3   radiosity_pictures 1   radiosity_resume 8   radiosity_study 10   radiosity_transfer 8
+    radiosity_view 15   radiosity_view_transfer 10   release 30   render 15   report 3   rocket 18   sound 16
+    surroundings 15   watch 10   web 50   window 55   words 8)
 odraz_pytests(long
-    binary 80   busy 9000   commandline 120   doubleclick 100   killed 60   live 300   machine 100
-    memcheck 600   new_film 200   pack_any 50   pack_programs 600   packed 120   radiosity_errors 60
-    radiosity_resume 60   report 60   same_film 450   soak 180   surroundings 150
-    tradeoff 45   watch 40   words 300)
+    binary 80   busy 9000   commandline 120   doubleclick 100   killed 60   live 300   machine 100   measuring 45
+    memcheck 600   new_film 200   pack_programs 600   packed 120   packing 50   radiosity_errors 60
+    radiosity_resume 60   report 60   same_film 450   soak 180   surroundings 150   watch 40   words 300)
 foreach(reader gltf hdr obj pack picture prt rad)
     odraz_pytest(long fuzz 610 ${reader})
 endforeach()
 odraz_pytests(windows # They use Wine, and run one at a time
-    windows_packer 30   windows_film 190   windows_sound 40   windows_window 150)
+    windows_film 220   windows_sound 40   windows_window 150)

@@ -183,19 +183,23 @@ def number(pattern, text):
     return value
 
 
-def rows_of(path):
-    """The rows of a CSV file as dictionaries. It must have a row; its numbers are floats, and finite."""
+def rows_in(text):
+    """The rows of a CSV table as dictionaries. It must have a row; its numbers are floats, and finite."""
     def value(text):
         try:
             parsed = float(text)
         except ValueError:
             return text
-        assert math.isfinite(parsed), f'{path} has the number {text}'
+        assert math.isfinite(parsed), f'the table has the number {text}'
         return parsed
-    with open(path, newline='') as file:
-        rows = [{name: value(text) for name, text in row.items()} for row in csv.DictReader(file)]
-    assert rows, f'{path} has no rows'
+    rows = [{name: value(text) for name, text in row.items()} for row in csv.DictReader(text.splitlines())]
+    assert rows, 'the table has no rows'
     return rows
+
+
+def rows_of(path):
+    """The rows of a CSV file (rows_in)."""
+    return rows_in(Path(path).read_text())
 
 
 def check_bytes(got, wanted):
@@ -214,11 +218,9 @@ def lacking(library, folder):
 
 def flip(path, offset, bits=255):
     """Inverts the bits of one byte of a file that are set in the mask."""
-    with open(path, 'r+b') as file:
-        file.seek(offset)
-        byte = file.read(1)[0]
-        file.seek(offset)
-        file.write(bytes([byte ^ bits]))
+    data = bytearray(Path(path).read_bytes())
+    data[offset] ^= bits
+    Path(path).write_bytes(data)
 
 
 def copy_sources(folder):
