@@ -1,5 +1,6 @@
 """The shipped files: their segments, imports, instructions and libraries. In a long run: the same commit makes the same
-bytes when it is built and packed in another place."""
+bytes when it is built and packed in another place. And one name has one definition: every object of tools, tests and
+the debug program contains the types that it uses (-flto), which the compiler compares over all programs at once."""
 import functools
 import os
 import re
@@ -7,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from running import BUILD, SOURCE, needs, run
+from running import BUILD, SOURCE, needs, needs_built, run
 
 needs('readelf', 'objdump', 'strip')
 RED_ZONE, SEGMENTS = r'[^x]-0x[0-9a-f]+\(%rsp', '%[fg]s:'
@@ -159,3 +160,39 @@ MODEL = f'--model {SOURCE}/intro/odraz.model --safe-name odraz-safe'
 def test_another_build_makes_the_same(name, made_by, second):
     run(*made_by.split(), cwd=second)
     run('cmp', BUILD / name, second / name)
+
+
+# --- One name, one definition. Nothing is compiled again ---
+
+# Left out are second definitions that are never linked with the first: the engine of the live film, the host of Windows
+# and of the page (whose objects are WebAssembly)
+LEFT_OUT = r'/live\.dir/|/windows/|host/web/|^generated/'
+COMPILER = re.search(r'^CMAKE_CXX_COMPILER:\w*=(.*)', (BUILD / 'CMakeCache.txt').read_text(), re.M).group(1)
+OPTIONS = '-r -nostdlib -flto -flinker-output=rel -Wodr -Werror=odr -Wno-lto-type-mismatch -Wl,-z,muldefs'.split()
+
+
+@pytest.fixture(scope='module')
+def objects():
+    needs('ninja')
+    needs_built('build.ninja')
+    inputs = run('ninja', '-C', BUILD, '-t', 'inputs', 'all').stdout.splitlines()
+    return [path for path in inputs if path.endswith('.o') and not re.search(LEFT_OUT, path)]
+
+
+def compare_types(folder, objects, **options):
+    """Links the objects into one, and returns what is printed. -z muldefs, since each program has a main()."""
+    (folder / 'list').write_text('\n'.join(map(str, objects)))
+    return run(COMPILER, *OPTIONS, '-o', folder / 'types.o', f'@{folder}/list', cwd=BUILD, **options).stderr
+
+
+def test_no_type_has_two_definitions(objects, tmp_path):
+    assert len(objects) > 100
+    compare_types(tmp_path, objects)
+
+
+def test_a_second_arena_would_be_found(objects, tmp_path):
+    twin = 'namespace odraz { struct Arena { int size; }; int sizeOf(const Arena &a) { return a.size; } }'
+    run(COMPILER, '-flto', '-c', '-x', 'c++', '-', '-o', tmp_path / 'twin.o', input=twin)
+    base = [path for path in objects if '/base/' in path]
+    printed = compare_types(tmp_path, [tmp_path / 'twin.o', *base], status=1)
+    assert re.search('struct Arena.*One Definition', printed)

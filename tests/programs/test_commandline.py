@@ -1,12 +1,15 @@
-"""Wrong options and failing outputs give one helpful line and the right exit status; no file is half-written."""
+"""Wrong options and failing outputs give one helpful line and the right exit status; no file is half-written. Also, the
+packed film's size, and one check of each kind: other tests run all checks on the unpacked film, which is the same
+program and starts seconds sooner; tools/test --long runs them on the packed one."""
 import re
 import shlex
 import subprocess
 
 import pytest
 
-from running import FILM, SOURCE, needs, redirected, refuses, run
+from running import BUILD, CONF, FILM, SOURCE, needs, redirected, refuses, run
 
+PACKED, SAFE = BUILD / FILM, BUILD / f'{FILM}-safe'
 SMALL = ('--size', '64x36', '--from', 2, '--to', 2.2, '--quality', 'draft')
 
 
@@ -76,3 +79,24 @@ def test_dumps_with_closed_descriptors(film, tmp_path, closed):
     run(*redirected(closed, film, '--dump', tmp_path / 'frames', *SMALL))
     sizes = {file.name: file.stat().st_size for file in (tmp_path / 'frames').iterdir()}
     assert sizes == {f'frame-{n:06}.ppm': 64 * 36 * 3 + 13 for n in range(50, 55)}
+
+
+# --- The packed film ---
+
+@pytest.mark.parametrize('name', [FILM, f'{FILM}.exe'])
+def test_is_within_its_budget_and_whole(name):
+    assert (BUILD / name).stat().st_size <= int(CONF['FILM_BUDGET'])
+    assert ': whole; ' in run(BUILD / 'pack', '--test', BUILD / name).stdout
+
+
+def test_dumps_what_the_unpacked_film_does_without_descriptors_and_without_opengl(tmp_path):
+    assert run(PACKED, '--version').stdout == run(SAFE, '--version').stdout
+    run(SAFE, '--dump', tmp_path / 'wanted', *SMALL)
+    command = redirected('<&- >&- 2>&-', PACKED, '--dump', tmp_path / 'got', *SMALL)
+    run(*command, env={'LIBGL_DRIVERS_PATH': '/none'})
+    run('diff', '-r', tmp_path / 'wanted', tmp_path / 'got')
+
+
+def test_opens_a_window_with_its_name_but_not_without_a_display(display):
+    refuses(1, 'no X display', PACKED)
+    assert display().begin(PACKED, '--window', '--mute').number
