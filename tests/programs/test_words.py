@@ -104,19 +104,12 @@ def options_of(*command, folder):
 
 def group(chance, option, likely, values):
     """An option and a value, or what a user might write in their place."""
+    junk, given = chance.choice(JUNK), [option, chance.choice(values)] if values else [option]
+    # An option without a value takes the next word as its value
+    odd = [[option], [junk], [option[:-1]], [f'{option}={given[-1]}'], [option, junk], [option, junk], given, given]
     kind = chance.randrange(32)
-    if kind == 0:
-        return [option]  # without a value, or with the next word as its value
-    if kind == 1:
-        return [chance.choice(JUNK)]
-    if kind == 2:
-        return [option[:-1]]
-    if kind == 3:
-        return [f'{option}={chance.choice(values or ["x"])}']
-    if kind in (4, 5):
-        return [option, chance.choice(JUNK)]
-    if kind in (6, 7):
-        likely = values
+    if kind < len(odd):
+        return odd[kind]
     return [option, chance.choice(likely)] if likely else [option]
 
 
