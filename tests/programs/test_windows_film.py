@@ -1,13 +1,14 @@
 """The film for Windows, run by Wine, against the film for Linux. Frames of every scene, the hall, in-betweens and sound
 are equal to the byte; refused options and failed outputs give the same line. It asks for five of the system's libraries
-and no others. Most runs use the film that is not packed, which starts sooner."""
+and no others. Most runs use the film that is not packed, which starts sooner. And the packer's example for Windows."""
 import os
 import re
+import shutil
 
 import pytest
 
-from running import BUILD, FILM, Program, redirected, refuses, run
-from wine import without
+from running import BUILD, FILM, SOURCE, Program, flip, redirected, refuses, run
+from wine import answers_box, without
 
 pytestmark = pytest.mark.windows
 SAFE, SCREEN = f'{FILM}-safe', '640x480'  # OpenGL needs a display under Wine
@@ -113,3 +114,60 @@ def test_asks_for_the_libraries_it_needs_alone(wine, screen, tmp_path, options, 
         screen.run(wine, WINDOWS, *options.split(), env={'WINEDEBUG': '-all,+relay'}, text=False, stderr=trace)
     names = re.findall(CALL, (tmp_path / 'trace').read_bytes(), re.M)
     assert {name.removesuffix(b'.dll').lower().decode() for name in names} == set(libraries.split())
+
+
+# --- The packer's example ---
+
+PACK = BUILD / 'pack'
+CHECKED = 512 + 264 + 300  # after headers, imports, and the code that checks and reports
+
+
+@pytest.fixture(scope='module')
+def example(work):
+    run('bash', SOURCE / 'packer/example/build.sh', PACK, work, '--pe')
+    return work / 'hello.exe'
+
+
+@pytest.fixture
+def broken(example, tmp_path):
+    return shutil.copy(example, tmp_path / 'broken.exe')
+
+
+def greets(*command, **options):
+    result = run(*command, status=7, **options)
+    assert (result.stdout.rstrip(), result.stderr) == ('hello, 42', '')
+
+
+def test_runs_by_any_path(wine, example):
+    greets(wine, example)
+    greets(wine, './hello.exe', cwd=example.parent)
+
+
+def test_is_unpacked_into_what_plain_makes(wine, example, tmp_path):
+    plain, again = tmp_path / 'plain.exe', tmp_path / 'again.exe'
+    run(PACK, '-d', example, '-o', plain)
+    greets(wine, plain)
+    run(PACK, example.parent / 'hello_windows.elf', '-o', again, '--pe', '--plain')
+    run('cmp', plain, again)
+
+
+# The film has the same checking code
+def test_refuses_a_flipped_bit_anywhere(wine, example, broken, tmp_path):
+    size = example.stat().st_size
+    assert size > 3000
+    for at in [*range(CHECKED, size - 1, 97), size - 1]:
+        shutil.copy(example, broken)
+        flip(broken, at, 1 << at % 8)
+        refuses(1, 'damaged: copy it again', wine, broken)
+        refuses(2, f'{broken}: ', PACK, '--test', broken)
+        refuses(2, f'{broken}: ', PACK, '-d', broken, '-o', tmp_path / 'x')
+
+
+def test_runs_with_bytes_after_its_end(wine, broken):
+    broken.write_bytes(broken.read_bytes() + b'more bytes\n')
+    greets(wine, broken)
+
+
+def test_reports_damage_in_a_box_without_standard_error(wine, broken, display):
+    flip(broken, broken.stat().st_size - 1, 1)
+    assert answers_box(display('640x480'), 'damaged: copy it again', wine, broken) == 1
