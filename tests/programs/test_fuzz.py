@@ -123,6 +123,14 @@ READERS = {
     'picture': (pictures, 16384),
     'prt': (rooms, 65536),
     'rad': (solutions, 16384)}
+# Words that the fuzzer puts in, besides quoted words of the seeds
+WORDS = {
+    'gltf': ':{ :[ },{ 5120 5121 5122 5123 5125 5126 4294967295 18446744073709551615 -1 1e308 null true'.split(),
+    'obj': [*(f'{word} ' for word in 'v f vn vt vp l p g o s mtllib newmtl Kd Ke Ka Ks Ns Ni Tf Tr d illum map_Kd '
+              'map_Ke map_Bump bump refl -bm -boost -mm -o -s -t -texres -colorspace norm disp Pr Pm aniso'.split()),
+            *'s off,usemtl m,usemtl l,mtllib m.mtl,mtllib m.obj,newmtl m,-blendu on,-clamp on,-imfchan r,-type sphere,'
+            '-type cube_top,//,1//,/0,1/1/1,-1,-2,99999999,2147483648,-2147483648,1e18,1e-30,1e38,nan,inf,\r,\r\n,\n,'
+            '\0,\xff,\\\n,#'.split(',')]}
 
 
 # --- Fuzzing ---
@@ -165,12 +173,14 @@ def test_survives_replay(reader, folder):
 @pytest.mark.long
 @pytest.mark.parametrize('reader', READERS)
 def test_survives_fuzzer(reader, folder):
-    fuzzer, words = f'tests/fuzz_{reader}', MODELS / f'{reader}.dict'
+    fuzzer = f'tests/fuzz_{reader}'
     needs_built(fuzzer)  # clang builds it
-    seeds_of(reader, folder)
+    quoted = re.findall(r'"\w+"', ''.join(seed.read_text('latin-1') for seed in seeds_of(reader, folder)))
+    words = [''.join(f'\\x{ord(c):02x}' for c in word) for word in {*quoted, *WORDS.get(reader, [])}]
+    (folder / 'words').write_text(''.join(f'"{word}"\n' for word in words))
     # -timeout ends only inputs that hang: it is long enough for a busy machine
     options = [f'-max_total_time={SECONDS}', '-timeout=200', '-rss_limit_mb=3000', '-verbosity=0',
-               '-print_final_stats=1', f'-max_len={READERS[reader][1]}', *[f'-dict={words}'] * words.exists()]
+               '-print_final_stats=1', f'-max_len={READERS[reader][1]}', *['-dict=words'] * bool(words)]
     result = run(BUILD / fuzzer, *options, 'seeds', cwd=folder, status=None, timeout=PATIENCE + SECONDS)
     survives(result, folder, 'crash-*', 'timeout-*', 'oom-*', 'leak-*')
     assert number(r'^stat::number_of_executed_units: *(\d+)', result.stderr) > 100
