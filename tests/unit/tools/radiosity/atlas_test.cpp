@@ -1,7 +1,7 @@
 // Tests that lightmaps show the solution in other programs, and that polygons share no texels.
 #include "tests/support/exported.h"
-#include "tests/support/generated_mesh.h"
 #include "tests/support/headless_gl.h"
+#include "tests/support/read_model.h"
 #include "tools/common/folders.h"
 #include "tools/picture/psnr.h"
 #include "tools/radiosity/export/atlas.h"

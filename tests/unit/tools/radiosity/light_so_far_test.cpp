@@ -1,5 +1,5 @@
 // Tests the light shown during solving: it starts with direct light, grows, and ends with the solution.
-#include "tests/support/generated_mesh.h"
+#include "tests/support/read_model.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/support/machine.h"
 
