@@ -16,7 +16,7 @@ import subprocess
 import pytest
 
 pytest.register_assert_rewrite('displays', 'pictures', 'radiosity_runs', 'recordings', 'running')
-from running import BUILD, FILM, Program, run  # noqa: E402
+from running import PACKED, SAFE, Program, run  # noqa: E402
 
 of_git = subprocess.getoutput('git rev-parse --local-env-vars').split()  # set in a hook
 for variable in 'CDPATH', 'DISPLAY', 'WAYLAND_DISPLAY', 'PULSE_SERVER', *of_git:
@@ -27,7 +27,7 @@ signal.signal(signal.SIGTERM, signal.default_int_handler)  # else SIGTERM would 
 @pytest.fixture(scope='module', params=['safe', pytest.param('packed', marks=pytest.mark.long)])
 def film(request):
     """The film: unpacked, since that is the same program and starts seconds sooner, and in a long run packed."""
-    return BUILD / (FILM if request.param == 'packed' else f'{FILM}-safe')
+    return PACKED if request.param == 'packed' else SAFE
 
 
 @pytest.fixture(scope='module')

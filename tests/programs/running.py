@@ -19,6 +19,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.pop('BUILD', SOURCE / 'build')).resolve()  # not for the programs: tools/ read a BUILD, too
 CONF = dict(re.findall(r'^(\w+)="?(.*?)"?$', (SOURCE / 'intro/film.conf').read_text(), re.M))
 FILM = CONF['FILM']
+PACKED, SAFE = BUILD / FILM, BUILD / f'{FILM}-safe'  # the same program; the second one starts without unpacking
 PATIENCE = float(os.environ.get('PATIENCE', 1200))
 
 

@@ -7,9 +7,8 @@ import subprocess
 
 import pytest
 
-from running import BUILD, CONF, FILM, SOURCE, needs, redirected, refuses, run
+from running import BUILD, CONF, FILM, PACKED, SAFE, SOURCE, needs, redirected, refuses, run
 
-PACKED, SAFE = BUILD / FILM, BUILD / f'{FILM}-safe'
 SMALL = ('--size', '64x36', '--from', 2, '--to', 2.2, '--quality', 'draft')
 
 

@@ -9,9 +9,8 @@ import signal
 
 import pytest
 
-from running import BUILD, FILM, Program, run, wait_for
+from running import SAFE, Program, run, wait_for
 
-SAFE = BUILD / f'{FILM}-safe'  # the same program as the film, which starts without unpacking
 LARGE = ('--from', 20, '--to', 20.4, '--size', '1280x720', '--quality', 'draft')  # to be killed while they are written
 SMALL = ('--from', 20, '--to', 24, '--size', '16x9', '--quality', 'draft')
 

@@ -6,9 +6,8 @@ import sys
 import pytest
 
 from pictures import psnr, read_picture
-from running import BUILD, FILM, SOURCE, needs, refuses, run
+from running import BUILD, FILM, SAFE, SOURCE, needs, refuses, run
 
-SAFE = BUILD / f'{FILM}-safe'
 SIZE = ('--size', '203x117')
 ACROSS_A_CUT = ('--fps', '30000/1001', '--from', 39.7, '--to', 40.3, '--quality', 'play')
 LIVE = ('--fps', 60, '--quality', 'live')

@@ -5,10 +5,9 @@ import signal
 import pytest
 
 from recordings import RATE, Server, frames_of, is_loud, is_music, music_of
-from running import BUILD, FILM, needs, refuses, wait_for
+from running import SAFE, needs, refuses, wait_for
 
 needs('/usr/share/alsa/alsa.conf')
-SAFE = BUILD / f'{FILM}-safe'  # the packed film is the same program and starts seconds later
 
 FILE_DEVICE = """pcm.!default {{ type file slave.pcm "nothing" file "{}" format "raw" }}
 pcm.nothing {{ type null }}

@@ -11,12 +11,12 @@ from pathlib import Path
 import pytest
 
 from pictures import psnr
-from running import BUILD, FILM, SOURCE, Program, flip, needs, needs_built, refuses, run, wait_for
+from running import SAFE, SOURCE, Program, flip, needs, needs_built, refuses, run, wait_for
 
 needs('ffmpeg', 'ffprobe')
 needs_built('compare')
 pytestmark = pytest.mark.usefixtures('in_work')
-SAFE, STAND_INS = BUILD / f'{FILM}-safe', SOURCE / 'tests/support/programs'
+STAND_INS = SOURCE / 'tests/support/programs'
 RENDER = (SOURCE / 'tools/render', '--film', SAFE)
 SPAN = ('--from', 11.8, '--to', 12.28)  # across a cut, 12 frames, none of the hall
 DRAFT = ('--fps', 25, '--quality', 'draft', '--size')

@@ -8,10 +8,10 @@ import re
 
 import pytest
 
-from running import BUILD, FILM, needs, needs_built, run
+from running import BUILD, FILM, SAFE, needs, needs_built, run
 
 pytestmark = pytest.mark.long
-SAFE, PARTS = BUILD / f'{FILM}-safe', BUILD / f'{FILM}-parts.elf'
+PARTS = BUILD / f'{FILM}-parts.elf'
 
 
 def dump(folder, film, threads):

@@ -5,18 +5,17 @@ import pytest
 
 from pictures import numpy
 from recordings import frames_of
-from running import BUILD, FILM, check_bytes, needs, needs_built, number, redirected, refuses, run
+from running import BUILD, PACKED, SAFE, check_bytes, needs, needs_built, number, redirected, refuses, run
 
 needs('ffmpeg', 'ffprobe')
 needs_built('listen')
-SAFE = BUILD / f'{FILM}-safe'  # the same program, as is tested below; it starts without unpacking
 HEADER, FRAME, RATE = 44, 4, 48000  # bytes, bytes, frames a second
 
 
 @pytest.fixture(scope='module')
 def wav(work):
     """The whole music."""
-    run(BUILD / FILM, '--wav', work / 'film.wav')
+    run(PACKED, '--wav', work / 'film.wav')
     return work / 'film.wav'
 
 

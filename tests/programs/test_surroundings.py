@@ -12,7 +12,7 @@ import signal
 
 import pytest
 
-from running import BUILD, FILM, check_bytes, needs_built, refuses, run
+from running import BUILD, FILM, SAFE, check_bytes, needs_built, refuses, run
 
 SCENES = {'plain': ('--dump', '-', '--from', 20, '--to', 20.04, '--size', '64x36'),
           'hall': ('--dump', '-', '--from', 120, '--to', 120.04, '--size', '64x36')}
@@ -76,7 +76,7 @@ def test_reports_a_limit_on_the_size_of_a_file(film, kb, tmp_path):
 
 # All frames would take some 15 s
 def test_leaves_whole_frames_if_the_kernel_ends_it_after_two_seconds_of_processor_time(tmp_path):
-    run('prlimit', '--cpu=2', BUILD / f'{FILM}-safe', '--dump', tmp_path, '--from', 20, '--to', 55, '--size', '480x270',
+    run('prlimit', '--cpu=2', SAFE, '--dump', tmp_path, '--from', 20, '--to', 55, '--size', '480x270',
         '--quality', 'draft', '--threads', 2, status=-signal.SIGKILL)
     assert os.listdir(tmp_path)
     assert {frame.stat().st_size for frame in tmp_path.glob('*.ppm')} <= {480 * 270 * 3 + 15}

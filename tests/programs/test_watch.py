@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from pictures import read_picture
-from running import BUILD, FILM, SOURCE, Program, copy_sources, needs, needs_built, refuses, run
+from running import BUILD, FILM, SAFE, SOURCE, Program, copy_sources, needs, needs_built, refuses, run
 
 needs('ffmpeg', 'ffprobe', 'g++')
 needs_built('contact_sheet')
@@ -36,7 +36,7 @@ def clone(work):
     (bin / 'cmake').symlink_to(PROGRAMS / 'cmake.py')
     (house / f'build/{FILM}-safe').symlink_to(PROGRAMS / 'short_film.py')
     env = {'PATH': f'{bin}:{os.environ["PATH"]}', 'BUILT': f'{BUILD / FILM}:{BUILD}/contact_sheet',
-           'WHOLE': BUILD / f'{FILM}-safe'}
+           'WHOLE': SAFE}
     return SimpleNamespace(house=house, env=env, seconds=2)
 
 

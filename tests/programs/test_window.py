@@ -5,10 +5,9 @@ import re
 import pytest
 
 from pictures import numpy
-from running import BUILD, FILM, lacking, needs, needs_built, wait_for
+from running import BUILD, FILM, PACKED, SAFE, lacking, needs, needs_built, wait_for
 
 needs('xprop', 'openbox', 'wmctrl')
-PACKED, SAFE = BUILD / FILM, BUILD / f'{FILM}-safe'  # the same program; the second one starts without unpacking
 SMALL = ('--window', '--mute', '--size', '320x180', '--quality', 'draft')
 
 
