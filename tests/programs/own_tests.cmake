@@ -11,7 +11,7 @@ endfunction()
 
 odraz_pytests(usual
     binary 18   house 2   install 2   killed 4   ledger 1   machine 6   measure 2   measuring 10   memcheck 30
-    new_film 2   pack_process 6   packed 4   packing 12   pages 1   panel 10   pictures 10   playing 10
+    new_film 2   pack_process 6   packed 4   packing 12   panel 10   pictures 10   playing 10
     radiosity 8   radiosity_atlas 3   radiosity_errors 8   radiosity_files 3   radiosity_gltf 1   radiosity_light 5
     radiosity_models 3   radiosity_pictures 1   radiosity_resume 8   radiosity_study 10   radiosity_transfer 8
     radiosity_view 15   radiosity_view_transfer 10   release 30   render 15   report 3   rocket 18   sound 16

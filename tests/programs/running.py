@@ -224,6 +224,13 @@ def flip(path, offset, bits=255):
     Path(path).write_bytes(data)
 
 
+def dead_links(pages):
+    """The links of Markdown pages, of which there are some, that lead to no file: 'PAGE: LINK'."""
+    links = [(page, link) for page in pages for link in re.findall(r'\]\((?!https?:)([^)#]+)', page.read_text())]
+    assert links
+    return [f'{page}: {link}' for page, link in links if not (page.parent / link).exists()]
+
+
 def copy_sources(folder):
     """Copies the files that git tracks, except those that were removed without a commit."""
     for name in run('git', 'ls-files', '-z', cwd=SOURCE).stdout.split('\0'):

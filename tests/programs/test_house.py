@@ -1,5 +1,5 @@
 """Code includes and links only rooms that its own room knows (tools/build/rooms.cmake), and no room knows itself. The
-film is built from intro/ and packer/. The end-to-end tests are short files of Python."""
+film is built from intro/ and packer/. The end-to-end tests are short files of Python. Links and keys of pages exist."""
 import os
 import re
 from collections import defaultdict
@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 
 import pytest
 
-from running import BUILD, FILM, SOURCE, needs, needs_built, refuses, run
+from running import BUILD, FILM, SOURCE, dead_links, needs, needs_built, refuses, run
 
 SPECIAL = {'intro/base/avx.h': r'.*intrin\.h', 'intro/base/wasm.h': r'wasm_simd128\.h', 'intro/base/gl.h': 'GL/.*',
            'intro/host/glfw.h': r'GLFW/glfw3\.h', 'intro/host/cpu.cpp': r'cpuid\.h'}  # system headers
@@ -37,8 +37,7 @@ class House:
         for room in sorted(self.knows):
             self.reach(room)
         for name, included in self.includes:
-            judge = self.judge if included[0] == '"' else self.judge_system
-            judge(name, included[1:])
+            (self.judge if included[0] == '"' else self.judge_system)(name, included[1:])
         for link in self.links:
             self.judge_link(*link)
 
@@ -129,30 +128,25 @@ def test_the_graph_of_the_rooms_shows_what_they_know(tree):
     assert arrows(planted)[1] - known == {('sound', 'track.h', 'timeline')}
 
 
-@pytest.mark.parametrize('name, included', [
-    ('intro/base/text.h', 'intro/host/files.h'),
-    ('intro/trace/quality.h', 'intro/trace/scene/shape.h'),
-    ('intro/host/files.h', 'intro/host/linux/sys.h'),
-    ('intro/main.cpp', 'intro/maker/screen.h'),
-    ('intro/show/hall.cpp', '<GL/gl.h>'),
-    ('intro/trace/picture/frame.cpp', '<vector>'),
-    ('packer/main.cpp', 'intro/base/text.h'),
-    ('packer/model/search.cpp', 'packer/stub/format.h'),
-    ('tools/support/machine.cpp', 'tools/radiosity/read/mesh.h'),
-    ('tools/radiosity/read/mesh.h', 'tools/radiosity/solution/solution.h'),
-    ('tools/picture/flip.cpp', 'tests/support/open_room.h')])
-def test_a_planted_include_would_be_found(tree, name, included):
-    line = f'#include {included}' if '<' in included else f'#include "{included}"'
-    assert House({**tree, name: line}).wrong == [f'{name} includes {included}']
-
-
 @pytest.mark.parametrize('name, text, wrong', [
+    *[(name, f'#include "{included}"', f'{name} includes {included}') for name, included in (
+        ('intro/base/text.h', 'intro/host/files.h'),
+        ('intro/trace/quality.h', 'intro/trace/scene/shape.h'),
+        ('intro/host/files.h', 'intro/host/linux/sys.h'),
+        ('intro/main.cpp', 'intro/maker/screen.h'),
+        ('packer/main.cpp', 'intro/base/text.h'),
+        ('packer/model/search.cpp', 'packer/stub/format.h'),
+        ('tools/support/machine.cpp', 'tools/radiosity/read/mesh.h'),
+        ('tools/radiosity/read/mesh.h', 'tools/radiosity/solution/solution.h'),
+        ('tools/picture/flip.cpp', 'tests/support/dice.h'))],
+    ('intro/show/hall.cpp', '#include <GL/gl.h>', 'intro/show/hall.cpp includes <GL/gl.h>'),
+    ('intro/trace/picture/frame.cpp', '#include <vector>', 'intro/trace/picture/frame.cpp includes <vector>'),
     ('intro/new.cpp', '#include "intro/base/text.h"', 'intro/new.cpp belongs to no room'),
     ('packer/x/CMakeLists.txt', 'knows(intro/base intro/play)', 'intro/base knows itself, by a circle'),
     ('packer/x/CMakeLists.txt', 'knows(packer intro/none)', 'packer knows intro/none, which does not exist'),
     ('packer/x/CMakeLists.txt', 'host(x y.cpp)\ntarget_link_libraries(x play)',
      'x of packer/x/CMakeLists.txt links play')])
-def test_another_planted_breach_would_be_found(tree, name, text, wrong):
+def test_a_planted_breach_would_be_found(tree, name, text, wrong):
     assert wrong in House({**tree, name: text}).wrong
 
 
@@ -182,48 +176,41 @@ def test_a_tool_does_not_depend_on_the_environment_of_its_caller(tool, tmp_path)
     assert (tmp_path / 'git.pwd').read_text() == 'builtin\n'
 
 
-def test_line_ends_do_not_depend_on_settings_of_git():
-    names = run('git', 'ls-files', '--eol', cwd=SOURCE).stdout
-    assert not re.findall(r'^(?!i/(?:lf|none) .*attr/text=auto eol=lf|i/-text .*attr/-text).+', names, re.M)
-    run('git', 'grep', '-IP', '\t| $', status=1, cwd=SOURCE)  # no tab, and no space at the end of a line
-
-
-def test_the_top_level_has_only_what_readers_look_for():
-    names = run('git', 'ls-files', cwd=SOURCE).stdout.splitlines()
-    assert {name.split('/')[0] for name in names} == set(
-        'CMakeLists.txt LICENSE README.md intro packer tests tools .ci .clang-format .devcontainer .editorconfig '
-        '.gitattributes .github .gitignore'.split())
-    assert [name for name in names if 'LICENSE' in name] == ['LICENSE']
-
-
 def unlike_layout(*names, folder=SOURCE):
     printed = run('clang-format-14', '--dry-run', *names, cwd=folder).stderr
     return set(re.findall('^(.*?):.*code should be clang-formatted', printed, re.M))
 
 
-def test_code_has_the_layout_of_clang_format(tmp_path):
+def test_line_ends_do_not_depend_on_settings_of_git_and_code_has_the_layout_of_clang_format(tmp_path):
+    names = run('git', 'ls-files', '--eol', cwd=SOURCE).stdout
+    assert not re.findall(r'^(?!i/(?:lf|none) .*attr/text=auto eol=lf|i/-text .*attr/-text).+', names, re.M)
+    run('git', 'grep', '-IP', '\t| $', status=1, cwd=SOURCE)  # no tab, and no space at the end of a line
     needs('clang-format-14')
     assert not unlike_layout(*run('git', 'ls-files', '*.c', '*.cpp', '*.h', cwd=SOURCE).stdout.splitlines())
     (tmp_path / 'x.cpp').write_text('int  x;\n')
     assert unlike_layout('x.cpp', folder=tmp_path) == {'x.cpp'}
 
 
-def test_workflows_use_only_the_services_own_actions_by_version():
+def test_the_top_level_has_only_what_readers_look_for_and_pages_no_dead_links(tmp_path):
+    names = run('git', 'ls-files', cwd=SOURCE).stdout.splitlines()
+    assert {name.split('/')[0] for name in names} == set(
+        'CMakeLists.txt LICENSE README.md intro packer tests tools .ci .clang-format .devcontainer .editorconfig '
+        '.gitattributes .github .gitignore'.split())
+    assert [name for name in names if 'LICENSE' in name] == ['LICENSE']
+    assert not dead_links(SOURCE / name for name in names if re.match(r'(?!tools/film_template/).*\.md$', name))
+    page = tmp_path / 'wrong.md'
+    page.write_text('[a](nothing.md)')
+    assert dead_links([page]) == [f'{page}: nothing.md']
+
+
+def test_workflows_use_only_the_services_own_actions_by_version_and_files_that_exist():
     pages = [*SOURCE.glob('.github/workflows/*.yml'), SOURCE / 'tools/SIZE_GATE.md']
     used = re.findall(r'\buses: *(.*)', ''.join(page.read_text() for page in pages))
     assert len(used) > 8 and not [name for name in used if not re.fullmatch(r'actions/[a-z-]+@v\d+', name)]
-
-
-@pytest.mark.parametrize('program, prints, text, script, words', [
-    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder libx264: use', 'render', '--film /none x.mp4'),
-    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder ffv1: use', 'render', '--film /none x.mkv'),
-    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder libx264: use', 'release', '--built --to .'),
-    ('parallel', 'parallel: invalid option', 'GNU parallel is needed', 'render', '--film /none --hosts /dev/null x')])
-def test_a_video_is_refused_at_once_where_another_program_has_the_name(program, prints, text, script, words, tmp_path):
-    (tmp_path / program).write_text(f'#!/bin/sh\necho "{prints}"\n')
-    (tmp_path / program).chmod(0o755)
-    refuses(2, text, SOURCE / 'tools' / script, *words.split(), cwd=tmp_path,
-            env={'PATH': f'{tmp_path}:{os.environ["PATH"]}'})
+    scripts = *SOURCE.glob('.github/workflows/*.yml'), SOURCE / '.ci/run', SOURCE / '.devcontainer/devcontainer.json'
+    named = {name for script in scripts for name in re.findall(r'\b(?:intro|tools|tests)/[\w./]+', script.read_text())}
+    assert {'tools/test', 'tools/release', 'tools/ledger', 'tools/build/packages.sh', 'intro/film.conf'} <= named
+    assert not [name for name in named if not (SOURCE / name).exists()]
 
 
 def test_the_film_is_made_of_intro_and_packer_and_what_the_packer_knows():
@@ -245,3 +232,17 @@ def unregistered(tree):
 def test_ctest_runs_every_test_file(tree):
     assert not unregistered(tree)
     assert unregistered({**tree, 'tests/programs/test_new.py': ''}) == ['tests/programs/test_new.py']
+
+
+def unknown_keys(text):
+    """The single letters in code, which are keys of odraz-debug, that its table does not list."""
+    table = re.findall(r'^    {Action.*?"(.*?)"', (SOURCE / 'intro/maker/panel/keys.h').read_text(), re.M)
+    named = set(re.findall(r'`([A-Z])`', text))
+    assert named
+    return named - set(re.findall(r'\b[A-Z]\b', ' '.join(table)))
+
+
+def test_every_key_that_a_page_names_is_one():
+    pages = (SOURCE / folder / 'show/README.md' for folder in ('intro', 'tools/film_template'))
+    assert not unknown_keys(''.join(page.read_text() for page in pages if page.exists()))
+    assert unknown_keys('`G` shows the path from outside, `K` sets a key') == {'G'}

@@ -5,8 +5,7 @@ import re
 
 import pytest
 
-from running import BUILD, FILM, SOURCE, needs, needs_built, run
-from test_pages import dead_links
+from running import BUILD, FILM, SOURCE, dead_links, needs, needs_built, run
 
 needs('cmake')
 needs_built(FILM, 'pack', 'compare', 'radiosity')

@@ -6,8 +6,7 @@ import time
 import pytest
 
 from pictures import read_picture
-from running import BUILD, SOURCE, check_bytes, needs, needs_built, refuses, run, wait_for
-from test_pages import dead_links
+from running import BUILD, SOURCE, check_bytes, dead_links, needs, needs_built, refuses, run, wait_for
 
 needs('zip', 'unzip', 'tar', 'gzip', 'sha256sum')
 needs_built('portable/radiosity')

@@ -229,6 +229,18 @@ def test_refuses_and_leaves_nothing(frames, text, options):
     assert not Path(f'{options[-1]}.parts').exists()
 
 
+@pytest.mark.parametrize('program, prints, text, script, words', [
+    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder libx264: use', 'render', '--film /none x.mp4'),
+    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder ffv1: use', 'render', '--film /none x.mkv'),
+    ('ffmpeg', ' V....D utvideo  Ut Video', 'lacks the encoder libx264: use', 'release', '--built --to .'),
+    ('parallel', 'parallel: invalid option', 'GNU parallel is needed', 'render', '--film /none --hosts /dev/null x')])
+def test_a_video_is_refused_at_once_where_another_program_has_the_name(program, prints, text, script, words, tmp_path):
+    (tmp_path / program).write_text(f'#!/bin/sh\necho "{prints}"\n')
+    (tmp_path / program).chmod(0o755)
+    refuses(2, text, SOURCE / 'tools' / script, *words.split(), cwd=tmp_path,
+            env={'PATH': f'{tmp_path}:{os.environ["PATH"]}'})
+
+
 def test_reports_that_a_missing_ffmpeg_cannot_be_installed(tmp_path):
     for program in 'bash', 'dirname', 'cat', 'sed', 'grep', 'id', 'basename':
         (tmp_path / program).symlink_to(shutil.which(program))

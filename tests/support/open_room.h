@@ -75,15 +75,7 @@ inline BandLight randomLight(int bands, Dice &dice) {
     return light;
 }
 
-inline double legendre(int l, double x) {
-    double a = 1, b = x;
-    if (l == 0) return a;
-    for (int k = 2; k <= l; ++k) {
-        double c = ((2 * k - 1) * x * b - (k - 1) * a) / k;
-        a = b, b = c;
-    }
-    return b;
-}
+inline double legendre(int l, double x) { return std::legendre((unsigned)l, x); }
 
 // Returns the windowed lobe of all bands at an angle from its axis, given by its cosine.
 inline double lobeAt(double cosine, float exponent) {
