@@ -17,6 +17,9 @@ const until = async (b, what) => {
     if (await b.evaluate(what)) return true
   return false
 }
+// Waits until a condition is true, and checks that it came
+const comes = async (b, what, condition, seen = 'film.state()') =>
+  check(what, await until(b, condition), await b.evaluate(seen))
 
 // --- A click while it is unpacked is remembered ---
 const early = await open(kind, 'file://' + page + '?full=0')
@@ -24,7 +27,7 @@ const unpacks = await until(early, 'document.body && /unpacking .* \\d+ %/.test(
 await early.click()
 const before = await early.evaluate('!self.film')
 check('says that it is unpacked', unpacks && before, before)
-check('... and a click is remembered', await until(early, 'self.film && film.state().shown > 0'), 0)
+await comes(early, '... and a click is remembered', 'self.film && film.state().shown > 0', 0)
 await early.close()
 
 const b = await open(kind, 'file://' + page + '?from=17')
@@ -89,6 +92,8 @@ try {
   })`) + '  -\n')
 
   // --- Playing ---
+  const script = text => b.evaluate(`document.body.append(Object.assign(document.createElement('script'),
+    { text: ${JSON.stringify(text)} }))`)
   await b.screenshot(`${out}/poster.png`)
   // A script of the page, since Firefox's tests have arrays of their own, which its sound does not fill
   const measureSound = () => {
@@ -100,25 +105,22 @@ try {
       return g
     }
   }
-  await b.evaluate(`document.body.append(Object.assign(document.createElement('script'),
-    { text: ${JSON.stringify(`(${measureSound})()`)} }))`)
+  await script(`(${measureSound})()`)
   await b.click()
-  check('plays from 17 s', await until(b, 'film.state().shown > 0 && film.state().film > 16.5'),
-    await b.evaluate('film.state().first'))
-  check('fills the screen', await until(b, 'document.fullscreenElement'),
-    await b.evaluate('[innerWidth, innerHeight]'))
-  check('goes on', await until(b, 'film.state().film > 18.5'), await b.evaluate('film.state()'))
+  await comes(b, 'plays from 17 s', 'film.state().shown > 0 && film.state().film > 16.5')
+  await comes(b, 'fills the screen', 'document.fullscreenElement', '[innerWidth, innerHeight]')
+  await comes(b, 'goes on', 'film.state().film > 18.5')
   if (kind != 'firefox') { // has no sound here
-    check('is heard', await until(b, 'loud() > 0.001'), await b.evaluate('loud()'))
+    await comes(b, 'is heard', 'loud() > 0.001', 'loud()')
     const together = '(s => s.heard && Math.abs(s.heard - s.film) < 0.02)(film.state())'
-    check('... together with the pictures', await until(b, together), await b.evaluate('film.state()'))
+    await comes(b, '... together with the pictures', together)
     await b.key('m')
-    check('is muted by M', await until(b, 'gain.gain.value == 0 && loud() == 0'), await b.evaluate('loud()'))
+    await comes(b, 'is muted by M', 'gain.gain.value == 0 && loud() == 0', 'loud()')
     await b.key('m')
-    check('... and heard again', await until(b, 'loud() > 0.001'), await b.evaluate('loud()'))
+    await comes(b, '... and heard again', 'loud() > 0.001', 'loud()')
   }
   await b.key('f')
-  check('leaves the full screen by F', await until(b, '!document.fullscreenElement'), 0)
+  await comes(b, 'leaves the full screen by F', '!document.fullscreenElement')
   await b.screenshot(`${out}/playing.png`)
   const stopped = await b.evaluate(`(async () => {
     const hide = yes => {
@@ -133,17 +135,16 @@ try {
     return after - before
   })()`)
   check('pauses while its tab is hidden', stopped == 0, stopped)
-  const s = await b.evaluate('film.state()')
-  check('... and goes on', await until(b, `film.state().shown > ${s.shown + 5}`), await b.evaluate('film.state()'))
+  await comes(b, '... and goes on', `film.state().shown > ${await b.evaluate('film.state().shown') + 5}`)
   const at = () => b.evaluate('film.state().film')
   await b.click()
   const paused = await at()
   await later(500)
   check('pauses by a click', await at() == paused && paused > 0, paused)
   await b.key(' ')
-  check('... and goes on by space', await until(b, `film.state().film > ${paused}`), await at())
+  await comes(b, '... and goes on by space', `film.state().film > ${paused}`)
   await b.key('ArrowRight')
-  check('seeks by an arrow, and plays on', await until(b, `film.state().film > ${paused + 5.2}`), await at())
+  await comes(b, 'seeks by an arrow, and plays on', `film.state().film > ${paused + 5.2}`)
   const press = 'const press = (key, more) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key, ' +
     'bubbles: true, ...more }))\n'
   const moved = await b.evaluate(`new Promise(done => {
@@ -161,19 +162,17 @@ try {
   })`)
   check('shows the poster after ESC', left, left)
   await b.click()
-  const again = await until(b, 'film.kept && film.state().shown > 0 && film.state().film > 16.5')
-  check('... and plays again without unpacking', again, await at())
+  await comes(b, '... and plays again without unpacking',
+    'film.kept && film.state().shown > 0 && film.state().film > 16.5')
   await b.resize(700, 600)
-  check('is as large as its window', await until(b, 'document.querySelector("canvas").clientWidth == innerWidth'), 700)
+  await comes(b, 'is as large as its window', 'document.querySelector("canvas").clientWidth == innerWidth')
   check('prints its statistics', /table +\d+/.test(await b.evaluate('film.statistics()')), 'table')
   check('has printed no error', !b.errors.length, b.errors)
   const foreign = `Promise.reject(Error('of another script'))
     document.body.dispatchEvent(new Event('keydown', { bubbles: true }))
     throw Error('of another script')`
-  await b.evaluate(`document.body.append(Object.assign(document.createElement('script'),
-    { text: ${JSON.stringify(foreign)} }))`)
-  const went = await at()
-  check("goes on after another script's errors", await until(b, `film.state().film > ${went + 0.2}`), went)
+  await script(foreign)
+  await comes(b, "goes on after another script's errors", `film.state().film > ${await at() + 0.2}`)
   await b.evaluate('film.start(() => {}, "trace", film.module, 16, 9).dispatchEvent(new Event("error")), 0')
   const why = await b.evaluate('document.querySelector("p").textContent')
   check('says why it stops', why == 'The film has stopped: the browser could not run a worker', why)
@@ -208,10 +207,10 @@ for (const path of shared[kind]) {
 }
 if (kind != 'firefox') {
   const hidden = await open(kind, site + '/frame')
-  check('loads hidden', await until(hidden, 'self.f?.contentWindow.film?.state().ready > 2'), 0)
+  await comes(hidden, 'loads hidden', 'self.f?.contentWindow.film?.state().ready > 2', 0)
   await hidden.evaluate('f.style.display = "block"')
   await hidden.click()
-  check('... and plays', await until(hidden, 'f.contentWindow.film.state().shown > 0'), 0)
+  await comes(hidden, '... and plays', 'f.contentWindow.film.state().shown > 0', 0)
   const wide = await hidden.evaluate('f.contentDocument.querySelector("canvas").width')
   check('... in the size of its frame', wide == 1000, wide)
   await hidden.close()

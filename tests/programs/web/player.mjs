@@ -134,45 +134,39 @@ const play = async (cost, from, { pauses, silent, dark, broken, resized, stops, 
 }
 
 let wrong = false
+const report = (right, what, seen) => {
+  console.log(`${right ? 'ok' : 'FAILED'}: ${what}: ${JSON.stringify(seen)}`)
+  wrong ||= !right
+}
 const check = async (cost, from, how = {}) => {
   const r = await play(cost, from, how), last = Math.min(from + kSeconds, r.duration) - 0.1
   const right = r.first <= (how.silent || how.late ? 2600 : 500) && !r.skipped && r.least >= 24 &&
     r.off < (how.lags ? 0.25 : 0.02) && !r.moved && r.last >= last && r.sounds == !how.silent &&
     r.locks == 1 && Math.abs(r.sought ?? 0) < 0.02 && r.posters == (r.last > r.duration - 0.1 ? 2 : 1) &&
     r.muted == (how.silent ? ',,,' : '0,1,0,1')
-  const what = `${cost} ms a picture, from ${from} s ${Object.keys(how)}`
-  console.log(`${right ? 'ok' : 'FAILED'}: ${what}: ${JSON.stringify(r)}`)
-  wrong ||= !right
+  report(right, `${cost} ms a picture, from ${from} s ${Object.keys(how)}`, r)
 }
 for (const cost of [60, 120, 240]) for (const from of [0, 20, 46, 66, 96, 130, 153]) await check(cost, from)
-await check(120, 46, { pauses: 1 })
-await check(120, 46, { silent: 1 })
-await check(120, 46, { stops: 1 })
-await check(120, 46, { stops: 1, silent: 1 })
+const kTwists = [{ pauses: 1 }, { silent: 1 }, { stops: 1 }, { stops: 1, silent: 1 }, { late: 1 }, { stands: 1 },
+  { lags: 1 }]
+for (const twist of kTwists) await check(120, 46, twist)
 for (const seeks of [[-5], [5, -5]]) await check(120, 66, { seeks })
-await check(120, 46, { late: 1 })
-await check(120, 46, { stands: 1 })
-await check(120, 46, { lags: 1 })
 for (const [query, from] of [['1e9', 163], ['-5', 0], ['60,5', 60], ['x', 0]]) await check(120, from, { query })
 // A browser that reports other processors than there are
 const kMachines = [[4, 2, 2], [8, 3, 3], [4, 4, 4], [4, 3.4, 4], [4, 0.9, 2], [1, 1, 1], [64, 64, 8]]
 for (const [reported, processors, workers] of kMachines) {
-  const { tracers } = await play(60, 162, { reported, processors }), right = tracers == workers
-  console.log(`${right ? 'ok' : 'FAILED'}: ${reported} processors reported, ${processors} there: ${tracers} workers`)
-  wrong ||= !right
+  const { tracers } = await play(60, 162, { reported, processors })
+  report(tracers == workers, `workers of ${reported} processors reported, ${processors} there`, tracers)
 }
 // Workers that fail. From half a second before the hall: its scenes are left out, with the reason, and the film goes on
 for (const event of [{ message: 'memory' }, new Event('error')]) {
   const why = event.message ?? 'the browser could not run a worker'
   const dark = await play(60, 63.5, { dark: event }), { word } = await play(120, 0, { broken: event })
   const told = dark.unlit.includes(`(${why})`) && dark.last < 64 && !dark.over && word.endsWith('stopped: ' + why)
-  console.log(`${told ? 'ok' : 'FAILED'}: workers that fail: ${word}; ${JSON.stringify(dark)}`)
-  wrong ||= !told
+  report(told, `workers that fail: ${word}`, dark)
 }
-const again = await play(120, 162, { loops: 1 }), looped = Math.floor(again.last) == 162 && !again.over
-console.log(`${looped ? 'ok' : 'FAILED'}: begins anew: ${JSON.stringify(again)}`)
-wrong ||= !looped
+const again = await play(120, 162, { loops: 1 })
+report(Math.floor(again.last) == 162 && !again.over, 'begins again', again)
 const { posters } = await play(120, 0, { resized: 1 })
-console.log(`${posters == 1 ? 'ok' : 'FAILED'}: after another size ${posters} posters`)
-wrong ||= posters != 1
+report(posters == 1, 'posters after another size', posters)
 process.exit(wrong ? 1 : 0)
