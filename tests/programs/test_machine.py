@@ -37,11 +37,6 @@ def test_refuses_the_hall_where_opengl_lacks_something(film, variable, text):
     refuses(1, text, 'env', variable, film, *HALL)
 
 
-def test_needs_no_opengl_for_an_empty_interval_of_the_hall(film, tmp_path):
-    empty = ('--dump', '-', '--from', 100, '--to', 100)
-    assert run(film, *empty, env=lacking('libEGL.so.1', tmp_path)).stdout == ''
-
-
 def test_reports_too_little_memory(film):
     refuses(1, 'not enough memory', 'prlimit', f'--as={300000 * 1024}', film, '--dump', '-', '--size', '7680x4320')
     text = 'not enough memory for OpenGL: raise ulimit -v'
@@ -69,6 +64,8 @@ def test_draws_without_the_libraries_of_the_window_and_without_address_randomisa
     folders = (lacking(library, tmp_path)['LD_LIBRARY_PATH'] for library in ('libX11.so.6', 'libGL.so.1'))
     picture = draws(film, *PLAIN, env={'LD_LIBRARY_PATH': ':'.join(map(str, folders))})
     check_bytes(draws('setarch', '-R', film, *PLAIN), picture)
+    empty = ('--dump', '-', '--from', 100, '--to', 100)  # an interval of the hall, which needs no OpenGL
+    assert run(film, *empty, env=lacking('libEGL.so.1', tmp_path)).stdout == ''
 
 
 def test_reports_a_processor_of_2008_and_runs_on_one_of_2013(film):
@@ -102,12 +99,13 @@ def doctor(screen, tmp_path):
     return doctor
 
 
-def test_doctor_finds_a_machine_with_all_that_it_needs_fine(doctor):
+def test_doctor_finds_a_machine_with_all_that_it_needs_fine_and_reports_a_full_disk(doctor):
     found = doctor(0, prefix=('taskset', '-c', min(os.sched_getaffinity(0))))
     assert found['sound'] == 'fine'
     assert re.search('llvmpipe|softpipe|Mesa', found['OpenGL'])
     assert re.search('llvmpipe|softpipe', found['OpenGL for --dump'])
     assert found['processor'].startswith('1 x ')
+    refuses(1, 'no space left', *redirected('>/dev/full', SAFE, '--doctor'))
 
 
 @pytest.mark.parametrize('name, text, options', [
@@ -124,7 +122,3 @@ def test_doctor_names_what_is_missing(doctor, name, text, options):
 
 def test_doctor_names_what_forbids_to_run_written_memory(doctor, mdwe):
     assert doctor(1, preexec_fn=mdwe)['write and run'].startswith('MemoryDenyWriteExecute')
-
-
-def test_doctor_reports_a_full_disk():
-    refuses(1, 'no space left', *redirected('>/dev/full', SAFE, '--doctor'))

@@ -77,19 +77,9 @@ def test_squares_of_a_picture_are_written_side_by_side(tmp_path):
     refuses(2, '.exr is not written', JUDGE, *options, tmp_path / 'crops.exr')
 
 
-@pytest.mark.parametrize('text, options', [
-    ('--simulate needs a list', '--machine 8 --simulate --summary'.split()),
-    ('--page needs --machine', ['LIST', '--page', 2]),
-    ('several screens need --judged', PLAYERS)])
-def test_seen_refuses(text, options, shown):
-    refuses(2, text, JUDGE, *(shown if word == 'LIST' else word for word in options))
-
-
 def test_probe_prints_errors():
-    probe = PROBE, '--at', 52, '--size', '64x36', '--gap', 2, '--errors'
-    printed = run(*probe, '--setting', 'draft,edge=0.1').stdout
-    assert re.search(r'^52,2,draft edge=0.1,64,36,.*,flake,[\d.]+$', printed, re.M)
-    refuses(2, '--gap needs --setting', *probe)
+    options = '--at 52 --size 64x36 --gap 2 --setting draft,edge=0.1 --errors'.split()
+    assert re.search(r'^52,2,draft edge=0.1,64,36,.*,flake,[\d.]+$', run(PROBE, *options).stdout, re.M)
 
 
 def test_a_list_goes_to_standard_output_too_and_what_prevents_it_is_reported(screen, tmp_path):
@@ -140,15 +130,19 @@ def test_a_program_is_packed_other_contexts_are_hardly_better_and_instructions_a
     table(BENCH, '--contexts', 4, '--slots', 16, program)
     [other] = table(BENCH, '--arbitrary', '--search', 0.2, program)
     assert row['payload'] < other['payload'] + 40
-    refuses(2, 'a multiple of 4', BENCH, '--contexts', 5, program)
     run('objcopy', '-O', 'binary', '-j', '.text', BUILD / 'pack', tmp_path / 'code')
     (tmp_path / 'sample').write_bytes((tmp_path / 'code').read_bytes()[:4096])
     assert table(BENCH, tmp_path / 'sample')[0]['bytes'] == 4096
 
 
-@pytest.mark.parametrize('setting, text', [
-    ('play,colour=1', "unknown knob 'colour': use one of grid"),
-    ('fine', "unknown quality 'fine'"),
-    ('level=3', 'level')])
-def test_refuses_an_invalid_setting(setting, text):
-    refuses(2, text, TRADEOFF, '--setting', setting)
+@pytest.mark.parametrize('program, text, options', [
+    (JUDGE, '--simulate needs a list', '--machine 8 --simulate --summary'.split()),
+    (JUDGE, '--page needs --machine', ['LIST', '--page', 2]),
+    (JUDGE, 'several screens need --judged', PLAYERS),
+    (PROBE, '--gap needs --setting', '--at 52 --size 64x36 --gap 2'.split()),
+    (TRADEOFF, "unknown knob 'colour': use one of grid", ['--setting', 'play,colour=1']),
+    (TRADEOFF, "unknown quality 'fine'", ['--setting', 'fine']),
+    (TRADEOFF, 'level', ['--setting', 'level=3']),
+    (BENCH, 'a multiple of 4', ['--contexts', 5, 'LIST'])])
+def test_refuses(program, text, options, shown):
+    refuses(2, text, program, *(shown if word == 'LIST' else word for word in options))

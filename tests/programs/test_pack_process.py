@@ -32,11 +32,6 @@ def made(work):
     return work
 
 
-@pytest.fixture
-def packed(made):
-    return made / 'packed'
-
-
 def same(made, *command, **options):
     """What the program prints, which must be the same when it is packed."""
     wanted, got = [transcript(*command, **{'cwd': made / folder, **options}) for folder in ('before', 'packed')]
@@ -72,9 +67,9 @@ def is_stopped(program):
     return not program.runs() or 'State:\tT' in Path(f'/proc/{program.pid}/status').read_text()
 
 
-def test_may_be_stopped_and_get_signals_that_it_ignores_while_it_decodes(packed, background):
+def test_may_be_stopped_and_get_signals_that_it_ignores_while_it_decodes(made, background):
     def three_times():
-        program = background(*'env --ignore-signal=INT ./long x'.split(), cwd=packed)
+        program = background(*'env --ignore-signal=INT ./long x'.split(), cwd=made / 'packed')
         times = 0
         while times < 3 and works(program):
             program.signal(signal.SIGSTOP)
@@ -88,9 +83,9 @@ def test_may_be_stopped_and_get_signals_that_it_ignores_while_it_decodes(packed,
     wait_for(three_times)
 
 
-def test_sigterm_ends_it_while_it_decodes(packed, background):
+def test_sigterm_ends_it_while_it_decodes(made, background):
     def is_ended_by_it():
-        program = background('./long', 'x', cwd=packed)
+        program = background('./long', 'x', cwd=made / 'packed')
         if works(program):
             program.signal(signal.SIGTERM)
         return program.ended() == -signal.SIGTERM and not program.output()
@@ -98,8 +93,8 @@ def test_sigterm_ends_it_while_it_decodes(packed, background):
 
 
 # Debuggers get the packed file's headers from the kernel, so they need the program's address
-def test_no_memory_is_both_writable_and_executable_and_gdb_finds_where_it_waits(made, packed, background):
-    waiting = background('./run', 'wait', cwd=packed)
+def test_no_memory_is_both_writable_and_executable_and_gdb_finds_where_it_waits(made, background):
+    waiting = background('./run', 'wait', cwd=made / 'packed')
     waiting.comes(lambda: 'here' in waiting.output())
     maps = Path(f'/proc/{waiting.pid}/maps').read_text()
     assert '/packed/run\n' in maps
@@ -112,10 +107,10 @@ def test_no_memory_is_both_writable_and_executable_and_gdb_finds_where_it_waits(
     assert 'in main ()' in run('gdb', '-nx', '-batch', '-p', waiting.pid, *options, status=None).stdout
 
 
-def test_gdb_finds_its_variables_in_a_core(packed, tmp_path):
+def test_gdb_finds_its_variables_in_a_core(made, tmp_path):
     if Path('/proc/sys/kernel/core_pattern').read_text()[0] in '|/':
         pytest.skip('cores are not written where they can be found')
-    printed, status = transcript('prlimit', '--core=unlimited', packed / 'run', 'abort', cwd=tmp_path)
+    printed, status = transcript('prlimit', '--core=unlimited', made / 'packed/run', 'abort', cwd=tmp_path)
     assert status == -signal.SIGABRT
     core, = tmp_path.glob('core*')
     needs('gdb')

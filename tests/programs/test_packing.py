@@ -191,7 +191,7 @@ def test_reports_that_written_memory_may_not_be_executed_and_which_program_to_us
 
 
 # The file that is written
-def test_a_file_keeps_its_mode_and_a_symbolic_link_stays_a_link():
+def test_a_file_keeps_its_mode_a_symbolic_link_stays_a_link_and_appended_bytes_are_left_out_and_reported():
     os.chmod('c', 0o750)
     pack('c -o p --fast', umask=0o022)
     assert os.stat('p').st_mode & 0o7777 == 0o750
@@ -203,9 +203,6 @@ def test_a_file_keeps_its_mode_and_a_symbolic_link_stays_a_link():
     pack('c -o link --model model')
     assert os.path.islink('link')
     pack('--test target/file')
-
-
-def test_appended_bytes_are_left_out_and_reported():
     with open('c', 'a') as file:
         file.write(1000 * 'x')
     assert '1000 bytes appended' in pack('c -o y --model model').stdout

@@ -30,11 +30,6 @@ def one_thread(work):
     return dump(work / 'one', *ACROSS_A_CUT, '--threads', 1)
 
 
-@pytest.fixture(scope='module')
-def live(work):
-    return dump(work / 'live', *LIVE_ACROSS_A_CUT, '--threads', 1)
-
-
 @pytest.mark.parametrize('threads', [2, 64])
 def test_threads_make_the_same_pictures_all_of_an_interval(one_thread, tmp_path, threads):
     assert len(one_thread) == 18 and len(set(one_thread.values())) > 15
@@ -49,12 +44,10 @@ def test_a_stream_is_the_files_one_after_the_other(one_thread, work, film):
 
 # In quality `live`, as the film is played, every other frame is made from its neighbours. The same rule holds
 # across a cut (40 s) and at the end
-def test_as_played_a_frame_alone_is_the_same(live, tmp_path):
+def test_as_played_a_frame_alone_is_the_same_even_ones_are_those_of_play_and_there_is_a_last_one(tmp_path):
+    live = dump(tmp_path / 'live', *LIVE_ACROSS_A_CUT, '--threads', 1)
     alone = dump(tmp_path / 'alone', *LIVE, '--from', 39.85, '--to', 39.86, '--threads', 5)
     assert alone == {'frame-002391.ppm': live['frame-002391.ppm']}
-
-
-def test_as_played_even_frames_are_those_of_quality_play_and_the_film_has_its_last_frame(live, tmp_path):
     traced = dump(tmp_path / 'traced', *LIVE_ACROSS_A_CUT, '--quality', 'play')
     assert len(live) == 24
     assert [name for name in sorted(live) if live[name] == traced[name]] == sorted(live)[::2]
