@@ -39,8 +39,7 @@ def work(tmp_path_factory):
 @pytest.fixture(scope='module')
 def in_work(work):
     """The folder that the tests of a file share, as the current one."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.chdir(work)
+    with contextlib.chdir(work):
         yield work
 
 

@@ -3,8 +3,9 @@ import ctypes
 import os
 import re
 import signal
-import tempfile
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory, mkdtemp
 
 from pictures import numpy, read_ppm
 from running import FILM, Program, needs, run, wait_for
@@ -12,12 +13,14 @@ from running import FILM, Program, needs, run, wait_for
 needs('Xvfb', 'xdotool', 'xwininfo', 'import')
 
 
-class Display:
+class Display(ExitStack):
     """A display (Xvfb) that ends with the `with` block, and the programs on it with it."""
 
     def __init__(self, size='640x400', *options):
+        super().__init__()
         size += '' if size.count('x') == 2 else 'x24'
-        self.folder = tempfile.TemporaryDirectory(prefix='display', ignore_cleanup_errors=True)
+        self.env = {}
+        self.folder = Path(self.enter_context(TemporaryDirectory(prefix='display', ignore_cleanup_errors=True)))
         reading, writing = os.pipe()
         # Without -noreset the server resets when its last client ends, and refuses the next one for a moment
         self.server = self.start('Xvfb', '-noreset', '-displayfd', writing, '-screen', '0', size, '-nolisten', 'tcp',
@@ -28,23 +31,10 @@ class Display:
         assert name, f'Xvfb did not start: {self.server.errors()}'
         self.env = {'DISPLAY': f':{name}'}
 
-    programs = ()
-    env = {}
-
     def start(self, *command, env=None, **options):
         """Starts a program that ends with the display."""
-        folder = tempfile.mkdtemp(dir=self.folder.name)
-        program = Program(folder, *command, env={**self.env, **(env or {})}, **options)
-        self.programs = (*self.programs, program)
-        return program
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        for program in reversed(self.programs):
-            program.end()
-        self.folder.cleanup()
+        folder = mkdtemp(dir=self.folder)
+        return self.enter_context(Program(folder, *command, env={**self.env, **(env or {})}, **options))
 
     def run(self, *command, env=None, **options):
         """running.run on this display."""

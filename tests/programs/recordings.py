@@ -9,6 +9,10 @@ from pictures import numpy
 from running import run
 
 RATE = 48000
+# ALSA's configuration that writes sound into a file
+FILE_DEVICE = """pcm.!default {{ type file slave.pcm "nothing" file "{}" format "raw" }}
+pcm.nothing {{ type null }}
+"""
 
 
 def frames_of(data):
@@ -53,7 +57,7 @@ class Server:
         if not can_serve():
             pytest.skip('PulseAudio is not installed')
         self.display = display
-        home = Path(display.folder.name)
+        home = display.folder
         (home / 'run').mkdir(mode=0o700)
         (home / 'alsa.conf').write_text('pcm.!default { type pulse }\n')
         display.env.update(HOME=home, XDG_RUNTIME_DIR=home / 'run', XDG_CONFIG_HOME=home / 'config',

@@ -6,7 +6,7 @@ import pytest
 
 from displays import Window
 from pictures import numpy, read_picture
-from recordings import frames_of, is_loud
+from recordings import FILE_DEVICE, frames_of, is_loud
 from running import FILM, copy_sources, needs, number, run, wait_for
 
 pytestmark = pytest.mark.long
@@ -26,9 +26,7 @@ def house(work):
     """A copy of the repository, configured."""
     house = work / 'house'
     copy_sources(house)
-    (work / 'alsa.conf').write_text(f'''
-        pcm.!default {{ type file slave.pcm "nothing" file "{work}/played" format "raw" }}
-        pcm.nothing {{ type null }}''')
+    (work / 'alsa.conf').write_text(FILE_DEVICE.format(work / 'played'))
     run('git', 'init', '-q', cwd=house)  # every build looks up its version
     run('git', 'add', '.', cwd=house)  # `git restore` brings the first sources back
     run('cmake', '-S', house, '-B', house / 'build', '-G', 'Ninja')

@@ -3,28 +3,27 @@ import re
 
 import pytest
 
-from displays import Display
 from pictures import brightness
 from running import BUILD, FILM, SOURCE, needs_built
 
 needs_built(f'{FILM}-debug')
 WIDTH, HEIGHT = 640, 360
+SCREEN = f'{WIDTH + 20}x{HEIGHT + 40}'
 STRIP = (slice(HEIGHT - 25, HEIGHT), slice(WIDTH))  # the time line
 REST = (slice(110, 310), slice(190, 590))
 LENGTH = int(re.search(r' kEndRow = (\d+);', (SOURCE / 'intro/show/length.h').read_text())[1]) / 8  # seconds
 
 
 @pytest.fixture(scope='module')
-def window():
+def window(screen):
     """odraz-debug, paused at 25 s. The tests but the last leave it paused, without the time line."""
-    with Display(f'{WIDTH + 20}x{HEIGHT + 40}') as screen:
-        window = screen.begin(BUILD / f'{FILM}-debug', '--from', 25, '--size', f'{WIDTH}x{HEIGHT}', '--mute',
-                              title=f'^{FILM}-debug')
-        window.focus()
-        window.titled('row')
-        window.press('space')
-        window.titled('paused')
-        yield window
+    window = screen.begin(BUILD / f'{FILM}-debug', '--from', 25, '--size', f'{WIDTH}x{HEIGHT}', '--mute',
+                          title=f'^{FILM}-debug')
+    window.focus()
+    window.titled('row')
+    window.press('space')
+    window.titled('paused')
+    return window
 
 
 @pytest.fixture
@@ -84,15 +83,12 @@ def test_the_mouse_seeks_and_it_stays_paused(window, line):
     assert 'paused' in window.title()
 
 
-def test_p_shows_the_samples(window, line):
+def test_p_shows_the_samples_and_the_right_button_marks_a_loop_which_l_ends(window, line):
     plain = window.drawn()
     window.press('p')
     assert change(plain, window.drawn(), REST) > 0.8
     window.press('p')
-
-
-def test_the_right_button_marks_a_loop_which_l_ends(window, line):  # (panel_test tests how a loop is played)
-    point(window, 120, 'mousedown', 3, 'mousemove_relative', 3, 0, 'mouseup', 3)
+    point(window, 120, 'mousedown', 3, 'mousemove_relative', 3, 0, 'mouseup', 3)  # (panel_test plays a loop)
     looped = window.drawn()
     window.press('l')
     assert change(looped, window.drawn(), (STRIP[0], slice(119, 124))) > 0.02

@@ -4,14 +4,10 @@ import signal
 
 import pytest
 
-from recordings import RATE, Server, frames_of, is_loud, is_music, music_of
+from recordings import FILE_DEVICE, RATE, Server, frames_of, is_loud, is_music, music_of
 from running import SAFE, needs, refuses, wait_for
 
 needs('/usr/share/alsa/alsa.conf')
-
-FILE_DEVICE = """pcm.!default {{ type file slave.pcm "nothing" file "{}" format "raw" }}
-pcm.nothing {{ type null }}
-"""
 
 
 @pytest.fixture(scope='module')
@@ -56,11 +52,8 @@ def test_a_device_gets_what_wav_writes_sample_for_sample(into_file, music):
     assert wait_for(frames_of_music) < 4 * RATE
 
 
-def test_plays_from_the_middle_with_its_sound(into_file):
+def test_plays_from_the_middle_with_its_sound_and_mute_in_silence(into_file, tmp_path):
     wait_for(lambda: (sound := into_file('--from', 50, '--to', 51.5)) is not None and is_loud(sound))
-
-
-def test_mute_plays_in_silence_and_is_for_playing_alone(into_file, tmp_path):
     assert into_file('--mute', '--to', 1) is None
     refuses(2, '--mute is for playing', SAFE, '--mute', '--wav', tmp_path / 'none')
 

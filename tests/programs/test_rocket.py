@@ -9,12 +9,12 @@ from xml.etree import ElementTree
 
 import pytest
 
-from displays import Display
 from pictures import numpy
 from running import BUILD, FILM, needs_built, refuses, run, wait_for
 
 needs_built(f'{FILM}-debug')
 DEBUG = BUILD / f'{FILM}-debug'
+SCREEN = '640x400'
 STEP, SMOOTH, RAMP = 0, 2, 3  # interpolations
 HEIGHT = 'table.camera.tableWide:eye.y'
 
@@ -98,14 +98,13 @@ def editor():
 
 
 @pytest.fixture(scope='module')
-def window(editor, work):
+def window(screen, editor, work):
     """odraz-debug, connected to the editor."""
-    with Display() as screen:
-        screen.manage()
-        window = screen.begin(DEBUG, '--mute', '--threads', 1, '--size', '160x90', '--from', 20, '--quality', 'draft',
-                              '--rocket', f'127.0.0.1:{editor.port}', title=f'^{FILM}-debug ', cwd=work)
-        window.focus()
-        yield window
+    screen.manage()
+    window = screen.begin(DEBUG, '--mute', '--threads', 1, '--size', '160x90', '--from', 20, '--quality', 'draft',
+                          '--rocket', f'127.0.0.1:{editor.port}', title=f'^{FILM}-debug ', cwd=work)
+    window.focus()
+    return window
 
 
 def comes_to(window, row):
