@@ -56,12 +56,9 @@ def run(*command, status=0, env=None, **options):
     remove (None). options: those of subprocess.run, such as cwd and input.
     """
     __tracebackhide__ = True
-    options = {'capture_output': True, 'text': True, 'timeout': PATIENCE, **options}
+    options = {'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, 'text': True, 'timeout': PATIENCE, **options}
     if options['text']:
         options['errors'] = 'surrogateescape'
-    if 'stdout' in options or 'stderr' in options:
-        del options['capture_output']
-        options = {'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **options}
     if 'input' not in options:
         options = {'stdin': subprocess.DEVNULL, **options}
     result = subprocess.run(words_of(command), env=environment(env), check=False, **options)
@@ -222,6 +219,26 @@ def flip(path, offset, bits=255):
     data = bytearray(Path(path).read_bytes())
     data[offset] ^= bits
     Path(path).write_bytes(data)
+
+
+class Repository:
+    """A small repository of git, and what a test does with it."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        run('git', 'init', '-q', folder)
+
+    def write(self, name, text):
+        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.folder / name).write_text(text)
+
+    def git(self, *words):
+        """Returns what git prints."""
+        return run('git', '-c', 'user.name=test', '-c', 'user.email=test', *words, cwd=self.folder).stdout.strip()
+
+    def commit(self, *names):
+        self.git('add', *names)
+        self.git('commit', '-q', '--allow-empty', '-m', 'one')
 
 
 def dead_links(pages):

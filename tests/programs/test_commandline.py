@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 
-from running import BUILD, CONF, FILM, PACKED, SAFE, SOURCE, needs, redirected, refuses, run
+from running import BUILD, CONF, FILM, PACKED, SAFE, SOURCE, Repository, needs, redirected, refuses, run
 
 SMALL = ('--size', '64x36', '--from', 2, '--to', 2.2, '--quality', 'draft')
 
@@ -25,10 +25,8 @@ def test_prints_name_version_and_commit_in_one_line(film):
     ('.', {}, 'unknown', ''),
     ('sources', {'GIT_TEST_ASSUME_DIFFERENT_OWNER': 1}, 'unknown', 'dubious ownership .* safe.directory')])
 def test_the_commit_is_that_of_the_sources_or_unknown(folder, env, commit, warning, tmp_path):
-    (tmp_path / 'sources/an archive').mkdir(parents=True)
-    run('git', 'init', '-q', tmp_path / 'sources')
-    by = ('-c', 'user.name=a', '-c', 'user.email=a@b')
-    run('git', *by, 'commit', '-q', '--allow-empty', '-m', 'one', cwd=tmp_path / 'sources')
+    Repository(tmp_path / 'sources').commit('.')
+    (tmp_path / 'sources/an archive').mkdir()
     header = tmp_path / 'version.h'
     printed = run('cmake', f'-DSOURCE={tmp_path / folder}', f'-DOUT={header}', '-DVERSION=1', '-P',
                   SOURCE / 'tools/build/version.cmake', env=env).stderr

@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from running import SOURCE, refuses, run
+from running import SOURCE, Repository, refuses, run
 
 LEDGER, ENVIRONMENT = SOURCE / 'tools/ledger', SOURCE / 'tools/build/environment.sh'
 
@@ -43,30 +43,21 @@ def test_a_room_over_its_share_is_reported_and_a_film_that_is_not_built_refused(
     refuses(1, 'build film and pack first', LEDGER, 'rooms', env={'BUILD': tmp_path / 'none'})
 
 
-class House:
+class House(Repository):
     """A repository of two rooms and other files, which has nine lines fewer than its budget."""
 
     def __init__(self, folder):
-        self.folder = folder
+        super().__init__(folder)
         self.budget = 2 + 4 + 3 + 10 + 1 + 1 + (LEDGER.read_text() + ENVIRONMENT.read_text()).count('\n') + 9
-        self.write('.ci/run', 2)
-        self.write('intro/main.cpp', 4)
-        self.write('tests/unit.cpp', 3)
-        self.write('intro/trace/trace.cpp', 10)
-        self.write('intro/film.conf', 1, 'FILM=odraz')
-        self.write('tools/build/line_budget', 1, self.budget)
+        self.write('.ci/run', 2 * '\n')
+        self.write('intro/main.cpp', 4 * '\n')
+        self.write('tests/unit.cpp', 3 * '\n')
+        self.write('intro/trace/trace.cpp', 10 * '\n')
+        self.write('intro/film.conf', 'FILM=odraz\n')
+        self.write('tools/build/line_budget', f'{self.budget}\n')
         shutil.copy(LEDGER, folder / 'tools')
         shutil.copy(ENVIRONMENT, folder / 'tools/build')
-        self.git('init', '-q')
-        self.git('add', '-A')
-        self.git('commit', '-qm', 'first')
-
-    def write(self, name, count, line=''):
-        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.folder / name).write_text(count * f'{line}\n')
-
-    def git(self, *words):
-        run('git', '-c', 'user.name=a', '-c', 'user.email=a@b', *words, cwd=self.folder)
+        self.commit('.')
 
     def lines(self, status=0):
         result = run('tools/ledger', 'lines', cwd=self.folder, status=status, env={'GIT_DIR': '/none'})
@@ -81,24 +72,21 @@ def test_lines_are_listed_with_their_changes_and_the_budget(tmp_path):
     assert errors == ''
     assert run('tools/ledger', 'lines', cwd=house.folder, env={'GIT_TRACE': '1'}).stdout == table
     refuses(1, "there is no commit 'colour'", 'tools/ledger', 'lines', 'colour', cwd=house.folder)
-
-
-def test_pictures_models_data_texts_and_untracked_files_do_not_count(tmp_path):
-    house = House(tmp_path)
+    # Pictures, models, data, texts and untracked files do not count
     for ending in 'svg jpg exr gltf glb obj mtl csv bin keys md nfo diz'.split():
-        house.write(f'intro/trace/file.{ending}', 20)
-    house.write('LICENSE', 20)
+        house.write(f'intro/trace/file.{ending}', 20 * '\n')
+    house.write('LICENSE', 20 * '\n')
     house.git('add', '-A')
-    house.write('intro/trace/run', 9)
+    house.write('intro/trace/run', 9 * '\n')
     assert has_row(r'intro/trace 10 0 0 60 10 \+0$', house.lines()[0])
 
 
 def test_a_tree_may_fill_its_budget_but_not_exceed_it(tmp_path):
     house = House(tmp_path)
-    house.write('intro/trace/run', 9)
+    house.write('intro/trace/run', 9 * '\n')
     house.git('add', '-A')
     assert has_row(r'intro/trace 10 0 9 0 19 \+9$', house.lines()[0])
-    house.write('intro/trace/run', 10)
+    house.write('intro/trace/run', 10 * '\n')
     table, errors = house.lines(status=1)
     assert table.endswith('left -1\n')
     assert errors.startswith(f'ledger: the tree has {house.budget + 1} lines, its budget is {house.budget}: ')

@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from running import BUILD, SOURCE, needs, needs_built, number, refuses, run
+from running import BUILD, SOURCE, Repository, needs, needs_built, number, refuses, run
 
 needs('python3', 'git', 'objcopy', 'g++', 'ninja')
 needs_built('odraz')
@@ -60,11 +60,8 @@ def test_refuses(text, options):
 
 # --- What --check prints ---
 
-class Scratch:
+class Scratch(Repository):
     """A repository with two sections. A program is built from the first one's source."""
-
-    def __init__(self, folder):
-        self.folder = folder
 
     def all(self, *options, **more):
         env = {'BUILD': self.folder / 'build', 'GIT_DIR': '/none'}
@@ -73,13 +70,6 @@ class Scratch:
     def reports(self, status, line, *options):
         __tracebackhide__ = True
         assert line in self.all('--check', *options, status=status).stdout.splitlines()
-
-    def write(self, name, text):
-        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.folder / name).write_text(text)
-
-    def git(self, *words):
-        return run('git', '-c', 'user.name=test', '-c', 'user.email=test', *words, cwd=self.folder).stdout.strip()
 
     def compile(self):
         run('ninja', '-C', self.folder / 'build')
@@ -104,9 +94,7 @@ def unmeasured(work):
         shutil.copy(SOURCE / 'tools/measure' / name, tools)
     shutil.copy(SOURCE / 'tests/support/measure/sections.py', tools)
     scratch.compile()
-    scratch.git('init', '-q')
-    scratch.git('add', '--all')
-    scratch.git('commit', '-qm', 'one')
+    scratch.commit('.')
     return scratch
 
 
@@ -122,11 +110,8 @@ def scratch(measured, tmp_path):
     return Scratch(shutil.copytree(measured, tmp_path / 'copy'))
 
 
-def test_sections_that_were_not_measured_are_reported(unmeasured):
+def test_what_was_measured_is_fresh_also_with_other_comments_and_prose(scratch, unmeasured):
     unmeasured.reports(1, 'unmeasured: two: run tools/measure/all --only two, 1 minutes')
-
-
-def test_what_was_measured_is_fresh_also_with_other_comments_and_prose(scratch):
     scratch.reports(0, FRESH, '--strict')
     readme = (scratch.folder / 'README.md').read_text()
     assert readme == 'A film.\n<!-- figures -->\nBalls: 1,235 ms.\n<!-- /figures -->\nMore.\n'

@@ -6,7 +6,7 @@ import time
 import pytest
 
 from pictures import read_picture
-from running import BUILD, SOURCE, check_bytes, dead_links, needs, needs_built, refuses, run, wait_for
+from running import BUILD, SOURCE, Repository, check_bytes, dead_links, needs, needs_built, refuses, run, wait_for
 
 needs('zip', 'unzip', 'tar', 'gzip', 'sha256sum')
 needs_built('portable/radiosity')
@@ -128,9 +128,10 @@ def test_the_texts_have_the_fields_of_the_conf_and_no_lines_for_empty_ones(insid
         ('group', 'odraz team')]
     assert (inside / 'file_id.diz').read_text().split('\n')[-2].startswith('odraz team, 20')
     greetings = ' '.join(f'group{i} & co.' for i in range(9))
-    git = tree_of(tmp_path / 'tree', FILM_PARTY='"here/there | now"', FILM_GROUP='', FILM_GREETINGS=f'"{greetings}"')
+    fields = {'FILM_PARTY': '"here/there | now"', 'FILM_GROUP': '', 'FILM_GREETINGS': f'"{greetings}"'}
+    repository = tree_of(tmp_path / 'tree', **fields)
     shutil.rmtree(tmp_path / 'tree/tools/build/archive/tools')
-    run(*git, 'commit', '-qam', 'no tools')
+    repository.git('commit', '-qam', 'no tools')
     run(tmp_path / 'tree/tools/release', *MADE, '--to', tmp_path / 'to', env=ENV)
     texts = unpacked(tmp_path / 'unpacked', 'unzip', '-q', *(tmp_path / 'to').glob('*.zip'))
     nfo = re.search('  (party .*)  licence', (texts / 'odraz.nfo').read_text(), re.S)[1]
@@ -204,30 +205,28 @@ def test_refuses_programs_of_other_builds_and_leaves_nothing(commit, real, text,
 
 
 def tree_of(tree, **fields):
-    """Makes a small repository of the scripts and the conf, whose fields are changed. Returns git's command for it."""
+    """Makes a small repository of the scripts and the conf, whose fields are changed."""
+    repository = Repository(tree)
     shutil.copytree(SOURCE / 'tools/build', tree / 'tools/build')
-    for folder in 'intro', 'build', 'tools/measure':
+    for folder in 'build', 'tools/measure':
         (tree / folder).mkdir()
     conf = (SOURCE / 'intro/film.conf').read_text()
     for name, value in fields.items():
         conf = re.sub(f'^{name}=.*', f'{name}={value}', conf, flags=re.M)
-    (tree / 'intro/film.conf').write_text(conf)
+    repository.write('intro/film.conf', conf)
     shutil.copy(RELEASE, tree / 'tools')
     shutil.copy(SOURCE / 'LICENSE', tree)
     write_script(tree / 'tools/measure/all', 'echo "stale: size: since 0123456789ab intro"', 'exit 1')
-    git = ('git', '-C', tree, '-c', 'user.name=test', '-c', 'user.email=test')
-    run('git', 'init', '-q', tree)
-    run(*git, 'add', 'LICENSE', 'tools', 'intro')
-    run(*git, 'commit', '-qm', 'one')
-    return git
+    repository.commit('LICENSE', 'tools', 'intro')
+    return repository
 
 
 @pytest.mark.parametrize('unclean', [False, True])
 def test_refuses_stale_figures_unless_the_release_is_unclean(unclean, tmp_path):
     # In a small repository the programs are built from the commit
     tree = tmp_path / 'tree'
-    git = tree_of(tree)
-    commit = run(*git, 'rev-parse', '--short=12', 'HEAD').stdout.strip()
+    repository = tree_of(tree)
+    commit = repository.git('rev-parse', '--short=12', 'HEAD')
     for program in *LINUX, *WINDOWS:
         write_script(tree / 'build' / program, f'echo odraz 1.2.3 {commit}')
     options = MADE if unclean else (*BUILT, '--no-capture')
