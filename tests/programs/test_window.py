@@ -93,12 +93,14 @@ def test_arrows_seek_and_keep_the_pause_which_has_a_sign(screen):
     window.escape()
 
 
-def test_plays_again_by_l(screen):
+def test_plays_again_by_l_and_to_its_end_by_itself(screen):
     window = screen.play(SAFE, *SMALL, '--from', 24, '--to', 25)
     screen.do('key', 'l')
     window.works(2)  # a second of the film takes less
     screen.do('key', 'l')
     assert window.ended() == 0
+    played = screen.run(PACKED, '--window', '--size', '320x180', '--from', 161, '--stats')
+    assert re.search('^credits', played.stdout, re.M)
 
 
 def test_holds_off_the_screen_saver_only_while_it_moves(screen):
@@ -113,11 +115,6 @@ def test_holds_off_the_screen_saver_only_while_it_moves(screen):
     window.works(2)
     assert not screen.is_saved()
     window.escape()
-
-
-def test_plays_to_its_end_by_itself(screen):
-    played = screen.run(PACKED, '--window', '--size', '320x180', '--from', 161, '--stats')
-    assert re.search('^credits', played.stdout, re.M)
 
 
 @pytest.mark.parametrize('name, options', [('safe', ['--window']), ('debug', ['--mute'])])
