@@ -98,10 +98,10 @@ class Display(ExitStack):
         return window
 
     def picture(self, window='root', area=None):
-        """A screenshot, as an array of height x width x 3 bytes; None if the window is gone. area: 'WxH+X+Y'."""
+        """A screenshot, as an array of height x width x 3 bytes, empty if the window is gone. area: 'WxH+X+Y'."""
         crop = ('-crop', area, '+repage') if area else ()
         taken = self.run('import', '-window', window, *crop, '-depth', 8, 'ppm:-', status=None, text=False)
-        return read_ppm(taken.stdout) if taken.returncode == 0 and taken.stdout else None
+        return read_ppm(taken.stdout) if taken.returncode == 0 and taken.stdout else numpy.zeros((0, 0, 3), numpy.uint8)
 
 
 class Window:
@@ -134,21 +134,20 @@ class Window:
 
     def is_bright(self):
         picture = self.picture()
-        return picture is not None and picture.mean() > 25.5
+        return picture.sum() > 25.5 * picture.size
 
     def is_black(self, area):
         picture = self.picture(area)
-        return picture is not None and not picture.any()
+        return picture.size and not picture.any()
 
     def shows(self, picture):
         """Whether it shows just this picture."""
-        now = self.picture()
-        return now is not None and numpy.array_equal(now, picture)
+        return numpy.array_equal(self.picture(), picture)
 
     def differs(self, picture):
         """Whether it shows another picture."""
         now = self.picture()
-        return now is not None and not numpy.array_equal(now, picture)
+        return now.size and not numpy.array_equal(now, picture)
 
     def stands(self):
         """Whether it shows the same picture while the program works."""
@@ -158,8 +157,6 @@ class Window:
     def has_sign(self):
         """Whether the film's sign of a pause, two white bars on black, is in the lower left corner."""
         picture = self.picture()
-        if picture is None:
-            return False
         unit, bars = min(picture.shape[:2]) // 100 + 1, numpy.zeros((5, 5))
         bars[1:4, 1::2] = 255
         corner = picture[::-1][3 * unit:8 * unit, 6 * unit:11 * unit, 0]
@@ -196,7 +193,7 @@ class Window:
             picture = self.picture()
             if stopped:
                 self.signal(signal.SIGCONT)
-            red = 0 if picture is None else picture[len(picture) // 2, :, 0].sum()
+            red = picture[len(picture) // 2:, :, 0][:1].sum()
             steps += red > before
             shrinks, before = red < before, red
             return steps == 3 or shrinks
