@@ -3,34 +3,24 @@ another compiler, and makes tools for a debugger."""
 import json
 import re
 
-import pytest
-
 from running import BUILD, FILM, SOURCE, dead_links, needs, needs_built, run
 
 needs('cmake')
 needs_built(FILM, 'pack', 'compare', 'radiosity')
 
 
-@pytest.fixture(scope='module')
-def prefix(work):
-    run('cmake', '--install', BUILD, '--prefix', work / 'prefix')
-    return work / 'prefix'
-
-
-def test_pack_makes_a_program_that_runs_and_radiosity_solves(prefix, tmp_path):
+def test_programs_and_texts_are_installed_and_nothing_else_and_each_program_runs(tmp_path):
+    prefix, documents = tmp_path / 'prefix', tmp_path / 'prefix/share/doc' / FILM
+    run('cmake', '--install', BUILD, '--prefix', prefix)
+    programs = {path.name: path for path in (prefix / 'bin').iterdir()}
+    assert programs.keys() == {FILM, f'{FILM}-safe', 'pack', 'compare', 'radiosity'}
+    for program in programs.values():
+        assert re.search('^[Uu]sage: ', run(program, '--help').stdout, re.M)
     assert 'bytes left' in run('bash', SOURCE / 'packer/example/build.sh', prefix / 'bin/pack', tmp_path).stdout
     hello = run(tmp_path / 'hello', status=7)
     assert (hello.stdout.rstrip(), hello.stderr) == ('hello, 1 words, 42', '')
     run(prefix / 'bin/radiosity', 'generate', 'cube', '-o', 'cube.obj', cwd=tmp_path)
     run(prefix / 'bin/radiosity', 'solve', 'cube.obj', '-o', 'cube.rad', cwd=tmp_path)
-
-
-def test_each_program_has_a_help_texts_are_there_and_nothing_else(prefix):
-    programs = {path.name: path for path in (prefix / 'bin').iterdir()}
-    assert programs.keys() == {FILM, f'{FILM}-safe', 'pack', 'compare', 'radiosity'}
-    for program in programs.values():
-        assert re.search('^[Uu]sage: ', run(program, '--help').stdout, re.M)
-    documents = prefix / 'share/doc' / FILM
     for text in 'packer/README.md', 'tools/radiosity/METHOD.md', 'tools/SIZE_GATE.md', 'LICENSE':
         assert (documents / text).stat().st_size
     assert dead_links(documents.rglob('*.md')) == []

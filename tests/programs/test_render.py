@@ -60,6 +60,8 @@ def test_frames_are_the_films_own_also_in_three_shards(frames):
     assert f'# {run(SAFE, "--version").stdout}' in Path('one.manifest').read_text()
     render('a name', *PARTED, '--jobs', 2)
     assert_same('a name', frames)
+    render('end', '--from', 163.93, *DRAFT, '65x37', '--shard', 1)
+    assert os.listdir('end') == ['frame-004099.ppm']  # the last one
 
 
 @pytest.mark.parametrize('options', ['--fps 30000/1001 --from 11.93 --to 12.032345 --quality draft --size 65x37',
@@ -68,11 +70,6 @@ def test_frames_off_the_grid_are_the_films_own(tmp_path, options):
     render(tmp_path / 'odd', *options.split(), '--shard', 1)
     run(SAFE, '--dump', tmp_path / 'dump', *options.split())
     run('diff', '-r', tmp_path / 'dump', tmp_path / 'odd')
-
-
-def test_the_end_is_the_films_last_frame():
-    render('end', '--from', 163.93, *DRAFT, '65x37', '--shard', 1)
-    assert os.listdir('end') == ['frame-004099.ppm']
 
 
 def test_a_video_holds_h264_and_aac_and_the_sums_of_its_frames(frames, video):
@@ -139,7 +136,11 @@ def test_resume_makes_again_what_is_unfinished_cut_short_or_damaged(parts):
     assert resume(3).count('again: its file is missing or damaged') == 2
 
 
-def test_begins_anew_without_the_shards_of_an_earlier_run(parts):
+def test_neither_overwrites_an_earlier_run_nor_mixes_it_with_another_but_begins_anew(parts):
+    refuses(1, 'r.mp4.parts is left from an earlier run: continue it with --resume, or begin again with --anew',
+            *RENDER, *PARTED, 'r.mp4')
+    refuses(1, "was made with 'quality draft', now 'quality play'",
+            *RENDER, *PARTED, '--quality', 'play', '--resume', 'r.mp4')
     assert refuses(2, 'needs draft', *RENDER, *PARTED, '--anew', '--quality', 'no', 'r.mp4') and any(parts.iterdir())
     render('r.mp4', *SMALL, '--anew')
     assert_same('r.mp4', 'one.mp4')
@@ -153,14 +154,6 @@ def test_a_shard_of_other_frames_that_seems_right_is_reported(parts):
     printed = render('r.mp4', *PARTED, '--resume', status=1)
     assert_reported('frame 300 differs from the film; --resume makes its shard again', printed)
     resume(1)
-
-
-@pytest.mark.parametrize('text, options', [
-    ('r.mp4.parts is left from an earlier run: continue it with --resume, or begin again with --anew', ()),
-    ("was made with 'quality draft', now 'quality play'", ('--quality', 'play', '--resume')),
-])
-def test_neither_overwrites_an_earlier_run_nor_mixes_it_with_another(parts, text, options):
-    refuses(1, text, *RENDER, *PARTED, *options, 'r.mp4')
 
 
 @pytest.mark.parametrize('out, status', [('broken.mp4', 0), ('broken', 1)])

@@ -130,18 +130,14 @@ def test_offers_its_tracks_and_sends_its_row_while_it_plays(window, editor, docu
     assert received('track ') == len([*tracks_of(document)])
 
 
-def test_shows_the_editors_keys(window, editor, document, paused):
+def test_shows_the_editors_keys_also_with_other_interpolations(window, editor, document, paused):
     before = paused(116)
     editor.open(document)
     editor.set_key(HEIGHT, 116, 2.3, SMOOTH)
     window.comes(lambda: window.differs(before))
     editor.set_key(HEIGHT, 116, 1.40625, SMOOTH)
     window.comes(lambda: window.shows(before))  # to the bit, since all keys are the film's
-
-
-def test_shows_other_interpolations_than_the_films(window, editor, document, paused):
     light = paused(64)
-    editor.open(document)
     editor.set_key('point:rimLight', 40, 0, STEP)
     window.comes(lambda: window.differs(light))
     step = window.drawn()
