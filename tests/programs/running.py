@@ -241,13 +241,6 @@ class Repository:
         self.git('commit', '-q', '--allow-empty', '-m', 'one')
 
 
-def dead_links(pages):
-    """The links of Markdown pages, of which there are some, that lead to no file: 'PAGE: LINK'."""
-    links = [(page, link) for page in pages for link in re.findall(r'\]\((?!https?:)([^)#]+)', page.read_text())]
-    assert links
-    return [f'{page}: {link}' for page, link in links if not (page.parent / link).exists()]
-
-
 def copy_sources(folder):
     """Copies the files that git tracks, except those that were removed without a commit."""
     for name in run('git', 'ls-files', '-z', cwd=SOURCE).stdout.split('\0'):

@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 
 import pytest
 
-from running import BUILD, FILM, SOURCE, dead_links, needs, needs_built, refuses, run
+from running import BUILD, FILM, SOURCE, needs, needs_built, refuses, run
 
 SPECIAL = {'intro/base/avx.h': r'.*intrin\.h', 'intro/base/wasm.h': r'wasm_simd128\.h', 'intro/base/gl.h': 'GL/.*',
            'intro/host/glfw.h': r'GLFW/glfw3\.h', 'intro/host/cpu.cpp': r'cpuid\.h'}  # system headers
@@ -174,6 +174,12 @@ def test_a_tool_does_not_depend_on_the_environment_of_its_caller(tool, tmp_path)
            'BASH_FUNC_pwd%%': '() { echo /none; }', 'GIT_DIR': '/none', 'PATH': f'{tmp_path}:{os.environ["PATH"]}'}
     assert run(f'tools/{tool}', '-h', cwd=SOURCE, env=odd).stdout == run(f'tools/{tool}', '--help', cwd=SOURCE).stdout
     assert (tmp_path / 'git.pwd').read_text() == 'builtin\n'
+
+
+def dead_links(pages):
+    links = [(page, link) for page in pages for link in re.findall(r'\]\((?!https?:)([^)#]+)', page.read_text())]
+    assert links
+    return [f'{page}: {link}' for page, link in links if not (page.parent / link).exists()]
 
 
 def unlike_layout(*names, folder=SOURCE):

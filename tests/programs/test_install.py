@@ -3,7 +3,8 @@ another compiler, and makes tools for a debugger."""
 import json
 import re
 
-from running import BUILD, FILM, SOURCE, dead_links, needs, needs_built, run
+from running import BUILD, FILM, SOURCE, needs, needs_built, run
+from test_house import dead_links
 
 needs('cmake')
 needs_built(FILM, 'pack', 'compare', 'radiosity')

@@ -6,7 +6,8 @@ import time
 import pytest
 
 from pictures import read_picture
-from running import BUILD, SOURCE, Repository, check_bytes, dead_links, needs, needs_built, refuses, run, wait_for
+from running import BUILD, SOURCE, Repository, check_bytes, needs, needs_built, refuses, run, wait_for
+from test_house import dead_links
 
 needs('zip', 'unzip', 'tar', 'gzip', 'sha256sum')
 needs_built('portable/radiosity')
