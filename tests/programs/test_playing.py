@@ -21,24 +21,27 @@ def screen(display):
 
 
 @pytest.fixture
-def play(screen, tmp_path):
-    """play(OPTION...) plays the film, which must print nothing. devices: ALSA's configuration."""
-    def play(*options, devices=None):
-        if devices:
-            (tmp_path / 'alsa.conf').write_text(devices)
-            screen.env['ALSA_CONFIG_PATH'] = tmp_path / 'alsa.conf'
+def play(screen):
+    """play(OPTION...) plays the film, which must print nothing."""
+    def play(*options):
         assert screen.run(SAFE, '--window', '--size', '160x90', *options).stderr == ''
     return play
 
 
 @pytest.fixture
-def into_file(play, tmp_path):
-    """Plays the film to ALSA's file device, and returns what that gets; None if it is not opened."""
-    file = tmp_path / 'played'
+def file(screen, tmp_path):
+    """What ALSA's file device writes."""
+    screen.env['ALSA_CONFIG_PATH'] = tmp_path / 'alsa.conf'
+    (tmp_path / 'alsa.conf').write_text(FILE_DEVICE.format(tmp_path / 'played'))
+    return tmp_path / 'played'
 
+
+@pytest.fixture
+def into_file(play, file):
+    """Plays the film to ALSA's file device, and returns what that gets; None if it is not opened."""
     def into_file(*options):
         file.unlink(missing_ok=True)
-        play(*options, devices=FILE_DEVICE.format(file))
+        play(*options)
         return frames_of(file.read_bytes()) if file.exists() else None
     return into_file
 
@@ -58,14 +61,11 @@ def test_plays_from_the_middle_with_its_sound_and_mute_in_silence(into_file, tmp
     refuses(2, '--mute is for playing', SAFE, '--mute', '--wav', tmp_path / 'none')
 
 
-def test_m_mutes_and_the_music_is_heard_again(screen, tmp_path):
-    (tmp_path / 'alsa.conf').write_text(FILE_DEVICE.format(tmp_path / 'played'))
-    options = '--window', '--size', '160x90', '--from', 50
-    window = screen.load(SAFE, *options, env={'ALSA_CONFIG_PATH': tmp_path / 'alsa.conf'})
+def test_m_mutes_and_the_music_is_heard_again(screen, file):
+    window = screen.load(SAFE, '--window', '--size', '160x90', '--from', 50)
 
     def is_heard():
-        played = tmp_path / 'played'
-        return played.exists() and any(played.read_bytes()[-4 * RATE:])  # for a second; dither is heard, too
+        return file.exists() and any(file.read_bytes()[-4 * RATE:])  # for a second; dither is heard, too
     window.comes(is_heard)
     screen.do('key', 'm')
     window.comes(lambda: not is_heard())
@@ -75,8 +75,9 @@ def test_m_mutes_and_the_music_is_heard_again(screen, tmp_path):
 
 
 def test_plays_without_a_device_and_where_alsa_is_broken(play, screen, tmp_path):
-    play('--to', 1, devices='pcm.!default { type hw card 31 }\n')
-    screen.env['ALSA_CONFIG_PATH'] = tmp_path / 'none.conf'
+    screen.env['ALSA_CONFIG_PATH'] = tmp_path / 'alsa.conf'  # which does not exist
+    play('--to', 1)
+    (tmp_path / 'alsa.conf').write_text('pcm.!default { type hw card 31 }\n')
     play('--to', 1)
 
 
