@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 
 import pytest
 
-from running import BUILD, FILM, SOURCE, needs, needs_built, refuses, run
+from running import BUILD, FILM, SOURCE, needs, needs_built, run
 
 SPECIAL = {'intro/base/avx.h': r'.*intrin\.h', 'intro/base/wasm.h': r'wasm_simd128\.h', 'intro/base/gl.h': 'GL/.*',
            'intro/host/glfw.h': r'GLFW/glfw3\.h', 'intro/host/cpu.cpp': r'cpuid\.h'}  # system headers

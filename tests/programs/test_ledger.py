@@ -3,8 +3,6 @@ import json
 import re
 import shutil
 
-import pytest
-
 from running import SOURCE, Repository, refuses, run
 
 LEDGER, ENVIRONMENT = SOURCE / 'tools/ledger', SOURCE / 'tools/build/environment.sh'
