@@ -1,4 +1,4 @@
-// Checks and divides a mesh, for fuzzers of its readers.
+// Reads a model, checks it and divides it, for fuzzers of its readers.
 #pragma once
 
 #include "tools/radiosity/divide/regions.h"
@@ -11,7 +11,7 @@
 
 namespace odraz::radiosity {
 
-// Aborts unless points are finite, indices are valid, and reflectance and emission are in range.
+// Aborts unless points are finite, indices are valid, and reflectance, emission and lights are in range.
 inline void mustBeSound(const Mesh &mesh) {
     bool good = !mesh.triangles.empty();
     for (const Vec3d &p : mesh.points)
@@ -24,6 +24,10 @@ inline void mustBeSound(const Mesh &mesh) {
         good &= t.material >= 0 && (size_t)t.material < mesh.materials.size();
         for (int corner : t.corners) good &= corner >= 0 && (size_t)corner < mesh.points.size();
     }
+    for (const BallLamp &lamp : mesh.lights.lamps)
+        good &= lamp.radius > 0 && lamp.radiance.x >= 0 && std::isfinite(lamp.centre.x);
+    for (const Sun &sun : mesh.lights.suns)
+        good &= std::fabs(length(sun.towards) - 1) < 1e-3f && sun.light.x >= 0;
     if (!good) std::abort();
 }
 
@@ -45,6 +49,16 @@ inline void useMesh(const Mesh &mesh, bool clamp) {
     }
     for (int chart : regions.chartOf)
         if (chart < -1 || chart >= model->chartCount) std::abort();
+}
+
+// Reads a file of `size` bytes, and uses its mesh if it is not refused. Returns 0.
+inline int useModel(const char *path, size_t size) {
+    try {
+        std::vector<std::string> notes;
+        useMesh(readModel(path, {1, size % 2 == 1, {}}, notes), size % 3 == 1);
+    } catch (const common::Refused &) {
+    }
+    return 0;
 }
 
 } // namespace odraz::radiosity
