@@ -2,6 +2,7 @@
 sections that take no time."""
 import re
 import shutil
+import sys
 
 import pytest
 
@@ -12,6 +13,8 @@ needs_built('odraz')
 
 ALL = SOURCE / 'tools/measure/all'
 FRESH = '2 sections, 0 of them stale'
+sys.path.append(str(ALL.parent))
+import methods  # noqa: E402 (its folder is known now)
 
 
 @pytest.fixture(scope='module')
@@ -45,6 +48,24 @@ def test_a_section_that_fails_is_reported_and_leaves_the_results_alone(page, wor
 def test_all_sources_are_there_and_the_readme_has_the_figures_of_the_results():
     printed = run(ALL, '--check', env={'BUILD': BUILD}, status=None).stdout
     assert printed and not re.search('^(unknown|the figures|figures)', printed, re.M)
+
+
+def test_figures_are_read_from_reports_of_tests_and_a_test_without_any_is_an_error():
+    named = {'classname': 'Hall', 'line': 7, 'time': '0.1s'}
+    tests = [{**named, 'name': 'IsRight', 'rms': '0.0011623 <= 0.002'}, {**named, 'name': 'IsLit'}]
+    report = {'testsuites': [{'testsuite': tests}]}
+    right = {'test': 'Hall.IsRight', 'what': 'rms', 'figure': '0.00116', 'limit': '0.002'}
+    assert list(methods.recorded(report, ['Hall.IsRight'])) == [right]
+    for name in 'Hall.IsLit', 'Hall.IsGone':
+        with pytest.raises(methods.Failed, match=f'{name} recorded no figure'):
+            list(methods.recorded(report, ['Hall.IsRight', name]))
+
+
+def test_tests_whose_figures_are_shown_record_them():
+    sources = ''.join(path.read_text() for path in (SOURCE / 'tests/unit').rglob('*_test.cpp'))
+    for name in (name for wanted in methods.PROOFS.values() for name in wanted):
+        body = re.search(rf"TEST\({name.replace('.', ', ')}\) {{\n(.*?)\n}}", sources, re.S)
+        assert body and 'expect' in body[1], name
 
 
 @pytest.mark.parametrize('text, options', [

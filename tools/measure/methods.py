@@ -1,4 +1,5 @@
-"""Measurements of the packer, of radiosity and of transfer; and the figures that tests print."""
+"""Measurements of the packer, of radiosity and of transfer; and the figures that tests record."""
+import json
 import random
 import re
 import shutil
@@ -8,7 +9,7 @@ from pathlib import Path
 
 import counting
 import sources
-from machine import at_once
+from machine import Failed, at_once
 from parts import markdown, rows
 
 # --- Packing ---
@@ -205,15 +206,33 @@ def turning(machine):
 
 # --- Proofs ---
 
-TESTS = {'radiosity': ['form_factor_test'], 'show': ['hall_test', 'traced_hall_test'],
-         'sound': ['note_test', 'noise_test'], 'trace': ['adaptive_test', 'extremes_test'],
-         'transfer': ['spherical_harmonics_test', 'transfer_test']}
+PROOFS = {  # tests whose figures are shown, by program. They record them with tests/support/figure.h
+    'maths_exhaustive_test': [f'Exhaustive.{name}' for name in ('sin', 'cos', 'acos', 'exp2', 'log2', 'pow')],
+    'radiosity_tests': ['FormFactor.CoaxialDiscs', 'FormFactor.OfUnitSquaresFallsWithResolution',
+                        'Solve.EnergyIsConserved'],
+    'show_tests': ['Hall.BouncesConvergeToTheSolution', 'TracedHall.EveryPixelShowsWhatARayInDoublePrecisionHits',
+                   'Motion.TheClimaxMovesMost'],
+    'sound_tests': ['Note.IsInTuneOverEightOctaves', 'Note.DoesNotAlias', 'Note.BendsWithoutAliasing',
+                    'Noise.MatchesTheFiltersClosedForm'],
+    'trace_tests': ['Extremes.BallsAreHitOrMissedAsInDouble', 'Extremes.SixtyFourBouncesStayTrue',
+                    'Adaptive.EachPixelShowsTheShapeInItsMiddle', 'AdaptiveFaults.DoesNotFlicker'],
+    'transfer_tests': ['SphericalHarmonics.AgreeWithTheRecurrence', 'Day.IsWithinAFewPerCentOfExactSolutions',
+                       'Gloss.AgreesWithRays']}
+
+
+def recorded(report, wanted):
+    """Yields what tests recorded, from GoogleTest's report. Each wanted test must have recorded something."""
+    found = {f"{one['classname']}.{one['name']}": one for suite in report['testsuites'] for one in suite['testsuite']}
+    for name in wanted:
+        figures = {what: value.split(' <= ') for what, value in found.get(name, {}).items() if ' <= ' in str(value)}
+        if not figures:
+            raise Failed(f'{name} recorded no figure: see tests/support/figure.h')
+        for what, (figure, limit) in figures.items():
+            yield {'test': name, 'what': what, 'figure': f'{float(figure):.3g}', 'limit': f'{float(limit):.3g}'}
 
 
 def proofs(machine):
-    """Yields the lines that tests print, without GoogleTest's own."""
-    for room, names in TESTS.items():
-        for name in names:
-            for line in machine.run(f'build/tests/{room}_tests {name}').splitlines():
-                if line.strip() and not re.match(r'\[|Running main|Note:', line):
-                    yield {'test': name, 'figure': line.strip()}
+    for program, wanted in PROOFS.items():
+        machine.run(['env', 'ODRAZ_EVERY=251', f'build/tests/{program}', '--gtest_output=json:tests.json',
+                     f"--gtest_filter={':'.join(wanted)}"])
+        yield from recorded(json.loads((machine.work / 'tests.json').read_text()), wanted)

@@ -2,6 +2,7 @@
 // exceed those stated in base/maths.h. With ODRAZ_EVERY=N in the environment it tests one group of eight in
 // N, which takes seconds.
 #include "base/maths.h"
+#include "tests/support/figure.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -55,7 +56,7 @@ static uint32_t of(float x) { return (uint32_t)bits(x); }
 // Tests positive arguments. Negative ones follow by symmetry, which is checked for each of them.
 template <class Own, class Library> static void expectPeriodic(Own own, Library library, float sign) {
     double found = worst(0, of(8192), [&](Float8 x) { return absoluteError(x, own(x), library); });
-    EXPECT_LE(found, 1.0e-7);
+    expectAtMost("largest error", found, 1.0e-7);
     EXPECT_EQ(worst(0, of(8192), [&](Float8 x) { return any(own(-x) != sign * own(x)) ? 1. : 0.; }), 0);
 }
 TEST(Exhaustive, sin) {
@@ -70,7 +71,7 @@ TEST(Exhaustive, acos) {
     for (uint32_t sign : {0u, kSign}) {
         double found =
             worst(sign, sign | of(1), [&](Float8 x) { return absoluteError(x, acos(x), library); });
-        EXPECT_LE(found, 4.5e-7) << (sign ? "below 0" : "above 0");
+        expectAtMost(sign ? "largest error below 0" : "largest error above 0", found, 4.5e-7);
     }
 }
 
@@ -79,8 +80,8 @@ TEST(Exhaustive, exp2) {
         auto library = [](double v) { return std::exp2(v); };
         return largestError(x, exp2(x), library, [](double right) { return right; });
     };
-    EXPECT_LE(worst(0, of(127.999f), relative), 1.5e-7);
-    EXPECT_LE(worst(kSign, of(-126.f), relative), 1.5e-7);
+    expectAtMost("largest relative error above 0", worst(0, of(127.999f), relative), 1.5e-7);
+    expectAtMost("largest relative error below 0", worst(kSign, of(-126.f), relative), 1.5e-7);
 }
 
 TEST(Exhaustive, log2) {
@@ -89,7 +90,7 @@ TEST(Exhaustive, log2) {
         return largestError(x, log2(x), library,
                             [](double right) { return 1.2e-7 + 1.2e-7 * std::fabs(right); });
     };
-    EXPECT_LE(worst(of(1.17549435e-38f), of(3.4028234e38f), excess), 1);
+    expectAtMost("share of the bound", worst(of(1.17549435e-38f), of(3.4028234e38f), excess), 1);
 }
 
 // There are too many pairs of arguments to test all. This tests every x of [2^-20, 2], with the exponents of
@@ -107,6 +108,6 @@ TEST(Exhaustive, pow) {
             }
             return most;
         };
-        EXPECT_LE(worst(of(1.f / 1048576), of(2.f), excess), 1) << y;
+        expectAtMost("exponent " + testing::PrintToString(y), worst(of(1.f / 1048576), of(2.f), excess), 1);
     }
 }

@@ -1,5 +1,6 @@
 // Tests the hall at the film's settings: the hemicubes of film and page against rays in double precision, and
 // the hall as the page solves it against path tracing and the hall that OpenGL draws.
+#include "tests/support/figure.h"
 #include "tests/support/film_hall.h"
 #include "tests/support/model_rays.h"
 #include "tests/support/sanitized.h"
@@ -59,7 +60,8 @@ TEST(TracedHall, EveryPixelShowsWhatARayInDoublePrecisionHits) {
     m.pose(*scene);
     scene->finish();
     PatchRays rays{m};
-    for (auto [method, share] : {std::pair{&kTracedHemicubes, 20000}, {&kDrawnHemicubes, 500}}) {
+    for (auto [name, method, limit] :
+         {std::tuple{"traced", &kTracedHemicubes, 5e-5}, {"drawn", &kDrawnHemicubes, 0.002}}) {
         HeapArena memory(hemicubeBytes(kHallSettings.px));
         Hemicubes h;
         ASSERT_TRUE(method->open(h, &headlessGl(), *scene, memory.arena, kHallSettings.px));
@@ -80,7 +82,7 @@ TEST(TracedHall, EveryPixelShowsWhatARayInDoublePrecisionHits) {
                 }
         }
         // At edges, where the last bits decide, or to which fraction of a pixel OpenGL rounds vertices
-        EXPECT_LT(others, pixels / share);
+        expectAtMost(std::string(name) + ": share that differs", (double)others / pixels, limit);
         method->close(h);
     }
 }

@@ -2,6 +2,7 @@
 // bands differ.
 #include "base/maths.h"
 #include "base/random.h"
+#include "tests/support/figure.h"
 #include "tests/support/voice.h"
 
 using namespace odraz;
@@ -32,7 +33,7 @@ TEST(Noise, MatchesTheFiltersClosedForm) {
                 power += y * y;
             }
         }
-        EXPECT_LT(error / power, 1e-7) << key;
+        expectAtMost("key " + testing::PrintToString(key) + ": share of the power", error / power, 1e-7);
     }
 }
 

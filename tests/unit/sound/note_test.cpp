@@ -1,5 +1,6 @@
 // Tests notes: they are in tune, have no aliases and no clicks, and do not depend on block boundaries.
 #include "show/score.h"
+#include "tests/support/figure.h"
 #include "tests/support/voice.h"
 #include "tools/support/recording.h"
 
@@ -42,7 +43,7 @@ TEST(Note, IsInTuneOverEightOctaves) {
         double wanted = 440 * std::exp2((key - 69) / 12.);
         worst = std::max(worst, centsOff(render(kSine, (float)key, 2), 24000, 72000, wanted));
     }
-    EXPECT_LT(worst, 0.5);
+    expectAtMost("largest error, cents", worst, 0.5);
 }
 
 TEST(Note, HasThePartialsOfItsInstrument) {
@@ -78,7 +79,7 @@ TEST(Note, DoesNotAlias) {
             bool partial = k >= 1 && k <= 32 && k * pitch < kHighest && std::fabs(hertz - k * pitch) < 6;
             (partial ? own : other) = std::max(partial ? own : other, std::norm(f[i]));
         }
-        EXPECT_LT(db(other / own), -80) << key;
+        expectAtMost("key " + testing::PrintToString(key) + ": aliases, dB", db(other / own), -80);
     }
 }
 
@@ -91,7 +92,7 @@ TEST(Note, BendsWithoutAliasing) {
     size_t highest = (size_t)(kHighest + 1500) * 16384 / kSampleRate;
     double inside = std::accumulate(power.begin(), power.begin() + (long)highest, 0.),
            above = std::accumulate(power.begin() + (long)highest, power.end(), 0.);
-    EXPECT_LT(db(above / inside), -79);
+    expectAtMost("above 21.5 kHz, dB", db(above / inside), -79);
 }
 
 // The frequency, measured between rising zeros, swings by the vibrato's amplitude, but hardly at the start.

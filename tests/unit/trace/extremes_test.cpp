@@ -3,6 +3,7 @@
 // surfaces.
 #include "base/maths.h"
 #include "tests/support/dice.h"
+#include "tests/support/figure.h"
 #include "tests/support/traced_ray.h"
 #include "tools/support/vec3d.h"
 
@@ -47,9 +48,7 @@ TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
                 wrong += misjudged;
                 ASSERT_FALSE(misjudged && aside > doubt) << ratio << " " << radius;
             }
-        if (ratio <= 1e4f) {
-            EXPECT_EQ(wrong, 0) << ratio;
-        }
+        if (ratio <= 1e4f) expectAtMost(testing::PrintToString(ratio) + " radii away: misjudged", wrong, 0);
     }
 }
 
@@ -140,7 +139,7 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
             worst = std::fmax(worst, length(toDouble(lane(at.p)) - toDouble(s.centre) - p));
         }
     }
-    EXPECT_LT(worst, 0.03); // errors grow with every bounce, as they must
+    expectAtMost("largest error, radii", worst / 1.5, 0.02); // errors grow with every bounce, as they must
 }
 
 // Inside a cube of glass, beyond the critical angle, no light enters or leaves at any bounce.
