@@ -19,7 +19,7 @@ odraz_pytests(usual
 odraz_pytests(long
     binary 80   busy 9000   commandline 120   doubleclick 100   killed 60   live 300   machine 100   measuring 45
     memcheck 600   new_film 200   pack_programs 600   packed 120   packing 50   radiosity_errors 60
-    radiosity_resume 60   report 60   same_film 450   soak 180   surroundings 150   watch 40   words 300)
+    radiosity_resume 60   release 60   report 60   same_film 450   soak 180   surroundings 150   watch 40   words 300)
 foreach(reader gltf hdr obj pack picture prt rad)
     odraz_pytest(long fuzz 610 ${reader})
 endforeach()
