@@ -42,6 +42,7 @@ def figures(results):
     first = results.column('page', 's from the click to the first picture')
     loads = [f"{name.title().replace('kit', 'Kit')} {number(opens[name]) + number(first[name]):.1f} s"
              for name in opens]
+    shown = [rate for name in opens for rate in results.column('page', f'{name}: shown a second').values()]
     flips, times = (results.cells('peers', column, peer, 2) for column in ('mean FLIP', 'times at equal FLIP'))
     return f'''\
 - **Size:** {rounded(cell('size', 'Linux', packed))} bytes of 65,536, for Windows \
@@ -53,16 +54,16 @@ picture after {rounded(cell('start', 'until the first picture', '`odraz`'), 1)} 
 - **Playing** at 1280x720 by software OpenGL: {span('film', 'shown a second')} pictures a second, by scene.
 - **Seen**, against `film`: {all_scenes('1280x720: 16')} dB (sRGB) at 1280x720 on two cores, \
 {all_scenes('1920x1080: 128')} at 1920x1080 on sixteen (simulated).
-- **In a browser,** unpacking and first picture: {', '.join(loads)}; {span('page', 'chromium: shown a second')} a \
-second; {page_seen(16)} dB.
+- **In a browser,** unpacking and first picture: {', '.join(loads)}; {least_to_most(shown, 0)} \
+pictures a second; {page_seen(16)} dB.
 - **Tracing** as exactly as POV-Ray: ten balls (FLIP {flips[0]}) {number(times[0]):.2g} times as fast, 7,381 \
 ({flips[1]}) {number(times[1]):.2g} times.
 - **Radiosity**, {rounded(cell('radiosity', 'triangles', 'columns'))} triangles joined to \
 {cell('radiosity', 'polygons', 'columns')}: rays {solved('columns')} rms; hemicubes \
-{solved('columns, hemicubes of 100 pixels')} (thesis {cell('radiosity', 'the thesis, s', 'columns')}); vault \
+of 16 pixels {solved('columns, hemicubes of 16 pixels')} (thesis {cell('radiosity', 'the thesis, s', 'columns')}); vault \
 {rounded(cell('radiosity', 'rms, %', 'vault'))} %.
 - **The hall:** 64 lights solved in {rounded(cell('hall', 'processor s, the median of 5', 'all'), 1)} s, relit in \
-{rounded(cell('hall', 'all texels', 'noon'), 1)} ms a picture; reflected light \
+{rounded(cell('hall', 'all texels', 'noon'), 1)} ms a picture; at noon reflected light \
 {rounded(cell('hall', 'reflected light: rms %', 'noon'), 1)} % off path tracing, all \
 {rounded(cell('hall', 'all light: rms %', 'noon'), 1)} %.
 '''
