@@ -1,5 +1,5 @@
 """cmake --install puts the film, the tools and their READMEs under a prefix, and each program runs there. cmake takes
-another compiler, and makes tools for a debugger."""
+another compiler, and makes tools for a debugger. Services that build odraz run files that exist."""
 import json
 import re
 
@@ -57,3 +57,13 @@ def test_a_debugger_gets_tools_and_unit_tests_as_they_are_written_and_the_same_f
         assert [re.findall(rf' (-{letter}\S*)', debug[name])[-1] for letter in 'Og'] == ['-O0', '-g']
     film = [name for name in usual if '/engine.dir/' in name or f'/{FILM}.elf.dir/' in name]
     assert len(film) > 60 and not [name for name in film if debug[name] != usual[name]]
+
+
+def test_workflows_use_only_the_services_own_actions_and_files_that_exist():
+    pages = [*SOURCE.glob('.github/workflows/*.yml'), SOURCE / 'tools/SIZE_GATE.md']
+    used = re.findall(r'\buses: *(.*)', ''.join(page.read_text() for page in pages))
+    assert len(used) > 8 and not [name for name in used if not re.fullmatch(r'actions/[a-z-]+@v\d+', name)]
+    scripts = *SOURCE.glob('.github/workflows/*.yml'), SOURCE / '.ci/run', SOURCE / '.devcontainer/devcontainer.json'
+    named = {name for script in scripts for name in re.findall(r'\b(?:intro|tools|tests)/[\w./]+', script.read_text())}
+    assert {'tools/test', 'tools/release', 'tools/ledger', 'tools/build/packages.sh', 'intro/film.conf'} <= named
+    assert not [name for name in named if not (SOURCE / name).exists()]
