@@ -11,7 +11,7 @@ import pytest
 from running import BUILD, FILM, SAFE, needs, needs_built, run
 
 pytestmark = pytest.mark.long
-PARTS = BUILD / f'{FILM}-parts.elf'
+ALONE = BUILD / f'{FILM}-parts.elf'
 
 
 def dump(folder, film, threads):
@@ -37,10 +37,10 @@ def test_seven_threads_draw_what_one_does(wanted, tmp_path):
 
 def test_is_the_same_when_each_of_its_files_is_optimised_alone(wanted, tmp_path):
     """Tools and tests are optimised so. The film is optimised as a whole when it is linked."""
-    run('cmake', '--build', BUILD, '--target', PARTS.name)
-    alone, whole = (run('objdump', '-d', film).stdout.count('\n') for film in (PARTS, BUILD / f'{FILM}.elf'))
+    run('cmake', '--build', BUILD, '--target', ALONE.name)
+    alone, whole = (run('objdump', '-d', film).stdout.count('\n') for film in (ALONE, BUILD / f'{FILM}.elf'))
     assert alone != whole
-    dump(tmp_path, PARTS, 2)
+    dump(tmp_path, ALONE, 2)
     run('diff', '-qr', wanted, tmp_path)
 
 
@@ -81,11 +81,12 @@ def system(request, tmp_path_factory):
 
 
 @pytest.fixture(scope='module')
-def here(work):
+def here(tmp_path_factory):
     """The parts of the film as this system draws them: files in a folder."""
+    folder = tmp_path_factory.mktemp('here')
     for part, options in PARTS.items():
-        draw(work / part, SAFE, *options.split())
-    return work
+        draw(folder / part, SAFE, *options.split())
+    return folder
 
 
 def draw(to, *command, **options):
