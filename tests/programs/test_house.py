@@ -1,5 +1,5 @@
 """Code includes and links only rooms that its own room knows (tools/build/rooms.cmake), and no room knows itself. The
-film is built from intro/ and packer/. The end-to-end tests are short files of Python. Links and keys of pages exist."""
+film is built from intro/ and packer/. The end-to-end tests are short files of Python. Links of pages exist."""
 import os
 import re
 from collections import defaultdict
@@ -228,17 +228,3 @@ def unregistered(tree):
 def test_ctest_runs_every_test_file(tree):
     assert not unregistered(tree)
     assert unregistered({**tree, 'tests/programs/test_new.py': ''}) == ['tests/programs/test_new.py']
-
-
-def unknown_keys(text):
-    """The single letters in code, which are keys of odraz-debug, that its table does not list."""
-    table = re.findall(r'^    {Action.*?"(.*?)"', (SOURCE / 'intro/maker/panel/keys.h').read_text(), re.M)
-    named = set(re.findall(r'`([A-Z])`', text))
-    assert named
-    return named - set(re.findall(r'\b[A-Z]\b', ' '.join(table)))
-
-
-def test_every_key_that_a_page_names_is_one():
-    pages = (SOURCE / folder / 'show/README.md' for folder in ('intro', 'tools/film_template'))
-    assert not unknown_keys(''.join(page.read_text() for page in pages if page.exists()))
-    assert unknown_keys('`G` shows the path from outside, `K` sets a key') == {'G'}

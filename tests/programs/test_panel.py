@@ -1,4 +1,5 @@
-"""The panel of odraz-debug, used in a window by keys and mouse. panel_test and panel_parts_test test the parts."""
+"""The panel of odraz-debug, used in a window by keys and mouse; and the keys that pages name. (panel_test and
+panel_parts_test test the parts.)"""
 import re
 
 import pytest
@@ -102,3 +103,17 @@ def test_begins_again_after_its_end_and_escape_ends_it(window):
     window.press('space')
     window.titled('paused')
     window.escape()
+
+
+def unknown_keys(text):
+    """The single letters in code, which are keys of odraz-debug, that its table does not list."""
+    table = re.findall(r'^    {Action.*?"(.*?)"', (SOURCE / 'intro/maker/panel/keys.h').read_text(), re.M)
+    named = set(re.findall(r'`([A-Z])`', text))
+    assert named
+    return named - set(re.findall(r'\b[A-Z]\b', ' '.join(table)))
+
+
+def test_every_key_that_a_page_names_is_one():
+    pages = (SOURCE / folder / 'show/README.md' for folder in ('intro', 'tools/film_template'))
+    assert not unknown_keys(''.join(page.read_text() for page in pages if page.exists()))
+    assert unknown_keys('`G` shows the path from outside, `K` sets a key') == {'G'}
