@@ -142,7 +142,8 @@ class Window:
 
     def shows(self, picture):
         """Whether it shows just this picture."""
-        return numpy.array_equal(self.picture(), picture)
+        now = self.picture()
+        return now.size and numpy.array_equal(now, picture)
 
     def differs(self, picture):
         """Whether it shows another picture."""
@@ -193,7 +194,7 @@ class Window:
             picture = self.picture()
             if stopped:
                 self.signal(signal.SIGCONT)
-            red = picture[len(picture) // 2:, :, 0][:1].sum()
+            red = picture[len(picture) // 2:, :, 0][:1].sum()  # 0 if the window is gone
             steps += red > before
             shrinks, before = red < before, red
             return steps == 3 or shrinks
