@@ -211,6 +211,7 @@ def test_a_file_keeps_its_mode_a_symbolic_link_stays_a_link_and_appended_bytes_a
 def test_refuses_a_setuid_program_and_one_with_file_capabilities():
     os.chmod('c', 0o4755)
     refuses(2, 'setuid', PACK, 'c', '-o', 'x')
+    assert not os.path.exists('x')
     os.chmod('c', 0o755)
     setcap = Path('/sbin/setcap')  # not in the PATH of users
     if not setcap.exists() or run(setcap, 'cap_net_raw=p', 'c', status=None).returncode:
