@@ -136,6 +136,22 @@ TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
     }
 }
 
+// The table itself, without noise, at floats of all sizes. development.h states the bound.
+TEST(Develop, TheTableIsWithinAFortiethOfAStep) {
+    ToneCurve curve;
+    makeToneCurve(curve);
+    double worst = 0;
+    for (uint32_t b = 0; b < 0x7f800000; b += 997) {
+        float radiance = fromBits((int32_t)b);
+        float v = clamp(radiance + ToneCurve::kFoot, ToneCurve::kFoot, ToneCurve::kHead);
+        int at = bits(v) - bits(ToneCurve::kFoot), entry = curve.entry[at >> ToneCurve::kShift];
+        double share = (at & ((1 << ToneCurve::kShift) - 1)) / (double)(1 << ToneCurve::kShift);
+        double shown = ((entry >> 16) + (int16_t)entry * share) / 128;
+        worst = std::max(worst, std::fabs(shown - exact(radiance)));
+    }
+    EXPECT_LT(worst, 0.025);
+}
+
 TEST(Develop, ExtremesAreBlackOrWhite) {
     Developed d({0.f, -0.f, 1e-45f, 1e-39f, -1.f, -kInfinity, NAN, -NAN, 1e30f, 3e38f, kInfinity});
     for (int c = 0; c < 3; ++c) {
