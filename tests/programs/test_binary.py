@@ -60,7 +60,7 @@ def test_the_film_for_windows_needs_five_libraries():
     (RED_ZONE, FILMS),
     (SEGMENTS, FILMS),
     (APPROXIMATE, FILMS),  # its results differ between makers of processors, and pictures must not
-    (AVX, ['libhost.a', 'libhost_windows.a'] + [  # before the processor is checked
+    (AVX, ['libhost.a', 'libhost_windows.a'] + [  # this code runs before the processor is checked
         f'intro/CMakeFiles/{film}.elf.dir/start/{part}.cpp.o' for film, parts in [
             ('odraz', ['answers', 'early', 'linux/entry', 'start', 'memory']),
             ('odraz-windows', ['windows/entry', 'windows/command_line'])] for part in parts])])

@@ -64,7 +64,7 @@ def test_unpacked_it_has_the_same_code_in_the_same_place():
 
 # --- Damage (elf_test damages each byte for --test and -d) ---
 
-DUMP = ('--dump', '-', '--from', 20, '--to', 20.04, '--size', '16x9')  # of the film
+DUMP = ('--dump', '-', '--from', 20, '--to', 20.04, '--size', '16x9')  # frames of the film
 
 
 def program_of(data, folder):

@@ -63,7 +63,7 @@ def test_exports_have_all_digits_of_survey_coordinates(moved):
     moved['survey'].export('--atlas survey')
     assert len(re.findall(r'^460122\.5 21[\d.]+ 54112\d\d\.\d{2,} ', Path('survey.ply').read_text(), re.M)) > 3
     assert re.search(r'^v 460122\.5\d* 21[\d.]* 54112\d\d\.', Path('survey/model.obj').read_text(), re.M)
-    assert '"translation":[460123' in Path('survey/model.gltf').read_text()  # of a node
+    assert '"translation":[460123' in Path('survey/model.gltf').read_text()  # a node's
 
 
 # --- If a decal and a wall are in one plane, the first in the file is in front, in both methods' light and in pictures

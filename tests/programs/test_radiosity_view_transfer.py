@@ -108,7 +108,7 @@ def test_shift_and_numbers_change_lamps_from_the_eleventh_on(many, screen):
     press(window, 'shift+2', lambda: is_like(window, 'three.png'))  # with its strength
     press(window, 'shift+3', lambda: 'lamps 1 2 12 13 ' in window.title())  # it was off
     assert camera_of(window).endswith(' --lamps 1,2=3,12=9,13')
-    press(window, 'shift+4 shift+9', lambda: 'lamps 1 2 12 13 ' in window.title())  # of no lamp
+    press(window, 'shift+4 shift+9', lambda: 'lamps 1 2 12 13 ' in window.title())  # no lamp has this number
     window.escape()
 
 

@@ -115,7 +115,7 @@ def test_every_cut_and_event_is_heard_in_time_without_a_click_and_balanced_betwe
     for correlation in stories.values():
         assert 0.2 <= correlation <= 0.8  # left and right are alike, but not the same
     for _, _, _, _, *octaves in heard['scene']:
-        assert max(octaves) <= 0.5  # of the energy
+        assert max(octaves) <= 0.5  # a share of the energy
 
 
 def test_a_click_and_music_that_is_a_row_late_would_be_found(wav, tmp_path):

@@ -9,8 +9,8 @@ const kWorkers = 2, kSeconds = 8
 // click to the first picture; the number of pictures left out after 1.5 s; the fewest that were shown in a second; how
 // far the sound was off, in seconds; whether keys mute it; the number of workers; the most locks of the screen at once;
 // the error of the place sought, with the locks meanwhile; and how often the poster was shown. `pauses`: the system
-// stops the sound from 3 to 7 s after the click. `silent`: the browser has no sound. `dark`: the event of the hall's
-// worker, which fails. `broken`: of those that measure. `resized`: the page has another size at the click, and ESC
+// stops the sound from 3 to 7 s after the click. `silent`: the browser has no sound. `dark`: the hall's worker fails
+// with this event. `broken`: the workers that measure do. `resized`: the page has another size at the click, and ESC
 // follows. `stops`: the viewer pauses with a click, and continues with space. `seeks`: the viewer pauses, seeks by
 // these seconds, and continues. `loops`: the viewer presses L. `late`: the sound starts 3 s after the click. `stands`:
 // the sound's clock stands for 1.5 s, soon after the start. `lags`: it runs at half the speed for 2 s. `reported`,

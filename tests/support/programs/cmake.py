@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""A stand-in for CMake under tools/watch. Its build copies the files $BUILT when tools/watch has printed its step count,
-and that it packs if $PACKS is " packing"; it fails if there are no files."""
+"""A stand-in for CMake under tools/watch. Its build copies the files $BUILT when tools/watch has printed its step
+count, and that it packs if $PACKS is " packing"; it fails if there are no files."""
 import os
 import re
 import shutil

@@ -138,7 +138,7 @@ static double largest(const std::vector<double> &off) {
     return off.empty() ? 1e9 : *std::max_element(off.begin(), off.end());
 }
 
-// Sound and film stay together, and no viewer notices how: the film's speed changes by 1.5 % at most.
+// Sound and film stay together. The film's speed changes by 1.5 % at most, which no viewer notices.
 TEST(Playback, FilmFollowsItsDevice) {
     const struct {
         const char *what;

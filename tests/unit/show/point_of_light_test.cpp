@@ -27,7 +27,7 @@ static long pixelsAt(double seconds) {
         bool point = emit.x > 1 && length(emit * (kPointLight.x / emit.x) - kPointLight) < 1e-3f;
         if (!point) emit = {};
     }
-    const Quality middles = {.grid = 1, .depth = 5, .cutoff = 0.01f}; // of pixels
+    const Quality middles = {.grid = 1, .depth = 5, .cutoff = 0.01f}; // one sample in each pixel's middle
     TracedPicture p = traced(scene, now.input.camera, middles, 1280, 720);
     std::vector<float> red = planeOf(p.frame, 0);
     return std::count_if(red.begin(), red.end(), [&](float r) { return r * scene.exposure > kBright; });
