@@ -37,7 +37,8 @@ class House:
         for room in sorted(self.knows):
             self.reach(room)
         for name, included in self.includes:
-            (self.judge if included[0] == '"' else self.judge_system)(name, included[1:])
+            judge = self.judge if included[0] == '"' else self.judge_system
+            judge(name, included[1:])
         for link in self.links:
             self.judge_link(*link)
 

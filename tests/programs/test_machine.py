@@ -31,7 +31,7 @@ def draws(*command, **options):
     ('none', 'MESA_EXTENSION_OVERRIDE=-GL_EXT_texture_integer',
      'cannot light the hall: OpenGL 3.3 cannot draw integers', HALL)])
 def test_names_what_is_missing(film, tmp_path, library, variable, text, options):
-    refuses(1, text, 'env', variable or 'A=', film, *options, env=lacking(library, tmp_path))
+    refuses(1, text, 'env', *variable.split(), film, *options, env=lacking(library, tmp_path))
 
 
 def test_reports_too_little_memory(film):

@@ -36,10 +36,13 @@ def test_runs(command, words):
     says_hello(command, words)
 
 
-def test_runs_by_another_path_and_with_closed_descriptors_but_not_without_memory_and_has_3147_bytes_of_stub():
+def test_runs_by_another_path_and_with_closed_descriptors_but_not_without_memory():
     says_hello(os.path.abspath('hello'))
     run(*redirected('<&- >&- 2>&-', './hello'), status=7)
     refuses(1, 'not enough free memory', 'prlimit', f'--as={40000 * 1024}', './hello')
+
+
+def test_its_size_is_its_payload_and_3147_bytes():
     printed = Path('printed').read_text()
     assert 'bytes left' in printed
     assert '(3147 of them stub and headers)' in printed

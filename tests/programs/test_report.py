@@ -85,7 +85,7 @@ def report_adds_up(path):
     return report
 
 
-def test_page_and_report_add_up_to_the_file_and_the_text_has_size_and_budget():
+def test_page_and_report_add_up_to_the_file_whose_size_the_text_has():
     tables, instructions = adds_up('a.html')
     size = os.path.getsize('packed')
     assert tables['file'] == report_adds_up('a.json')['file'] == size

@@ -104,7 +104,7 @@ def is_smooth(heard):
     return float(step) < 12
 
 
-def test_every_cut_and_event_is_heard_in_time_without_a_click_and_balanced_between_sides_and_octaves(wav):
+def test_hits_are_on_time_nothing_clicks_and_sides_and_octaves_are_balanced(wav):
     heard = hear(wav)
     assert [onset for onset in heard['onset'] if not is_on_time(onset)] == []
     assert len(heard['onset']) > 50

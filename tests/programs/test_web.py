@@ -31,7 +31,7 @@ def test_plays_in_a_simulated_browser():
     run('node', TESTS / 'player.mjs', PROGRAM, *scripts)
 
 
-def test_is_within_its_budget_has_a_language_and_says_that_it_needs_scripts(tmp_path):
+def test_over_budget_it_is_not_made_and_it_has_a_language_and_says_that_it_needs_scripts(tmp_path):
     sources = (SCRIPTS / name for name in ('page.model', 'page.html', 'worker.js', 'page.js'))
     refuses(1, 'over budget by ', BUILD / 'page', PROGRAM, HOST / 'decode.wasm', *sources, tmp_path / 'over.html', 9)
     before, comment, after = PAGE.read_bytes().partition(b'<!--')
