@@ -53,9 +53,10 @@ public:
                 &ObjReader::use,         &ObjReader::addLibrary,
                 &ObjReader::beginObject, &ObjReader::beginGroup};
             static_assert(std::size(kReaders) == std::size(kKeywords));
-            if (keyword >= 0)
-                (this->*kReaders[keyword])();
-            else if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end())
+            if (keyword >= 0) {
+                auto read = kReaders[keyword];
+                (this->*read)();
+            } else if (auto found = kLeftOut.find(lines.word); found != kLeftOut.end())
                 note(found->second);
         }
         if (polygons.points.empty() && lines.number > 0 && !commands) refuseFormat();
