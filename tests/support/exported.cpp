@@ -13,10 +13,6 @@
 #include <stb/stb_image.h>
 #pragma GCC diagnostic pop
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 
 Rgb ExportedPage::at(float u, float v) const {

@@ -1,9 +1,6 @@
 // The main() of a room's tests. `show_tests` runs all of them, `show_tests score_test` only the tests of
 // score_test.cpp.
 #include <cstdio>
-#include <filesystem>
-#include <gtest/gtest.h>
-#include <string>
 
 int main(int argc, char **argv) {
     testing::InitGoogleTest(&argc, argv);

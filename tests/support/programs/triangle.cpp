@@ -6,9 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace {
-
-void draw() {
+static void draw() {
     glClear(GL_COLOR_BUFFER_BIT);
     glBegin(GL_TRIANGLES);
     for (int k = 0; k < 3; ++k) {
@@ -17,8 +15,6 @@ void draw() {
     }
     glEnd();
 }
-
-} // namespace
 
 int main(int count, char **words) {
     try {

@@ -3,33 +3,28 @@
 #include "tools/picture/flip.h"
 #include "tools/picture/psnr.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace pictures;
-
-namespace {
 
 using Bytes = std::vector<uint8_t>;
 constexpr int kAcross = 72, kDown = 48;
 
 // Makes the pictures of the comparison with dense filters
-template <class F> Bytes picture(F &&of, int width = kAcross, int height = kDown) {
+template <class F> static Bytes picture(F &&of, int width = kAcross, int height = kDown) {
     Bytes all;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
             for (int c = 0; c < 3; ++c) all.push_back((uint8_t)std::min(255, of(x, y, c)));
     return all;
 }
-int checks(int x, int y, int c) { return (x / 8 + y / 8) % 2 ? 40 + 60 * c + x : 200 - 30 * c - y; }
-int noise(int x, int y, int c) {
+static int checks(int x, int y, int c) { return (x / 8 + y / 8) % 2 ? 40 + 60 * c + x : 200 - 30 * c - y; }
+static int noise(int x, int y, int c) {
     return (int)(((uint32_t)x * 73856093u ^ (uint32_t)y * 19349663u ^ (uint32_t)(c + 1) * 83492791u) >> 3 &
                  255);
 }
-Bytes plain(int r, int g, int b) {
+static Bytes plain(int r, int g, int b) {
     return picture([&](int, int, int c) { return c == 0 ? r : c == 1 ? g : b; });
 }
-double mean(const Bytes &a, const Bytes &b, int width = kAcross, int height = kDown) {
+static double mean(const Bytes &a, const Bytes &b, int width = kAcross, int height = kDown) {
     return meanFlip(see(a, width, height), see(b, width, height));
 }
 
@@ -125,5 +120,3 @@ TEST(Psnr, OfLinearLightCountsAStepMoreWhereItIsBright) {
     EXPECT_NEAR(linearPsnr(dark, darker), -20 * std::log10(0.0069954 - 0.0030353), 1e-2);
     EXPECT_EQ(linearPsnr(dark, dark), INFINITY);
 }
-
-} // namespace

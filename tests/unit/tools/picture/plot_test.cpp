@@ -1,17 +1,12 @@
 // Tests plots: every point has its mark, and the legend has every name.
 #include "tools/picture/plot.h"
 
-#include <gtest/gtest.h>
-#include <random>
 #include <regex>
-#include <set>
 
 using namespace pictures;
 
-namespace {
-
 // All matches of the pattern's first group
-std::multiset<std::string> all(const std::string &text, const char *pattern) {
+static std::multiset<std::string> all(const std::string &text, const char *pattern) {
     std::regex what(pattern);
     std::multiset<std::string> found;
     for (std::sregex_iterator m(text.begin(), text.end(), what), end; m != end; ++m) found.insert((*m)[1]);
@@ -19,7 +14,7 @@ std::multiset<std::string> all(const std::string &text, const char *pattern) {
 }
 constexpr char kMarks[] = "<path class=\"mark\"[^>]* d=\"([^\"]*)\"";
 
-Plot plotOf(int count, int series) {
+static Plot plotOf(int count, int series) {
     Plot plot = {"title", "x", "y", {}, {}, true, true};
     for (int s = 0; s < series; ++s) plot.series.push_back("series " + std::to_string(s));
     std::mt19937 random(1);
@@ -29,8 +24,6 @@ Plot plotOf(int count, int series) {
                                "setting " + std::to_string(i), i % 17 == 0, i % series});
     return plot;
 }
-
-} // namespace
 
 TEST(Plot, EveryPointIsMarkedAndInTheLegend) {
     for (auto [count, series] : {std::pair{1, 1}, {12, 3}, {120, 6}}) {

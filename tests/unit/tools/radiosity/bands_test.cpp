@@ -3,8 +3,6 @@
 #include "tests/support/open_room.h"
 #include "tools/radiosity/transfer/environment.h"
 
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::radiosity;
 

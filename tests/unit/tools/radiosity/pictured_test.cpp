@@ -9,25 +9,19 @@
 #include "tools/radiosity/solve/solve.h"
 #include "tools/support/machine.h"
 
-#include <cmath>
-
 using namespace odraz;
 using namespace odraz::radiosity;
 
-namespace {
-
 // White where `white` returns true, black elsewhere.
-template <class White> pictures::Picture pixels(int width, int height, White &&white) {
+template <class White> static pictures::Picture pixels(int width, int height, White &&white) {
     pictures::Picture p = {width, height, 1};
     for (int j = 0; j < height; ++j)
         for (int i = 0; i < width; ++i) p.encoded.push_back(white(i, j) ? 65535 : 0);
     return p;
 }
-std::vector<TexturePoint> box(double u0, double v0, double u1, double v1) {
+static std::vector<TexturePoint> box(double u0, double v0, double u1, double v1) {
     return {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
 }
-
-} // namespace
 
 TEST(ReflectancePicture, IsAveragedOverAreas) {
     ReflectancePicture checks(pixels(8, 8, [](int i, int j) { return (i + j) % 2 == 0; }));

@@ -9,8 +9,6 @@
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/transfer/environment.h"
 
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::radiosity;
 
@@ -161,16 +159,14 @@ TEST(Gloss, IsTheLobeOfWhatArrives) {
     shown(openRoom(), {0.5f, 1.6f, 5}, true, "an open room", 0.03);
 }
 
-namespace {
-
-std::string fileOf(const TransferRoom &room) {
+static std::string fileOf(const TransferRoom &room) {
     common::TemporaryFolder folder;
     room.save(folder / "room.prt");
     return common::readWhole(folder / "room.prt");
 }
 
 // Whether a file is accepted; an accepted one must be safe to use.
-bool accepted(const std::string &file) {
+static bool accepted(const std::string &file) {
     common::TemporaryFolder folder;
     common::writeWhole(folder / "room.prt", file);
     std::string wrong = thrown([&] {
@@ -183,8 +179,6 @@ bool accepted(const std::string &file) {
     EXPECT_EQ(wrong.find('\n'), std::string::npos);
     return wrong.empty();
 }
-
-} // namespace
 
 // The checksum detects damage. A file with a forged checksum is refused or safe to use. (The fuzzer tries
 // many more files.)

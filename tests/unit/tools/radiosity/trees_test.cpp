@@ -5,18 +5,13 @@
 #include "tools/radiosity/rays/ray_tree.h"
 #include "tools/radiosity/reference/obstacles.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::radiosity;
-
-namespace {
 
 using Hit = Obstacles::Hit;
 using Corners = RayTree::Corners;
 
-std::vector<Obstacles::Triangle> inDouble(const std::vector<Corners> &all) {
+static std::vector<Obstacles::Triangle> inDouble(const std::vector<Corners> &all) {
     std::vector<Obstacles::Triangle> to;
     for (const Corners &c : all) to.push_back({toDouble(c[0]), toDouble(c[1]), toDouble(c[2])});
     return to;
@@ -49,7 +44,7 @@ using BothTrees = testing::Types<Solvers, Oracles>;
 TYPED_TEST_SUITE(Trees, BothTrees);
 
 // The hit of a ray and a triangle, by the signs of three volumes.
-Hit intersect(const Obstacles::Triangle &c, Vec3d o, Vec3d d) {
+static Hit intersect(const Obstacles::Triangle &c, Vec3d o, Vec3d d) {
     Vec3d n = cross(c[1] - c[0], c[2] - c[0]);
     double t = dot(c[0] - o, n) / dot(d, n);
     for (size_t k = 0; k < 3; ++k) {
@@ -60,7 +55,7 @@ Hit intersect(const Obstacles::Triangle &c, Vec3d o, Vec3d d) {
 }
 
 // A closed ball of triangles that share their corners.
-std::vector<Corners> ball(int rows, float radius, Vec3 centre) {
+static std::vector<Corners> ball(int rows, float radius, Vec3 centre) {
     std::vector<Corners> all;
     int columns = 2 * rows;
     auto at = [&](int i, int j) {
@@ -75,8 +70,6 @@ std::vector<Corners> ball(int rows, float radius, Vec3 centre) {
         }
     return all;
 }
-
-} // namespace
 
 TYPED_TEST(Trees, MeetWhatIsNearest) {
     Dice dice(7);
