@@ -4,22 +4,16 @@
 #include "tools/common/whole_file.h"
 #include "tools/picture/readers.h"
 
-#include <cstring>
-#include <gtest/gtest.h>
-#include <sstream>
-
 using namespace pictures;
 using namespace std::string_literals;
 
-namespace {
-
 constexpr int kWidth = 21, kHeight = 19;
 
-std::string fileOf(const std::string &name) {
+static std::string fileOf(const std::string &name) {
     return common::readWhole(ODRAZ_SOURCE "/tests/support/pictures/" + name + ".exr");
 }
 
-float valueAt(int x, int y, char channel) {
+static float valueAt(int x, int y, char channel) {
     return channel == 'G'   ? (float)y
            : channel == 'B' ? (float)(x * y % 7) / 4
            : channel == 'A' ? (float)(x % 4) / 4
@@ -28,7 +22,7 @@ float valueAt(int x, int y, char channel) {
 
 // Checks every pixel. All files have the same picture; p begins at its pixel x, y. Pixels of p outside of it
 // are 0.
-void expectValues(const Picture &p, const std::string &channels, int x, int y) {
+static void expectValues(const Picture &p, const std::string &channels, int x, int y) {
     ASSERT_EQ(p.channels, (int)channels.size());
     ASSERT_EQ(p.light.size(), p.pixels() * channels.size());
     const float *value = p.light.data();
@@ -40,9 +34,14 @@ void expectValues(const Picture &p, const std::string &channels, int x, int y) {
             }
 }
 
+static void refused(const std::string &file, const std::string &why) {
+    std::string got = thrown<common::Refused>([&] { readExr(file); });
+    EXPECT_NE(got.find(why), std::string::npos) << got;
+}
+
 // Returns a copy of the file in which an attribute of the header has another value.
-std::string with(std::string file, const std::string &name, const std::string &type,
-                 std::initializer_list<int32_t> value) {
+static std::string with(std::string file, const std::string &name, const std::string &type,
+                        std::initializer_list<int32_t> value) {
     size_t at = file.find(name + '\0' + type + '\0') + name.size() + type.size() + 6;
     uint32_t size;
     std::memcpy(&size, &file[at - 4], 4);
@@ -50,21 +49,15 @@ std::string with(std::string file, const std::string &name, const std::string &t
     return file;
 }
 
-} // namespace
-
 TEST(Exr, ReadsOtherWriters) {
-    struct Kind {
+    const struct {
         const char *name, *channels;
         int bits;
-    };
-    for (auto [name, channels, bits] : {Kind{"none_half", "RGB", 16},
-                                        {"rle_float", "RGB", 32},
-                                        {"zips_half", "RGB", 16},
-                                        {"zip_rgba", "RGBA", 32},
-                                        {"zip_grey", "Y", 16},
-                                        {"tiled_piz_half", "RGB", 16},
-                                        {"one_tile_piz_rgba", "RGBA", 32},
-                                        {"ripmap_rle_grey", "Y", 16}}) {
+    } kinds[] = {
+        {"none_half", "RGB", 16},          {"rle_float", "RGB", 32},    {"zips_half", "RGB", 16},
+        {"zip_rgba", "RGBA", 32},          {"zip_grey", "Y", 16},       {"tiled_piz_half", "RGB", 16},
+        {"one_tile_piz_rgba", "RGBA", 32}, {"ripmap_rle_grey", "Y", 16}};
+    for (auto [name, channels, bits] : kinds) {
         SCOPED_TRACE(name);
         std::string file = fileOf(name);
         ASSERT_TRUE(isExr(file));
@@ -135,12 +128,10 @@ TEST(Exr, ReadsColoursAmongOtherChannels) {
     }
     EXPECT_EQ(unused("envmap", "\0"s), 0u);
     EXPECT_EQ(unused("envmap", "\1"), 1u);
-    EXPECT_NE(thrown<common::Refused>([&] { readExr(made("BY half RY half Y half")); }).find("luminance"),
-              std::string::npos);
+    refused(made("BY half RY half Y half"), "luminance");
     for (const char *channels :
          {"a.B half a.G half a.R half b.B half b.G half b.R half", "X half Y half Z half"})
-        EXPECT_NE(thrown<common::Refused>([&] { readExr(made(channels)); }).find("only R, G and B, or Y"),
-                  std::string::npos);
+        refused(made(channels), "only R, G and B, or Y");
 }
 
 // Lines that are stored from the bottom give the same picture.
@@ -162,25 +153,19 @@ TEST(Exr, ShowsTheDisplayWindow) {
 }
 
 TEST(Exr, RefusesByName) {
-    auto refused = [](const std::string &file, const std::string &why) {
-        std::string got = thrown<common::Refused>([&] { readExr(file); });
-        EXPECT_NE(got.find(why), std::string::npos) << got;
-    };
     refused(fileOf("tiled_pxr24"), "it is compressed by PXR24; only none, RLE, ZIPS, ZIP and PIZ are read");
     std::string file = fileOf("none_half");
-    for (auto [flag, why] : {std::pair{8, "it has deep pixels"}, {16, "it has several parts"}}) {
-        std::string other = file;
-        other[5] |= (char)flag;
-        refused(other, why);
-    }
+    auto changed = [&](size_t at, const std::string &to) {
+        return std::string(file).replace(at, to.size(), to);
+    };
+    refused(changed(5, "\b"), "it has deep pixels");
+    refused(changed(5, "\x10"), "it has several parts");
     refused(with(file, "compression", "compression", {9}), "compressed by DWAB");
     refused(with(file, "compression", "compression", {10}), "compressed by an unknown method");
-    std::string z = file;
-    z[z.find("R\0\1"s)] = 'Z';
-    refused(z, "it has the channels B G Z; only R, G and B, or Y, with or without A are read");
-    std::string whole = file;
-    whole[whole.find("R\0\1"s) + 2] = 0;
-    refused(whole, "its channel R has whole numbers");
+    const size_t red = file.find("R\0\1"s);
+    refused(changed(red, "Z"),
+            "it has the channels B G Z; only R, G and B, or Y, with or without A are read");
+    refused(changed(red + 2, "\0"s), "its channel R has whole numbers");
     refused(with(file, "dataWindow", "box2i", {0, 0, -1, 0}), "no pixels, or more than 2^27");
     refused(with(file, "displayWindow", "box2i", {0, 0, 99999, 99999}), "no pixels, or more than 2^27");
     refused(with(file, "dataWindow", "box2i", {INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX}),
@@ -189,13 +174,9 @@ TEST(Exr, RefusesByName) {
     refused(with(file, "dataWindow", "box2i", {0, 1, 20, 18}), "damaged");
     // Change the first line's offset in the file to none, to another line's, and to one outside the file
     size_t table = file.find("lavc") + 5; // after the header's last value and a zero byte
-    std::string lost = file, twice = file, outside = file;
-    lost.replace(table, 8, std::string(8, '\0'));
-    refused(lost, "it is not complete");
-    twice.replace(table, 8, file.substr(table + 8, 8));
-    refused(twice, "it has some pixels twice");
-    outside[table + 5] = 1;
-    refused(outside, "ends too early");
+    refused(changed(table, std::string(8, '\0')), "it is not complete");
+    refused(changed(table, file.substr(table + 8, 8)), "it has some pixels twice");
+    refused(changed(table + 5, "\1"), "ends too early");
 }
 
 // A file is refused wherever it is cut.

@@ -6,22 +6,17 @@
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture_file.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-
 using namespace pictures;
 using namespace std::string_literals;
 
-namespace {
-
-Picture read(const std::string &bytes) {
+static Picture read(const std::string &bytes) {
     PictureFile file("a", bytes);
     Picture p = file.next();
     EXPECT_FALSE(file.more());
     return p;
 }
 
-void expectRefused(const std::string &bytes, const std::string &why) {
+static void expectRefused(const std::string &bytes, const std::string &why) {
     std::string got = thrown<common::Refused>([&] {
         PictureFile file("a", bytes);
         while (file.more()) file.next();
@@ -33,22 +28,24 @@ void expectRefused(const std::string &bytes, const std::string &why) {
 const std::string kFolder = ODRAZ_SOURCE "/tests/support/pictures/";
 using Encoded = std::vector<uint16_t>;
 
-std::string tga(int width, int height, int bits, const std::string &pixels, int kind = 2) {
+static std::string with(std::string file, size_t at, const std::string &to) {
+    return file.replace(at, to.size(), to);
+}
+
+static std::string tga(int width, int height, int bits, const std::string &pixels, int kind = 2) {
     std::string head(18, '\0');
     head[2] = (char)kind, head[12] = (char)width, head[14] = (char)height, head[16] = (char)bits,
     head[17] = bits == 32 ? 0x28 : 0x20; // top row first; eight bits of alpha if 32
     return head + pixels;
 }
 
-std::string bmp(int width, int height, const std::string &pixels) {
+static std::string bmp(int width, int height, const std::string &pixels) {
     std::string head(54, '\0');
     head[0] = 'B', head[1] = 'M', head[10] = 54, head[14] = 40, head[18] = (char)width, head[26] = 1,
     head[28] = 24;
     for (size_t k = 0; k < 4; ++k) head[22 + k] = (char)(height >> (8 * k)); // negative: top row first
     return head + pixels;
 }
-
-} // namespace
 
 TEST(Pnm, ReadsGreyAndRgbOf8And16Bits) {
     Picture p = read("P6\n2 1\n255\n\1\2\3\xff\0\x80"s);
@@ -123,9 +120,8 @@ TEST(PictureFile, RefusesOtherFiles) {
         expectRefused(file,
                       "its format is unknown; PNG, JPEG, TGA, BMP, PNM, Radiance HDR and OpenEXR are read");
     expectRefused("\x89PNG\r\n\x1a\n", "it is damaged: it ends before its last pixel");
-    std::string runs = bmp(2, 2, std::string(16, 'x'));
-    runs[30] = 1; // the compression
-    expectRefused(runs, "it is damaged, or of a kind that is not read");
+    expectRefused(with(bmp(2, 2, std::string(16, 'x')), 30, "\1"), // the compression
+                  "it is damaged, or of a kind that is not read");
     EXPECT_THROW(readPicture("/tmp"), common::Refused);
     EXPECT_THROW(readPicture("/dev/zero"), common::Refused);
 }
@@ -148,11 +144,8 @@ TEST(PictureFile, ReadsPngAndJpeg) {
     EXPECT_EQ(two.next().encoded, two.next().encoded);
     EXPECT_FALSE(two.more());
     EXPECT_EQ(read(png + "garbage").encoded, p.encoded);
-    for (size_t at = 16; at < png.size(); ++at) {
-        std::string changed = png;
-        changed[at] ^= 4;
-        expectRefused(changed, "it is damaged");
-    }
+    for (size_t at = 16; at < png.size(); ++at)
+        expectRefused(with(png, at, {(char)(png[at] ^ 4)}), "it is damaged");
     // stb_image copies empty chunks, and assumes that a Huffman table has at most 256 codes
     std::string parts = png, codes = jpg;
     parts.insert(33, "\0\0\0\0IDAT\x35\xaf\x06\x1e"s);
@@ -180,9 +173,8 @@ TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
     EXPECT_EQ(read(bmp(1, 2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{1542, 1285, 1028, 771, 514, 257}));
     EXPECT_EQ(read(bmp(1, -2, "\1\2\3\0\4\5\6\0"s)).encoded, (Encoded{771, 514, 257, 1542, 1285, 1028}));
     // Rows that begin on the right
-    std::string mirrored = tga(2, 1, 32, pixels);
-    mirrored[17] ^= 0x10;
-    EXPECT_EQ(read(mirrored).encoded, (Encoded{1542, 1285, 1028, 65535, 771, 514, 257, 32896}));
+    EXPECT_EQ(read(with(tga(2, 1, 32, pixels), 17, "\x38")).encoded,
+              (Encoded{1542, 1285, 1028, 65535, 771, 514, 257, 32896}));
     expectRefused(bmp(1, -(1 << 24), ""), "it ends before its last pixel");
     expectRefused(bmp(127, -(1 << 24), ""), "no pixels, or more than 2^26");
     expectRefused(bmp(0, 9, "abcd"), "no pixels, or more than 2^26");
@@ -196,10 +188,9 @@ TEST(PictureFile, ReadsTgaAndBmpToTheirEnds) {
 
 // The fourth byte of a pixel is ignored if the file does not declare it as alpha.
 TEST(PictureFile, ReadsAlphaOnlyWhereItIs) {
-    std::string clear = tga(2, 1, 32, "\1\2\3\x80\4\5\6\xff"), old = bmp(1, 1, "\1\2\3\4");
-    clear[17] = 0x20, old[28] = 32;
-    EXPECT_EQ(read(clear).encoded, (Encoded{771, 514, 257, 1542, 1285, 1028}));
-    EXPECT_EQ(read(old).encoded, (Encoded{771, 514, 257}));
+    EXPECT_EQ(read(with(tga(2, 1, 32, "\1\2\3\x80\4\5\6\xff"), 17, "\x20")).encoded,
+              (Encoded{771, 514, 257, 1542, 1285, 1028}));
+    EXPECT_EQ(read(with(bmp(1, 1, "\1\2\3\4"), 28, "\x20")).encoded, (Encoded{771, 514, 257}));
 }
 
 // Properties of a file that are not used are reported, unless they have their usual values.
@@ -211,15 +202,13 @@ TEST(PictureFile, NamesWhatItDoesNotUse) {
     };
     const std::string exif = "\xff\xe1\0\x22"
                              "Exif\0\0II*\0\b\0\0\0\1\0\x12\1\3\0\1\0\0\0X\0\0\0\0\0\0\0"s;
-    std::string upright = exif, turned = exif;
-    upright[28] = 1, turned[28] = 6;
     EXPECT_EQ(unused("small.png", "\0\0\0\4gAMA\0\1\x86\xa0\x31\xe8\x96\x5f"s, 33), "gAMA");
     EXPECT_EQ(unused("small.png", "\0\0\0\4gAMA\0\0\xb1\x8f\x0b\xfc\x61\5"s, 33), "");
     EXPECT_EQ(unused("small.png", "\0\0\0\4cICP\1\xd\0\1\x9c\x69\x3b\x32"s, 33), "");
     EXPECT_EQ(unused("small.png", "\0\0\0\bacTL\0\0\0\2\0\0\0\0\xf3\x8d\x93\x70"s, 33),
               "an animation (APNG)");
-    EXPECT_EQ(unused("small.jpg", upright, 2), "");
-    EXPECT_EQ(unused("small.jpg", turned, 2), "orientation");
+    EXPECT_EQ(unused("small.jpg", with(exif, 28, "\1"), 2), "");
+    EXPECT_EQ(unused("small.jpg", with(exif, 28, "\6"), 2), "orientation");
     EXPECT_EQ(unused("small.jpg", "\xff\xe2\0\x10ICC_PROFILE\0\1\1"s, 2), "an ICC profile");
     EXPECT_EQ(unused("small.jpg", "trailer", 1 << 20), "");
     EXPECT_EQ(unused("small.jpg", common::readWhole(kFolder + "small.jpg"), 1 << 20), "further pictures");
@@ -267,9 +256,6 @@ TEST(PictureFile, RefusesLightThatIsNoNumberOrTooMuch) {
                   "its pixel 1,0 is 1.69477e+38; light must be a number up to 1e+12");
     expectRefused(hdr("\0\x80\0\xa9"), "its pixel 1,0 is 1.09951e+12");
     std::string exr = common::readWhole(kFolder + "none_half.exr");
-    for (const char *value : {"\0\x7c", "\0\xfc", "\1\x7e"}) { // infinite, and not a number
-        std::string changed = exr;
-        changed.replace(exr.size() - 2, 2, value, 2);
-        expectRefused(changed, "its pixel 20,18 is ");
-    }
+    for (const auto &value : {"\0\x7c"s, "\0\xfc"s, "\1\x7e"s}) // infinite, and not a number
+        expectRefused(with(exr, exr.size() - 2, value), "its pixel 20,18 is ");
 }
