@@ -3,21 +3,16 @@
 #include "tools/radiosity/solve/solve.h"
 #include "tools/support/machine.h"
 
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::radiosity;
 
-namespace {
-
-double sumOf(const std::vector<Rgb> &light) {
-    double sum = 0;
-    for (const Rgb &c : light) sum += (double)(c.x + c.y + c.z);
-    return sum;
+static double sumOf(const std::vector<Rgb> &light) {
+    return std::accumulate(light.begin(), light.end(), 0.,
+                           [](double sum, const Rgb &c) { return sum + (double)(c.x + c.y + c.z); });
 }
 
 // The largest difference of a channel between a and b, as a share of the brightest channel of b.
-double largestDifference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
+static double largestDifference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     EXPECT_EQ(a.size(), b.size());
     float most = 0, off = 0;
     for (size_t i = 0; i < a.size() && i < b.size(); ++i) {
@@ -33,15 +28,13 @@ struct Watched {
     std::vector<Rgb> end;
 };
 
-Watched watch(const char *kind, SolveSettings s = {}) {
+static Watched watch(const char *kind, SolveSettings s = {}) {
     Watched watched;
     s.watcher = [&](const auto &light) { watched.light.push_back(light().light); };
     Workers workers = serialWorkers();
     watched.end = solveModel(generatedMesh(kind), s, {}, workers, &kNever, {}).solution.light;
     return watched;
 }
-
-} // namespace
 
 TEST(LightSoFar, BeginsDirectAndEndsAsTheSolution) {
     Watched g = watch("cube");

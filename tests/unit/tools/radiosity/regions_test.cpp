@@ -9,10 +9,8 @@
 using namespace odraz;
 using namespace odraz::radiosity;
 
-namespace {
-
 // A plane of squares of two triangles each, without the squares for which `hole` returns true.
-template <class Hole> Mesh grid(int across, int down, Hole &&hole) {
+template <class Hole> static Mesh grid(int across, int down, Hole &&hole) {
     Mesh mesh;
     mesh.materials.push_back({"plain", {0.5f, 0.5f, 0.5f}, {}});
     for (int j = 0; j <= down; ++j)
@@ -37,8 +35,6 @@ struct Joined {
         return area;
     }
 };
-
-} // namespace
 
 // A grid is one rectangle, a window leaves four, an L is two.
 TEST(Regions, AreFewRectangles) {
@@ -65,15 +61,13 @@ TEST(Regions, OtherMaterialsBendsAndBacksStayApart) {
     Mesh mesh = grid(4, 1, [](int, int) { return false; });
     mesh.materials.push_back({"other", {0.2f, 0.2f, 0.2f}, {}});
     mesh.triangles[6].material = mesh.triangles[7].material = 1; // the last square
-    Joined two(mesh);
-    EXPECT_EQ(two.model->chartCount, 2);
+    EXPECT_EQ(Joined(mesh).model->chartCount, 2);
     mesh.points[0][1] = mesh.points[5][1] = 0.01; // the first square, tilted
     Joined three(mesh);
     EXPECT_EQ(three.model->chartCount, 3);
     EXPECT_NEAR(three.facetsArea(), 4, 1e-3);
     std::swap(mesh.triangles[2].corners[0], mesh.triangles[2].corners[1]); // half of the second: reversed
-    Joined four(mesh);
-    EXPECT_EQ(four.model->chartCount, 5); // its other half touches the rest only at a corner
+    EXPECT_EQ(Joined(mesh).model->chartCount, 5); // its other half touches the rest only at a corner
 }
 
 // Makes a mesh lit from both sides, as `--two-sided` does.
@@ -100,22 +94,18 @@ TEST(Regions, FrontsJoinFrontsAndBacksBacks) {
 // Regions end where two planes cross, because light changes there.
 TEST(Regions, PlanesThatCrossAreCutThere) {
     Mesh mesh = grid(2, 1, [](int, int) { return false; });
-    mesh.points.push_back({1, 1, 0}), mesh.points.push_back({1, 1, -1}); // 6, 7: above the middle
-    mesh.points.push_back({1, -1, 0}), mesh.points.push_back({1, -1, -1});
-    mesh.triangles.push_back({{1, 4, 7}, 0}), mesh.triangles.push_back({{1, 7, 6}, 0});
-    mesh.triangles.push_back({{1, 9, 4}, 0}), mesh.triangles.push_back({{1, 8, 9}, 0});
-    Joined crossing(mesh);
-    EXPECT_EQ(crossing.model->chartCount, 4);
+    mesh.points.insert(mesh.points.end(), {{1, 1, 0}, {1, 1, -1}, {1, -1, 0}, {1, -1, -1}}); // from 6 on
+    mesh.triangles.insert(mesh.triangles.end(),
+                          {{{1, 4, 7}, 0}, {{1, 7, 6}, 0}, {{1, 9, 4}, 0}, {{1, 8, 9}, 0}});
+    EXPECT_EQ(Joined(mesh).model->chartCount, 4);
     addBacks(mesh);
-    Joined both(mesh);
-    EXPECT_EQ(both.model->chartCount, 8);
+    EXPECT_EQ(Joined(mesh).model->chartCount, 8);
 }
 
 TEST(Regions, WhatIsNotMadeOfRectanglesKeepsItsTriangles) {
     Mesh mesh = grid(2, 2, [](int, int) { return false; });
     mesh.points[4] = {0.8, 0, -0.9}; // the middle point, moved; the outline stays a square
-    Joined square(mesh);
-    EXPECT_EQ(square.model->facetCount, 1);
+    EXPECT_EQ(Joined(mesh).model->facetCount, 1);
     mesh.points[8] = {2.5, 0, -2.4}; // a corner pulled out
     Joined askew(mesh);
     EXPECT_EQ(askew.model->chartCount, 1);
@@ -129,8 +119,8 @@ TEST(Solution, ReportsWhereElementsAreLongerThanAsked) {
     for (int length : {kMaxAcross, kMaxAcross + 10}) {
         Mesh mesh = grid(length, 1, [](int, int) { return false; });
         mesh.materials.push_back({"lamp", {}, {1, 1, 1}});
-        for (auto &p : {Vec3d{0, 2, 0}, {0, 2, -1}, {1, 2, 0}}) mesh.points.push_back(p);
-        int first = (int)mesh.points.size() - 3;
+        int first = (int)mesh.points.size();
+        mesh.points.insert(mesh.points.end(), {{0, 2, 0}, {0, 2, -1}, {1, 2, 0}});
         mesh.triangles.push_back({{first, first + 1, first + 2}, 1});
         SolveSettings s;
         s.element = 1;

@@ -8,14 +8,8 @@
 #include "tools/radiosity/patches/shooting.h"
 #include "tools/support/heap_arena.h"
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <memory>
-
 using namespace odraz;
 using namespace odraz::radiosity;
-
-namespace {
 
 // A system of a few patches with random form factors.
 struct RandomSystem {
@@ -41,8 +35,8 @@ struct RandomSystem {
             }
         }
         for (size_t i = 0; i < patches.size(); ++i) {
-            float sum = 0;
-            for (const Link &link : links[i]) sum += link.share;
+            float sum = std::accumulate(links[i].begin(), links[i].end(), 0.f,
+                                        [](float s, const Link &link) { return s + link.share; });
             for (Link &link : links[i]) link.share /= sum;
             patches[i].area = links[i].empty() ? 1 : sum;
         }
@@ -71,6 +65,9 @@ struct RandomSystem {
         return b;
     }
 
+    Shooting shooting() const {
+        return {*model, patchesAlone(*model), std::vector<Rgb>(patches.size()), direct};
+    }
     // Shoots until less than the residual is left. Returns the number of shots
     int shoot(Shooting &shooting, double residual) const {
         const auto columns = system.rows.columns();
@@ -85,8 +82,6 @@ struct RandomSystem {
     }
 };
 
-} // namespace
-
 TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
     for (float reflects : {0.f, 0.3f, 0.8f, 0.98f})
         for (int count : {2, 3, 20, 90}) {
@@ -94,8 +89,7 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
             std::vector<Rgb> once = room.system.reflectDirect(), next((size_t)count);
             for (int sweeps = 0; room.system.sweep(once, true) > 1e-6f && sweeps < 10000;) ++sweeps;
             for (int pass = 0; pass < (reflects > 0.9f ? 1000 : 100); ++pass) room.system.sweep(next, false);
-            Shooting shooting(*room.model, patchesAlone(*room.model), std::vector<Rgb>((size_t)count),
-                              room.direct);
+            Shooting shooting = room.shooting();
             EXPECT_DOUBLE_EQ(shooting.left(), reflects > 0 ? 1 : 0);
             room.shoot(shooting, 1e-6);
             EXPECT_LE(shooting.left(), 1e-6);
@@ -103,15 +97,11 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
             float Rgb::*channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
             for (int c = 0; c < 3; ++c) {
                 std::vector<double> exact = room.solvedDirectly(channels[c]);
-                double most = 0;
-                for (double b : exact) most = std::max(most, b);
-                for (int i = 0; i < count; ++i) {
-                    double b = exact[(size_t)i], off = 1e-4 * most + 1e-9;
-                    for (const Rgb &found : {shot[(size_t)i], once[(size_t)i], next[(size_t)i]}) {
-                        float got = found.*channels[c];
-                        ASSERT_NEAR((double)got, b, off) << reflects << ' ' << count << ' ' << i;
-                    }
-                }
+                double off = 1e-4 * *std::max_element(exact.begin(), exact.end()) + 1e-9;
+                for (size_t i = 0; i < exact.size(); ++i)
+                    for (const Rgb &found : {shot[i], once[i], next[i]})
+                        ASSERT_NEAR(found.*channels[c], exact[i], off)
+                            << reflects << ' ' << count << ' ' << i;
             }
         }
 }
@@ -127,15 +117,15 @@ TEST(Shooting, TheResidualBoundsTheError) {
     }
     int before = 0;
     for (double residual : {0.1, 1e-2, 1e-3, 1e-4}) {
-        Shooting shooting(*room.model, patchesAlone(*room.model), std::vector<Rgb>(60), room.direct);
+        Shooting shooting = room.shooting();
         int shots = room.shoot(shooting, residual);
         EXPECT_GT(shots, before);
         before = shots;
         double missing = 0;
-        for (int i = 0; i < 60; ++i) {
-            double b = (double)shooting.radiosity()[(size_t)i].x;
-            EXPECT_LE(b, exact[(size_t)i] * (1 + 1e-4)) << residual; // radiosity only grows
-            missing += (exact[(size_t)i] - b) * (double)room.patches[(size_t)i].area;
+        for (size_t i = 0; i < 60; ++i) {
+            double b = (double)shooting.radiosity()[i].x;
+            EXPECT_LE(b, exact[i] * (1 + 1e-4)) << residual; // radiosity only grows
+            missing += (exact[i] - b) * (double)room.patches[i].area;
         }
         EXPECT_GE(missing, -1e-4 * put);
         EXPECT_LE(missing, residual * put / (1 - 0.7) + 1e-5 * put);
@@ -144,12 +134,12 @@ TEST(Shooting, TheResidualBoundsTheError) {
 
 TEST(Shooting, NoLightNoLampsNoPatches) {
     RandomSystem dark(10, 0.5f, 0, 1), one(1, 0.9f, 2, 1);
-    Shooting none(*dark.model, patchesAlone(*dark.model), std::vector<Rgb>(10), std::vector<Rgb>(10));
+    Shooting none = dark.shooting();
     EXPECT_EQ(none.left(), 0);
     EXPECT_TRUE(none.brightest(5).empty());
     EXPECT_EQ(none.ambient().x, 0);
     // A patch that sees no other reflects direct light only
-    Shooting alone(*one.model, patchesAlone(*one.model), std::vector<Rgb>(1), one.direct);
+    Shooting alone = one.shooting();
     one.shoot(alone, 1e-9);
     EXPECT_FLOAT_EQ(alone.radiosity()[0].x, 1.8f);
     EXPECT_EQ(alone.left(), 0);
@@ -163,16 +153,14 @@ TEST(OddHemicube, PixelsSumToOne) {
         double sum = 0, top = 0;
         for (int y = 0; y < 3 * px; ++y) {
             float row = sums[(size_t)(y * (px + 1) + px)];
-            sum += (double)row;
-            if (y < px) top += (double)row;
+            sum += (double)row, top += (double)row * (y < px);
             // With odd px, the shared rows are not used
             bool shared = px % 2 && y >= px && (y - px) % px == px / 2;
             EXPECT_EQ(row == 0, shared) << px << ' ' << y;
         }
         EXPECT_NEAR(sum, 1, 1e-6) << px;
         // The form factor of the top face: four times Howell's C-11, for a quarter of the square
-        double a = 1,
-               exact = 4 * (2 * a / std::sqrt(1 + a * a) * std::atan(a / std::sqrt(1 + a * a))) / (2 * M_PI);
+        double exact = 4 * std::sqrt(2.) * std::atan(std::sqrt(0.5)) / (2 * M_PI);
         EXPECT_NEAR(top, exact, 1e-6) << px;
     }
 }

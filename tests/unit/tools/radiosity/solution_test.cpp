@@ -8,17 +8,13 @@
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/solution/saved_state.h"
 
-#include <cmath>
-#include <cstring>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::radiosity;
 
-namespace {
+constexpr Rgb kGrey = {0.5f, 0.5f, 0.5f};
 
 // A solution made by hand: two charts of two by one cells; each chart has a facet.
-Solution small() {
+static Solution small() {
     Solution b;
     for (int k = 0; k < 2; ++k) {
         Chart c = {};
@@ -28,20 +24,14 @@ Solution small() {
         c.firstCell = 2 * k, c.firstTexel = 6 * k, c.firstFacet = k, c.facetCount = 1;
         b.charts.push_back(c);
         b.facets.push_back({k, {0, 2, 2, 0}, {0, 0, 1, 1}});
-        for (int y = 0; y < 2; ++y)
-            for (int x = 0; x < 3; ++x) b.texels.push_back({k, x, y, 15, 0, false});
-        b.reflects.push_back({0.5f, 0.5f, 0.5f}), b.emits.push_back({0, 0, (float)k});
+        for (int i = 0; i < 6; ++i) b.texels.push_back({k, i % 3, i / 3, 15, 0, false});
+        for (int at : {6 * k, 6 * k + 1}) b.cells.push_back({{at, at + 1, at + 3, at + 4}, 0, k, 1});
+        b.reflects.push_back(kGrey), b.emits.push_back({0, 0, (float)k});
     }
-    auto cell = [](int k, int x) {
-        int at = 6 * k + x;
-        return Cell{{at, at + 1, at + 3, at + 4}, 0, k, 1};
-    };
-    for (int i = 0; i < 4; ++i) b.cells.push_back(cell(i / 2, i % 2));
     b.light.assign(b.texels.size(), Rgb{1, 2, 3});
+    b.material = {0, 0}, b.names = {'a', 0};
     return b;
 }
-
-} // namespace
 
 class SolutionFile : public testing::Test {
 protected:
@@ -102,21 +92,11 @@ TEST_F(SolutionFile, IsRefusedIfItIsInconsistent) {
         [](Solution &b) { b.reflects.pop_back(); },
         [](Solution &b) { b.emits.clear(); },
         [](Solution &b) { b.cellReflects.resize(3); },
-        [](Solution &b) {
-            b.material = {0, 2}, b.names = {'a', 0};
-        },
-        [](Solution &b) {
-            b.material = {0, 0}, b.names = {'a'};
-        },
-        [](Solution &b) {
-            b.material = {0}, b.names = {'a', 0};
-        },
-        [](Solution &b) {
-            b.group = {0, 2}, b.names = {'a', 0};
-        },
-        [](Solution &b) {
-            b.cellReflects.resize(b.cells.size(), Rgb{NAN, 0, 0});
-        },
+        [](Solution &b) { b.cellReflects.resize(b.cells.size(), kGrey * NAN); },
+        [](Solution &b) { b.material[1] = 2; }, // beyond the names
+        [](Solution &b) { b.material.pop_back(); },
+        [](Solution &b) { b.group = b.material, b.group[1] = 2; },
+        [](Solution &b) { b.names.pop_back(); },
     };
     for (size_t i = 0; i < std::size(spoils); ++i) {
         Solution b = small();

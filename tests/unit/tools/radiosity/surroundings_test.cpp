@@ -1,25 +1,19 @@
 // Tests pictures of the sky: no light is lost, and suns replace pixels that are too bright.
 #include "tools/common/command_line.h"
 #include "tools/common/folders.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/read/surroundings.h"
 #include "tools/support/vec3d.h"
 
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
-
 using namespace odraz;
 using namespace odraz::radiosity;
-
-namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
 // An uncompressed picture in Radiance's format.
-std::string hdr(int width, int height, const std::function<Rgb(int, int)> &colour) {
-    std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
-                       std::to_string(width) + "\n";
+static std::string hdr(int width, int height, const std::function<Rgb(int, int)> &colour) {
+    std::string file = common::format("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", height, width);
     for (int j = 0; j < height; ++j)
         for (int i = 0; i < width; ++i) {
             Rgb c = colour(i, j);
@@ -31,41 +25,41 @@ std::string hdr(int width, int height, const std::function<Rgb(int, int)> &colou
     return file;
 }
 
-SkyPicture read(const std::string &file, bool upIsZ, std::vector<Sun> &suns,
-                std::vector<std::string> *notes = nullptr) {
-    common::TemporaryFolder folder;
-    common::writeWhole(folder / "sky.hdr", file);
-    return readSky(folder / "sky.hdr", upIsZ, suns, notes);
-}
+struct ReadSky {
+    std::vector<Sun> suns;
+    std::vector<std::string> notes;
+    SkyPicture sky;
 
-// Returns the integral of light over all directions, divided by pi.
-Rgb all(const SkyPicture &sky, const std::vector<Sun> &suns) {
-    Rgb sum = {};
-    int high = 4 * std::max(sky.height, 1), wide = 2 * high;
-    for (int j = 0; j < high; ++j)
-        for (int i = 0; i < wide; ++i) {
-            double down = kTurn / 2 * (j + 0.5) / high, around = kTurn * (i + 0.5) / wide;
-            Vec3d d = {std::sin(down) * std::sin(around), std::cos(down), std::sin(down) * std::cos(around)};
-            sum += sky.radiance(toFloat(d)) * (float)(std::sin(down) / high * (kTurn / wide));
-        }
-    for (const Sun &s : suns) sum += s.light;
-    return sum;
-}
-
-} // namespace
+    explicit ReadSky(const std::string &file, bool upIsZ = false) {
+        common::TemporaryFolder folder;
+        common::writeWhole(folder / "sky.hdr", file);
+        sky = readSky(folder / "sky.hdr", upIsZ, suns, &notes);
+    }
+    // Expects the integral of light over all directions, divided by pi.
+    void expectAll(Rgb wanted, Rgb off) const {
+        Rgb sum = {};
+        int high = 4 * std::max(sky.height, 1), wide = 2 * high;
+        for (int j = 0; j < high; ++j)
+            for (int i = 0; i < wide; ++i) {
+                double down = kTurn / 2 * (j + 0.5) / high, around = kTurn * (i + 0.5) / wide;
+                Vec3d d = {std::sin(down) * std::sin(around), std::cos(down),
+                           std::sin(down) * std::cos(around)};
+                sum += sky.radiance(toFloat(d)) * (float)(std::sin(down) / high * (kTurn / wide));
+            }
+        for (const Sun &s : suns) sum += s.light;
+        for (float Rgb::*c : {&Rgb::x, &Rgb::y, &Rgb::z}) EXPECT_NEAR(sum.*c, wanted.*c, off.*c * wanted.*c);
+    }
+};
 
 // A picture with other primaries is refused. A note reports another aspect ratio.
 TEST(Sky, IsAPanoramaOfItsLight) {
-    std::vector<Sun> suns;
-    std::vector<std::string> notes;
     auto white = [](int, int) { return Rgb{1, 1, 1}; };
     std::string file = hdr(8, 4, white);
-    read(file, false, suns, &notes);
-    EXPECT_TRUE(notes.empty());
-    read(hdr(8, 8, white), false, suns, &notes);
-    EXPECT_NE(notes.at(0).find("sky.hdr: it is 8 x 8, not twice as wide as high"), std::string::npos);
+    EXPECT_TRUE(ReadSky(file).notes.empty());
+    EXPECT_NE(ReadSky(hdr(8, 8, white)).notes.at(0).find("sky.hdr: it is 8 x 8, not twice as wide as high"),
+              std::string::npos);
     file.insert(file.find('\n') + 1, "PRIMARIES= .3 .6 .64 .33 .15 .06 .3127 .329\n");
-    EXPECT_THROW(read(file, false, suns), common::Refused);
+    EXPECT_THROW(ReadSky{file}, common::Refused);
 }
 
 TEST(Sky, IsAsBrightAsItsPicture) {
@@ -73,19 +67,16 @@ TEST(Sky, IsAsBrightAsItsPicture) {
         auto colour = [&](int i, int j) {
             return Rgb{1 + 0.5f * (float)((i + j) % 2), 0.25f, j * 2 < width / 2 ? 2.f : 0.5f};
         };
-        std::vector<Sun> suns;
-        SkyPicture sky = read(hdr(width, width / 2, colour), false, suns);
-        Rgb wanted = {}, got = all(sky, suns);
+        Rgb wanted = {};
         for (int j = 0; j < width / 2; ++j)
             for (int i = 0; i < width; ++i)
-                wanted =
-                    wanted +
-                    colour(i, j) * (float)(2. / width *
-                                           (std::cos(kTurn * j / width) - std::cos(kTurn * (j + 1) / width)));
-        EXPECT_TRUE(suns.empty());
-        EXPECT_NEAR(got.x, wanted.x, 0.01 * wanted.x) << width;
-        EXPECT_NEAR(got.y, wanted.y, 0.01 * wanted.y) << width;
-        EXPECT_NEAR(got.z, wanted.z, 0.03 * wanted.z) << width;
+                wanted +=
+                    colour(i, j) *
+                    (float)(2. / width * (std::cos(kTurn * j / width) - std::cos(kTurn * (j + 1) / width)));
+        SCOPED_TRACE(width);
+        ReadSky sky(hdr(width, width / 2, colour));
+        EXPECT_TRUE(sky.suns.empty());
+        sky.expectAll(wanted, {0.01f, 0.01f, 0.03f});
     }
 }
 
@@ -99,8 +90,7 @@ TEST(Sky, LooksWhereThePictureDoes) {
                                     : Rgb{};
     };
     for (bool upIsZ : {false, true}) {
-        std::vector<Sun> suns;
-        SkyPicture sky = read(hdr(128, 64, colour), upIsZ, suns);
+        SkyPicture sky = ReadSky(hdr(128, 64, colour), upIsZ).sky;
         Vec3 ahead = upIsZ ? Vec3{0, 1, 0} : Vec3{0, 0, -1}, up = upIsZ ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
         EXPECT_GT(sky.radiance(ahead).x, 0.95f);
         EXPECT_GT(sky.radiance({1, 0, 0}).y, 0.95f);
@@ -112,13 +102,10 @@ TEST(Sky, LooksWhereThePictureDoes) {
 
 TEST(Sky, CastsWhatIsTooBrightAsSuns) {
     // One pixel 30,000 times as bright as all others, 30.9 degrees above the horizon towards +x
+    auto colour = [](int i, int j) { return i == 192 && j == 42 ? Rgb{30000, 20000, 10000} : Rgb{1, 1, 1}; };
     for (bool upIsZ : {false, true}) {
-        std::vector<Sun> suns;
-        SkyPicture sky = read(hdr(256, 128,
-                                  [](int i, int j) {
-                                      return i == 192 && j == 42 ? Rgb{30000, 20000, 10000} : Rgb{1, 1, 1};
-                                  }),
-                              upIsZ, suns);
+        ReadSky sky(hdr(256, 128, colour), upIsZ);
+        const std::vector<Sun> &suns = sky.suns;
         ASSERT_EQ(suns.size(), 1u);
         Vec3 wanted = sunTowards(90 - 180 * 42.5 / 128, 360 * 192.5 / 256 - 180, upIsZ);
         EXPECT_GT(dot(suns[0].towards, wanted), 0.99999f);
@@ -128,22 +115,20 @@ TEST(Sky, CastsWhatIsTooBrightAsSuns) {
         double angle = kTurn / 256 * (std::cos(kTurn * 42 / 256) - std::cos(kTurn * 43 / 256)) / (kTurn / 2);
         EXPECT_NEAR(suns[0].light.x / suns[0].light.z, 3, 0.02); // RGBE has eight bits
         EXPECT_NEAR(suns[0].light.x, 30000 * angle, 0.02 * 30000 * angle);
-        Rgb got = all(sky, suns);
-        EXPECT_NEAR(got.x, 4 + 30000 * angle, 0.02 * (4 + 30000 * angle));
+        Rgb share = Rgb{3, 2, 1} * (float)(10000 * angle);
+        sky.expectAll(Rgb{4, 4, 4} + share, {0.02f, 0.02f, 0.02f});
     }
 }
 
 TEST(Sky, CutsWideLightIntoSuns) {
-    std::vector<Sun> suns;
     auto colour = [](int i, int j) {
         return i >= 100 && i < 140 && j >= 20 && j < 30 ? Rgb{500, 500, 500} : Rgb{0.1f, 0.1f, 0.1f};
     };
-    SkyPicture sky = read(hdr(256, 128, colour), false, suns);
+    const std::vector<Sun> suns = ReadSky(hdr(256, 128, colour)).suns;
     EXPECT_EQ(suns.size(), 24u);
-    double most = 0, least = 1e9;
-    for (const Sun &s : suns)
-        most = std::max(most, (double)s.light.x), least = std::min(least, (double)s.light.x);
-    EXPECT_LT(most, 2.5 * least);
+    auto [least, most] = std::minmax_element(
+        suns.begin(), suns.end(), [](const Sun &a, const Sun &b) { return a.light.x < b.light.x; });
+    EXPECT_LT(most->light.x, 2.5f * least->light.x);
 }
 
 TEST(Sky, PutsSunsWhereAsked) {
@@ -158,6 +143,5 @@ TEST(Sky, PutsSunsWhereAsked) {
 
 // (hdr_reader_test has files that are not pictures.)
 TEST(Sky, RefusesSumsThatAreNoNumbers) {
-    std::vector<Sun> suns;
-    EXPECT_THROW(read("#?RADIANCE\n\n-Y 1 +X 1\n\xff\xff\xff\xff", false, suns), common::Refused);
+    EXPECT_THROW(ReadSky("#?RADIANCE\n\n-Y 1 +X 1\n\xff\xff\xff\xff"), common::Refused);
 }

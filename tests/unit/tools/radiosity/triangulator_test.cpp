@@ -2,29 +2,22 @@
 // way.
 #include "tools/radiosity/read/mesh_builder.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
-#include <set>
-
 using namespace odraz;
 using namespace odraz::radiosity;
 
-namespace {
+using Point = std::array<double, 2>;
+using Loop = std::vector<Point>;
 
-using Loop = std::vector<std::array<double, 2>>;
-
-double side(const std::array<double, 2> &a, const std::array<double, 2> &b, const std::array<double, 2> &c) {
+static double side(const Point &a, const Point &b, const Point &c) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
-bool crosses(const Loop &p, size_t i, size_t k) { // the sides that begin at i and k
+static bool crosses(const Loop &p, size_t i, size_t k) { // the sides that begin at i and k
     const auto &a = p[i], &b = p[(i + 1) % p.size()], &c = p[k], &d = p[(k + 1) % p.size()];
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
 // Returns random points in random order. Reverses parts of the outline until no sides cross.
-Loop untangled(size_t count, std::mt19937 &random) {
+static Loop untangled(size_t count, std::mt19937 &random) {
     std::uniform_real_distribution<double> uniform(0, 1);
     Loop p(count);
     for (auto &at : p) at = {uniform(random), uniform(random)};
@@ -41,7 +34,7 @@ Loop untangled(size_t count, std::mt19937 &random) {
 }
 
 // Returns points around a centre, at random distances.
-Loop star(size_t count, std::mt19937 &random) {
+static Loop star(size_t count, std::mt19937 &random) {
     std::uniform_real_distribution<double> uniform(0.1, 1);
     Loop p;
     for (size_t i = 0; i < count; ++i) {
@@ -51,16 +44,24 @@ Loop star(size_t count, std::mt19937 &random) {
     return p;
 }
 
-Vec3d newell(const std::vector<Vec3d> &p) {
+static Vec3d newell(const std::vector<Vec3d> &p) {
     Vec3d sum = {};
     for (size_t i = 0; i < p.size(); ++i) sum = sum + cross(p[i] - p[0], p[(i + 1) % p.size()] - p[0]);
     return sum / 2;
+}
+
+// Returns the polygon's points in a plane with these axes.
+static std::vector<Vec3d> placed(const Loop &p, const Vec3d &u, const Vec3d &v, const Vec3d &at) {
+    std::vector<Vec3d> points;
+    for (const auto &q : p) points.push_back(at + u * q[0] + v * q[1]);
+    return points;
 }
 
 struct Built {
     Mesh mesh;
     std::vector<std::string> notes;
     double area = 0; // the area of the triangles along Newell's normal; NaN if one faces the other way
+    double newells;
 
     explicit Built(const std::vector<Vec3d> &points) {
         Polygons polygons;
@@ -68,23 +69,15 @@ struct Built {
         polygons.polygons.push_back({0, -1, 1});
         for (size_t i = 0; i < points.size(); ++i) polygons.corners.push_back({(int)i, -1});
         mesh = buildMesh("m", polygons, {}, {}, notes);
+        newells = length(newell(points));
         Vec3d up = normalize(newell(points));
         for (const Triangle &t : mesh.triangles) {
             double along = dot(normalOf(mesh, t), up) / 2;
             area += along > 0 ? along : NAN;
         }
     }
+    explicit Built(const Loop &onFloor) : Built(placed(onFloor, {0, 0, 1}, {1, 0, 0}, {})) {}
 };
-
-// Returns the polygon's points in a plane with these axes.
-std::vector<Vec3d> placed(const Loop &p, const Vec3d &u, const Vec3d &v, const Vec3d &at) {
-    std::vector<Vec3d> points;
-    for (const auto &q : p) points.push_back(at + u * q[0] + v * q[1]);
-    return points;
-}
-std::vector<Vec3d> onFloor(const Loop &p) { return placed(p, {0, 0, 1}, {1, 0, 0}, {}); }
-
-} // namespace
 
 TEST(Triangulator, DividesTenThousandRandomPolygons) {
     std::mt19937 random(7);
@@ -97,45 +90,50 @@ TEST(Triangulator, DividesTenThousandRandomPolygons) {
         if (k % 4 < 2) u = {0, 0, 1}, v = {1, 0, 0};
         if (k % 3 == 0) std::reverse(p.begin(), p.end());
         for (double offset : {0., 1e6}) {
-            std::vector<Vec3d> points = placed(p, u, v, {offset, -offset, offset});
-            Built built(points);
-            double area = length(newell(points));
-            wrong += !(std::fabs(built.area - area) <= 1e-6 * area) || !built.notes.empty();
+            Built built(placed(p, u, v, {offset, -offset, offset}));
+            wrong += !(std::fabs(built.area - built.newells) <= 1e-6 * built.newells) || !built.notes.empty();
         }
     }
     EXPECT_EQ(wrong, 0);
 }
 
-TEST(Triangulator, KeepsCornersInALine) {
-    Built built(onFloor({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}, {0, 1}}));
-    EXPECT_EQ(built.mesh.triangles.size(), 5u);
-    EXPECT_NEAR(built.area, 4, 1e-9);
-    EXPECT_TRUE(built.notes.empty());
-}
-
-TEST(Triangulator, DividesQuadsWithANotch) {
-    for (const Loop &p : {Loop{{0, 0}, {1, 1}, {2, 0}, {1, 8}}, Loop{{1, 8}, {0, 0}, {1, 1}, {2, 0}},
-                          Loop{{0, 0}, {10, 1}, {0, 2}, {1, 1}}})
-        for (int turned : {0, 1}) {
-            Loop q = p;
-            if (turned) std::reverse(q.begin(), q.end());
-            Built built(onFloor(q));
-            EXPECT_NEAR(built.area, length(newell(onFloor(q))), 1e-9);
-            EXPECT_EQ(built.mesh.triangles.size(), 2u);
+// Corners in a line, notches, and holes, which bridges join to the outline. In the last polygon two of them
+// end in one corner.
+TEST(Triangulator, DividesAllShapesBothWays) {
+    const struct {
+        Loop loop;
+        double area;
+    } cases[] = {
+        {{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}, {0, 1}}, 4},
+        {{{0, 0}, {1, 1}, {2, 0}, {1, 8}}, 7},
+        {{{1, 8}, {0, 0}, {1, 1}, {2, 0}}, 7},
+        {{{0, 0}, {10, 1}, {0, 2}, {1, 1}}, 9},
+        {{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {1, 1}, {1, 8}, {8, 8}, {8, 1}, {1, 1}}, 81 - 49},
+        {{{0, 0},
+          {9, 0},
+          {9, 9},
+          {0, 9},
+          {0, 0},
+          {1, 5},
+          {1, 8},
+          {4, 8},
+          {4, 5},
+          {1, 5},
+          {0, 0},
+          {5, 1},
+          {5, 4},
+          {8, 4},
+          {8, 1},
+          {5, 1}},
+         81 - 18},
+    };
+    for (const auto &[loop, area] : cases)
+        for (const Loop &p : {loop, Loop(loop.rbegin(), loop.rend())}) {
+            Built built(p);
+            EXPECT_NEAR(built.area, area, 1e-9);
+            EXPECT_EQ(built.mesh.triangles.size(), p.size() - 2);
+            EXPECT_TRUE(built.notes.empty());
         }
-}
-
-// Bridges join holes to the outline. In the second polygon two of them end in one corner.
-TEST(Triangulator, LeavesHoles) {
-    Built one(onFloor({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {1, 1}, {1, 8}, {8, 8}, {8, 1}, {1, 1}}));
-    EXPECT_NEAR(one.area, 81 - 49, 1e-9);
-    EXPECT_TRUE(one.notes.empty());
-    Loop holes = {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
-    holes.insert(holes.end(), {{1, 5}, {1, 8}, {4, 8}, {4, 5}, {1, 5}, {0, 0}});
-    holes.insert(holes.end(), {{5, 1}, {5, 4}, {8, 4}, {8, 1}, {5, 1}});
-    Built two(onFloor(holes));
-    EXPECT_NEAR(two.area, 81 - 18, 1e-9);
-    EXPECT_TRUE(two.notes.empty());
 }
 
 // The outline of squares that are joined as a tree: it touches itself at corners and along sides, encloses
@@ -166,8 +164,7 @@ TEST(Triangulator, DividesWhatTouchesItself) {
         squares.add(0, 0, 3);
         Loop &p = squares.outline;
         if (k % 3 == 0) std::reverse(p.begin(), p.end());
-        std::vector<Vec3d> points = placed(p, {3, 4, 0}, {-1, 2, 5}, {k % 2 * 1e5, 0, 0});
-        Built built(points);
+        Built built(placed(p, {3, 4, 0}, {-1, 2, 5}, {k % 2 * 1e5, 0, 0}));
         const double area = (double)squares.taken.size() * length(cross(Vec3d{3, 4, 0}, {-1, 2, 5}));
         wrong += !(std::fabs(built.area - area) <= 1e-6 * area) ||
                  (!built.notes.empty() && built.notes.back().find("cross") != std::string::npos);
@@ -182,15 +179,15 @@ TEST(Triangulator, CutsSpikes) {
           {{0, 0}, {4, 0}, {9, 1e-7}, {4, -1e-7}, {4, 4}, {0, 4}},
           {{0, 0}, {4, 0}, {4, 2}, {1, 2}, {4, 2}, {4, 2}, {4, 4}, {0, 4}, {0, 0}},
           {{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}, {-5, 4}, {-9, 4}, {-7, 4}, {0, 4}}}) {
-        Built built(onFloor(p));
-        EXPECT_NEAR(built.area, length(newell(onFloor(p))), 1e-5);
+        Built built(p);
+        EXPECT_NEAR(built.area, built.newells, 1e-5);
         EXPECT_EQ(built.notes.size(), 1u); // triangles without area
     }
 }
 
 // Keeps a part that is edge-on along the axis of projection.
 TEST(Triangulator, KeepsPartsOfFoldedPolygons) {
-    Built built({{5, 0, 0}, {6, 0, 0}, {6, 5, .5}, {5, .5, 3}});
+    Built built(std::vector<Vec3d>{{5, 0, 0}, {6, 0, 0}, {6, 5, .5}, {5, .5, 3}});
     EXPECT_EQ(built.mesh.triangles.size(), 2u);
     EXPECT_TRUE(built.notes.empty());
 }
@@ -202,7 +199,7 @@ TEST(Triangulator, NotesCrossings) {
                twice = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {3, 5}, {1, 5}},
                turned = {{0, 0}, {9, 0}, {9, 9}, {0, 0}, {4, 1}, {8, 1}, {8, 5}, {4, 1}}; // a hole
     for (const Loop &p : {star, bow, even, twice, turned}) {
-        Built built(onFloor(p));
+        Built built(p);
         ASSERT_FALSE(built.notes.empty());
         EXPECT_NE(built.notes.back().find("cross themselves"), std::string::npos);
         EXPECT_FALSE(built.area <= 0); // NaN for `even`, whose area vector is 0
@@ -211,10 +208,9 @@ TEST(Triangulator, NotesCrossings) {
 
 // The time for a polygon of N corners grows about as N log N. This polygon is a comb of many teeth.
 TEST(Triangulator, DividesLargePolygons) {
-    Loop comb = {{0, -1e4}};
     const int teeth = 20000;
-    comb.push_back({2. * teeth, -1e4});
+    Loop comb = {{0, -1e4}, {2. * teeth, -1e4}};
     for (int k = teeth; k > 0; --k) comb.push_back({2. * k - 1, 1. * teeth}), comb.push_back({2. * k - 2, 0});
-    Built built(onFloor(comb));
-    EXPECT_NEAR(built.area / length(newell(onFloor(comb))), 1, 1e-9);
+    Built built(comb);
+    EXPECT_NEAR(built.area / built.newells, 1, 1e-9);
 }
