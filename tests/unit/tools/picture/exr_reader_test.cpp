@@ -50,10 +50,7 @@ static std::string with(std::string file, const std::string &name, const std::st
 }
 
 TEST(Exr, ReadsOtherWriters) {
-    const struct {
-        const char *name, *channels;
-        int bits;
-    } kinds[] = {
+    const std::tuple<const char *, const char *, int> kinds[] = {
         {"none_half", "RGB", 16},          {"rle_float", "RGB", 32},    {"zips_half", "RGB", 16},
         {"zip_rgba", "RGBA", 32},          {"zip_grey", "Y", 16},       {"tiled_piz_half", "RGB", 16},
         {"one_tile_piz_rgba", "RGBA", 32}, {"ripmap_rle_grey", "Y", 16}};

@@ -31,8 +31,8 @@ TEST(ReflectancePicture, IsAveragedOverAreas) {
     EXPECT_NEAR(mean(box(0, 0, 1, 1)), 0.5, 1e-4);
     EXPECT_NEAR(mean(box(0, 0.875, 0.125, 1)), 1, 1e-6); // the first pixel, in the upper row
     EXPECT_NEAR(mean(box(0.125, 0.875, 0.25, 1)), 0, 1e-6);
-    EXPECT_NEAR(mean(box(0.09375, 0.875, 0.1875, 1)), 1 / 3.,
-                1e-6);                                   // a quarter of one pixel and half of the next
+    // A quarter of one pixel and half of the next
+    EXPECT_NEAR(mean(box(0.09375, 0.875, 0.1875, 1)), 1 / 3., 1e-6);
     EXPECT_NEAR(mean(box(5, 7.875, 5.125, 8)), 1, 1e-6); // repeated
     EXPECT_NEAR(mean(box(-3, -5.125, -2.875, -5)), 1, 1e-6);
     EXPECT_NEAR(mean(box(-3, 2, -2, 3), true), 1, 1e-6); // the corner pixel
@@ -73,9 +73,8 @@ TEST(ElementReflectance, ElementsHaveTheirPartOfThePicture) {
     for (int turned = 0; turned < 4; ++turned)
         for (bool patches : {false, true}) {
             Mesh mesh;
-            mesh.materials.push_back({"m", {0.5f, 0.5f, 0.5f}, {}, {}});
-            mesh.materials[0].picture.path = folder / "fall.png";
-            mesh.materials[0].picture.tint = {1, 1, 0.5f};
+            auto &given = mesh.materials.emplace_back(MeshMaterial{"m", {0.5f, 0.5f, 0.5f}, {}, {}}).picture;
+            given.path = folder / "fall.png", given.tint = {1, 1, 0.5f};
             // Four triangles around a point away from the middle
             float at[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.3f, 0.6f}};
             for (auto &p : at)
@@ -86,7 +85,7 @@ TEST(ElementReflectance, ElementsHaveTheirPartOfThePicture) {
                 return (axis ? y : x) + 0.5f;
             };
             for (int k = 0; k < 4; ++k) {
-                int corners[3] = {k, (k + 1) % 4, 4};
+                const int corners[3] = {k, (k + 1) % 4, 4};
                 mesh.triangles.push_back({{corners[0], corners[1], corners[2]}, 0});
                 std::array<float, 6> &to = mesh.coordinates.emplace_back();
                 for (size_t c = 0; c < 6; ++c) to[c] = turn(at[corners[c / 2]], c % 2);

@@ -38,17 +38,12 @@ struct Joined {
 
 // A grid is one rectangle, a window leaves four, an L is two.
 TEST(Regions, AreFewRectangles) {
-    const struct {
-        const char *what;
-        Mesh mesh;
-        int facets;
-        double area;
-    } kAll[] = {
+    const std::tuple<const char *, Mesh, int, double> cases[] = {
         {"grid", grid(20, 10, [](int, int) { return false; }), 1, 200},
         {"window", grid(9, 9, [](int i, int k) { return i >= 3 && i < 6 && k >= 2 && k < 5; }), 4, 72},
         {"L", grid(6, 6, [](int i, int k) { return i >= 2 && k >= 2; }), 2, 20},
     };
-    for (auto &[what, mesh, facets, area] : kAll) {
+    for (const auto &[what, mesh, facets, area] : cases) {
         Joined j(mesh);
         EXPECT_EQ(j.model->chartCount, 1) << what;
         EXPECT_EQ(j.model->facetCount, facets) << what;

@@ -105,8 +105,7 @@ TEST(Relighting, IsASumOfRows) {
 TEST(Gloss, IsTheLobeOfWhatArrives) {
     auto shown = [&](const Mesh &mesh, const Vec3 &eye, bool lamps, const char *what, double limit) {
         TransferSettings settings = settingsOf(kBands, 256, 0.15);
-        settings.glossy = "grey", settings.polish = 0.3f, settings.exponent = 20;
-        settings.glossRays = 512;
+        settings.glossy = "grey", settings.polish = 0.3f, settings.exponent = 20, settings.glossRays = 512;
         TransferRoom room = transferOf(mesh, settings);
         ASSERT_FALSE(room.gloss.empty());
         BandLight sky = bandLimitedSkies(kBands, false)[2].light;
@@ -135,17 +134,15 @@ TEST(Gloss, IsTheLobeOfWhatArrives) {
                     Vec3 direction = floor.u * (wide * std::cos(angle)) + floor.v * (wide * std::sin(angle)) +
                                      floor.n * high;
                     RayHit hit = tree.nearest(from, direction);
-                    double light = 0;
+                    Rgb light = {};
                     if (hit.triangle < 0)
-                        light = (double)radiance(sky, kBands, direction).y;
+                        light = radiance(sky, kBands, direction);
                     else if (!hit.back) {
-                        int chart = regions.chartOf[(size_t)hit.triangle];
-                        Vec3 at = from + direction * hit.t;
-                        light = (double)(lit.lightAt(chart, at) * lit.reflects[(size_t)chart] +
-                                         lit.emits[(size_t)chart])
-                                    .y;
+                        auto chart = (size_t)regions.chartOf[(size_t)hit.triangle];
+                        light = lit.lightAt((int)chart, from + direction * hit.t) * lit.reflects[chart] +
+                                lit.emits[chart];
                     }
-                    sum += light * lobeAt((double)dot(direction, mirror), 20) * 2 * M_PI / count;
+                    sum += (double)light.y * lobeAt((double)dot(direction, mirror), 20) * 2 * M_PI / count;
                 }
                 double grazing = 1 - (double)-dot(d, floor.n), schlick = 0.3 + 0.7 * std::pow(grazing, 5),
                        exact = std::fmax(sum, 0) * schlick,
@@ -157,12 +154,6 @@ TEST(Gloss, IsTheLobeOfWhatArrives) {
     Mesh plate = meshOf({{{-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0}}, {{"grey", {0.5f, 0.5f, 0.5f}, {}}});
     shown(plate, {1, 1.5f, 3}, false, "an open floor", 0.02);
     shown(openRoom(), {0.5f, 1.6f, 5}, true, "an open room", 0.03);
-}
-
-static std::string fileOf(const TransferRoom &room) {
-    common::TemporaryFolder folder;
-    room.save(folder / "room.prt");
-    return common::readWhole(folder / "room.prt");
 }
 
 // Whether a file is accepted; an accepted one must be safe to use.
@@ -185,7 +176,9 @@ static bool accepted(const std::string &file) {
 TEST(File, SurvivesDamage) {
     TransferSettings settings = settingsOf(1, 8, 4);
     settings.glossy = "grey", settings.glossRays = 64, settings.rank = 1, settings.clusters = 2;
-    std::string file = fileOf(transferOf(openRoom(), settings)), body = file.substr(file.find('\n') + 1 + 8);
+    common::TemporaryFolder folder;
+    transferOf(openRoom(), settings).save(folder / "room.prt");
+    std::string file = common::readWhole(folder / "room.prt"), body = file.substr(file.find('\n') + 1 + 8);
     ASSERT_TRUE(accepted(file));
     EXPECT_FALSE(accepted(file + "x"));
     EXPECT_FALSE(accepted(withChecksum(kTransferMagic, body + "x")));

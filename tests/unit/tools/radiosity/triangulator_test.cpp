@@ -100,10 +100,7 @@ TEST(Triangulator, DividesTenThousandRandomPolygons) {
 // Corners in a line, notches, and holes, which bridges join to the outline. In the last polygon two of them
 // end in one corner.
 TEST(Triangulator, DividesAllShapesBothWays) {
-    const struct {
-        Loop loop;
-        double area;
-    } cases[] = {
+    const std::pair<Loop, double> cases[] = {
         {{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {0, 2}, {0, 1}}, 4},
         {{{0, 0}, {1, 1}, {2, 0}, {1, 8}}, 7},
         {{{1, 8}, {0, 0}, {1, 1}, {2, 0}}, 7},
