@@ -9,6 +9,7 @@
 namespace odraz::radiosity {
 
 using Lines = std::vector<std::string>;
+using Colour = std::array<float, 3>;
 
 // The mesh and its notes, or the error. The temporary folder's name is removed from both.
 struct ReadModel {
@@ -18,8 +19,9 @@ struct ReadModel {
     std::string error;
 
     // Reads `text` as a file called `name`. If `content` is not empty, it is a second file, called `other`.
-    ReadModel(const std::string &text, const std::string &name, const ReadSettings &settings,
-              const std::string &other, const std::string &content) {
+    explicit ReadModel(const std::string &text, const std::string &name = "m.gltf",
+                       const ReadSettings &settings = {}, const std::string &other = "",
+                       const std::string &content = "") {
         common::TemporaryFolder folder;
         common::writeWhole(folder / name, text);
         if (!content.empty()) common::writeWhole(folder / other, content);
@@ -29,12 +31,12 @@ struct ReadModel {
         } catch (const common::Refused &e) {
             error = e.what();
         }
-        auto cut = [&](std::string &line) {
-            const std::string own = folder / "";
+        notes.push_back(error);
+        const std::string own = folder / "";
+        for (std::string &line : notes)
             for (size_t at; (at = line.find(own)) != std::string::npos;) line.erase(at, own.size());
-        };
-        cut(error);
-        for (std::string &note : notes) cut(note);
+        error = notes.back();
+        notes.pop_back();
     }
     double area() const { return areaOf(mesh); }
 };
@@ -44,7 +46,7 @@ inline Mesh generatedMesh(const std::string &kind) {
     common::TemporaryFolder folder;
     common::writeWhole(folder / "model.mtl", generateMtl());
     common::writeWhole(folder / "model.obj", "mtllib model.mtl\n" + generateObj(kind, 0));
-    std::vector<std::string> notes;
+    Lines notes;
     return readModel(folder / "model.obj", {}, notes);
 }
 

@@ -3,25 +3,19 @@
 #include "tests/support/read_model.h"
 #include "tools/common/text.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 
 using namespace odraz;
 using namespace odraz::radiosity;
 
-namespace {
-
-std::string dataUri(const std::string &bytes) {
+static std::string dataUri(const std::string &bytes) {
     std::string text = "data:application/octet-stream,";
     for (char byte : bytes) common::append(text, "%%%02x", (uint8_t)byte);
     return text;
 }
 
 // Replaces ' by ": JSON in this file is written with '.
-std::string json(std::string text) {
+static std::string json(std::string text) {
     std::replace(text.begin(), text.end(), '\'', '"');
     return text;
 }
@@ -60,102 +54,89 @@ const std::string kNode = "'nodes':[{'mesh':0}],",
                   kFan = "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'mode':6}]}]";
 
 // A file with the square as accessor 0 and its corners as accessor 1.
-std::string square(const std::string &rest) {
+static std::string square(const std::string &rest) {
     return Writer().add("VEC3", kSquare).add<uint16_t>("SCALAR", {0, 1, 2, 0, 2, 3}).text(rest);
 }
 
 struct Read : ReadModel {
-    explicit Read(const std::string &file, const std::string &name = "m.gltf",
-                  const ReadSettings &settings = {}, const std::string &other = "",
-                  const std::string &content = "")
-        : ReadModel(file, name, settings, other, content) {}
+    using ReadModel::ReadModel;
     // The sum of areas times normals
     Vec3d facing() const {
-        Vec3d sum = {};
-        for (const Triangle &t : mesh.triangles) sum = sum + normalOf(mesh, t) / 2;
-        return sum;
+        return std::accumulate(mesh.triangles.begin(), mesh.triangles.end(), Vec3d{},
+                               [&](Vec3d sum, const Triangle &t) { return sum + normalOf(mesh, t) / 2; });
     }
 };
 
-void expectNear(Vec3d a, Vec3d b, double within = 1e-6) {
+// Reads the square with these nodes.
+static Read readSquare(const std::string &nodes) { return Read(square(nodes + "," + kMesh)); }
+
+static void expectNear(Vec3d a, Vec3d b, double within = 1e-6) {
     for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], within) << k;
 }
 
-} // namespace
-
 // Four points form two triangles, in all modes and with all types of indices.
 TEST(GltfReader, TakesAllTriangles) {
-    struct Case {
-        int mode;
-        std::vector<uint32_t> corners;
-    };
-    for (const Case &c : {Case{4, {0, 1, 2, 0, 2, 3}}, Case{5, {0, 1, 3, 2}},
-                          Case{5, {0, 1, 3, 3, 2, 2, 1, 3}}, Case{6, {0, 1, 2, 3}}})
+    const std::pair<int, std::vector<uint32_t>> cases[] = {
+        {4, {0, 1, 2, 0, 2, 3}}, {5, {0, 1, 3, 2}}, {5, {0, 1, 3, 3, 2, 2, 1, 3}}, {6, {0, 1, 2, 3}}};
+    for (const auto &[mode, corners] : cases)
         for (int wide : {1, 2, 4, 0}) {
             Writer w;
             std::vector<float> points;
-            for (uint32_t k : c.corners) points.insert(points.end(), &kSquare[3 * k], &kSquare[3 * k] + 3);
+            for (uint32_t k : corners) points.insert(points.end(), &kSquare[3 * k], &kSquare[3 * k] + 3);
             w.add("VEC3", wide ? kSquare : points);
-            if (wide == 1) w.add<uint8_t>("SCALAR", {c.corners.begin(), c.corners.end()});
-            if (wide == 2) w.add<uint16_t>("SCALAR", {c.corners.begin(), c.corners.end()});
-            if (wide == 4) w.add("SCALAR", c.corners);
+            if (wide == 1) w.add<uint8_t>("SCALAR", {corners.begin(), corners.end()});
+            if (wide == 2) w.add<uint16_t>("SCALAR", {corners.begin(), corners.end()});
+            if (wide == 4) w.add("SCALAR", corners);
             Read r(w.text(kNode + "'meshes':[{'primitives':[{'attributes':{'POSITION':0},'mode':" +
-                          std::to_string(c.mode) + (wide ? ",'indices':1" : "") + "}]}]"));
+                          std::to_string(mode) + (wide ? ",'indices':1" : "") + "}]}]"));
             EXPECT_EQ(r.error, "");
-            if (c.corners.size() < 8 || wide) expectNear(r.facing(), {0, 0, 1});
-            EXPECT_EQ(r.mesh.triangles.size(), 2u) << c.mode << " " << wide;
+            if (corners.size() < 8 || wide) expectNear(r.facing(), {0, 0, 1});
+            EXPECT_EQ(r.mesh.triangles.size(), 2u) << mode << " " << wide;
         }
 }
 
 TEST(GltfReader, TakesAllNumbers) {
-    auto facing = [](const Writer &w) { return Read(w.text(kNode + kFan)).facing(); };
+    auto expectFacing = [](double z, const Writer &w) {
+        expectNear(Read(w.text(kNode + kFan)).facing(), {0, 0, z});
+    };
     // Interleaved with other data
     std::vector<float> wide;
     for (size_t i = 0; i < 12; i += 3)
         wide.insert(wide.end(), {9, 9, kSquare[i], kSquare[i + 1], kSquare[i + 2]});
-    expectNear(facing(Writer().add("VEC3", wide, ",'byteOffset':8", ",'byteStride':20", 4)), {0, 0, 1});
+    expectFacing(1, Writer().add("VEC3", wide, ",'byteOffset':8", ",'byteStride':20", 4));
     // Quantised: normalised 65535 and 127 are 1; other integers keep their values
     const std::string normal = ",'normalized':true";
-    expectNear(
-        facing(Writer().add<uint16_t>("VEC3", {0, 0, 0, 65535, 0, 0, 65535, 65535, 0, 0, 65535, 0}, normal)),
-        {0, 0, 1});
-    expectNear(
-        facing(Writer().add<int8_t>("VEC3", {-128, 0, 0, 0, 127, 0, 0, 0, 127, 127, 0, 0, -128, 127, 0, 0},
-                                    normal, ",'byteStride':4", 4)),
-        {0, 0, 2});
-    expectNear(facing(Writer().add<int16_t>("VEC3", {-3, 0, 0, 3, 0, 0, 3, 5, 0, -3, 5, 0})), {0, 0, 30});
+    const std::vector<int8_t> bytes = {-128, 0, 0, 0, 127, 0, 0, 0, 127, 127, 0, 0, -128, 127, 0, 0};
+    expectFacing(
+        1, Writer().add<uint16_t>("VEC3", {0, 0, 0, 65535, 0, 0, 65535, 65535, 0, 0, 65535, 0}, normal));
+    expectFacing(2, Writer().add("VEC3", bytes, normal, ",'byteStride':4", 4));
+    expectFacing(30, Writer().add<int16_t>("VEC3", {-3, 0, 0, 3, 0, 0, 3, 5, 0, -3, 5, 0}));
     // Sparse: the third point moves from 1,1 to 3,3
-    expectNear(facing(Writer()
-                          .add("VEC3", kSquare,
-                               ",'sparse':{'count':1,'indices':{'bufferView':1,'componentType':5121},"
-                               "'values':{'bufferView':2}}")
-                          .add<uint8_t>("SCALAR", {2})
-                          .add<float>("VEC3", {3, 3, 0})),
-               {0, 0, 3});
+    const std::string sparse = ",'sparse':{'count':1,'indices':{'bufferView':1,'componentType':5121},"
+                               "'values':{'bufferView':2}}";
+    expectFacing(
+        3, Writer().add("VEC3", kSquare, sparse).add<uint8_t>("SCALAR", {2}).add<float>("VEC3", {3, 3, 0}));
 }
 
 // A square of 2 x 3, rotated by 90 degrees about x, then transformed by its parent.
 TEST(GltfReader, PlacesNodes) {
-    Read r(
-        square("'nodes':[{'mesh':0},{'children':[2],'translation':[10,0,0],'scale':[2,2,2]},"
-               "{'mesh':0,'scale':[1,1.5,7],'rotation':[0.70710678,0,0,0.70710678],'translation':[1,1,1]}],"
-               "'scene':0,'scenes':[{'nodes':[1]},{'nodes':[0]}]," +
-               kMesh));
+    Read r = readSquare(
+        "'nodes':[{'mesh':0},{'children':[2],'translation':[10,0,0],'scale':[2,2,2]},"
+        "{'mesh':0,'scale':[1,1.5,7],'rotation':[0.70710678,0,0,0.70710678],'translation':[1,1,1]}],"
+        "'scene':0,'scenes':[{'nodes':[1]},{'nodes':[0]}]");
     expectNear(r.facing(), {0, -6, 0});
     auto [lo, hi] = boxOf(r.mesh.points);
     expectNear(lo + toDouble(r.mesh.origin), {12, 2, 2}, 1e-5);
     expectNear(hi + toDouble(r.mesh.origin), {14, 2, 5}, 1e-5);
     EXPECT_EQ(r.notes, Lines{"m.gltf: one of its 2 scenes is read"});
     // Matrices are stored by columns. A mirrored triangle still faces the same side
-    const Read placed(square("'nodes':[{'mesh':0,'matrix':[-2,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}]," + kMesh));
-    expectNear(placed.facing(), {0, 0, 2});
-    expectNear(boxOf(placed.mesh.points).second + toDouble(placed.mesh.origin), {5, 7, 7});
+    const Read mirrored = readSquare("'nodes':[{'mesh':0,'matrix':[-2,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]}]");
+    expectNear(mirrored.facing(), {0, 0, 2});
+    expectNear(boxOf(mirrored.mesh.points).second + toDouble(mirrored.mesh.origin), {5, 7, 7});
     // Without a scene all root nodes are used. Nodes may share a mesh
-    EXPECT_NEAR(Read(square("'nodes':[{'mesh':0},{'mesh':0,'translation':[3,0,0],'children':[2]},"
-                            "{'mesh':0,'translation':[3,0,0]}]," +
-                            kMesh))
-                    .area(),
-                3, 1e-6);
+    Read shared = readSquare("'nodes':[{'mesh':0},{'mesh':0,'translation':[3,0,0],'children':[2]},"
+                             "{'mesh':0,'translation':[3,0,0]}]");
+    EXPECT_NEAR(shared.area(), 3, 1e-6);
     // A skinned mesh keeps its bind pose: the transform of the first joint counts, not the transform of its
     // node
     Read skinned(Writer()
@@ -167,9 +148,8 @@ TEST(GltfReader, PlacesNodes) {
     expectNear(skinned.facing(), {0, 0, 3});
     EXPECT_EQ(skinned.notes, Lines{"m.gltf: skins are not deformed: meshes keep their bind pose: node 0"});
     // Without an inverse bind matrix, the transform of the joint alone counts
-    Read bare(square("'nodes':[{'mesh':0,'skin':0,'scale':[9,9,9]},{'scale':[2,1,1]}],"
-                     "'skins':[{'joints':[1]}]," +
-                     kMesh));
+    Read bare = readSquare("'nodes':[{'mesh':0,'skin':0,'scale':[9,9,9]},{'scale':[2,1,1]}],"
+                           "'skins':[{'joints':[1]}]");
     EXPECT_EQ(bare.error, "");
     expectNear(bare.facing(), {0, 0, 2});
     // The weights of morph targets are the mesh's, unless the node has its own. Unused objects may be
@@ -202,10 +182,10 @@ TEST(GltfReader, TakesMaterials) {
     Read r(file);
     ASSERT_EQ(r.mesh.materials.size(), 3u);
     const auto &m = r.mesh.materials;
-    EXPECT_EQ(m[0].reflects, (std::array<float, 3>{0.5f, 0.25f, 1}));
-    EXPECT_EQ(m[0].emits, (std::array<float, 3>{8, 4, 0}));
-    EXPECT_EQ(m[1].reflects, (std::array<float, 3>{0.2f, 0.3f, 0.4f}));
-    EXPECT_EQ(m[2].reflects, (std::array<float, 3>{1, 0, 0}));
+    EXPECT_EQ(m[0].reflects, (Colour{0.5f, 0.25f, 1}));
+    EXPECT_EQ(m[0].emits, (Colour{8, 4, 0}));
+    EXPECT_EQ(m[1].reflects, (Colour{0.2f, 0.3f, 0.4f}));
+    EXPECT_EQ(m[2].reflects, (Colour{1, 0, 0}));
     EXPECT_NEAR(r.area(), 4, 1e-6); // the first one is lit from both sides
     EXPECT_EQ(r.notes, (Lines{"m.gltf: material unnamed 2: its baseColorFactor is above 1, and counts as 1",
                               "m.gltf: alpha is not used, so all surfaces are opaque: material a",
@@ -214,7 +194,7 @@ TEST(GltfReader, TakesMaterials) {
                               "m.gltf: normalTexture is not used: material unnamed 2"}));
     // Options find materials by the new names
     const ReadSettings changed = {1, false, {readMaterialChange("--power", "a (2)=1,2,3")}};
-    EXPECT_EQ(Read(file, "m.gltf", changed).mesh.materials[1].emits, (std::array<float, 3>{1, 2, 3}));
+    EXPECT_EQ(Read(file, "m.gltf", changed).mesh.materials[1].emits, (Colour{1, 2, 3}));
     // Without materials
     EXPECT_EQ(Read(square(kNode + kMesh)).mesh.materials[0].reflects[0], 0.7f);
 }
@@ -223,10 +203,10 @@ TEST(GltfReader, TakesMaterials) {
 // 90 degrees and moved.
 TEST(GltfReader, TakesPictures) {
     const std::string pnm = "P6 1 2 255\n\xff\xff\xff" + std::string(3, '\0');
-    Writer w;
-    w.add("VEC3", kSquare)
-        .add<uint8_t>("VEC2", {0, 0, 255, 0, 255, 255, 0, 255}, ",'normalized':true")
-        .add<char>("SCALAR", {pnm.begin(), pnm.end()});
+    const Writer w = Writer()
+                         .add("VEC3", kSquare)
+                         .add<uint8_t>("VEC2", {0, 0, 255, 0, 255, 255, 0, 255}, ",'normalized':true")
+                         .add<char>("SCALAR", {pnm.begin(), pnm.end()});
     auto read = [&](const std::string &info, const std::string &image) {
         return Read(w.text(kNode +
                            "'meshes':[{'primitives':[{'attributes':{'POSITION':0,'TEXCOORD_1':1},'mode':6,"
@@ -242,7 +222,7 @@ TEST(GltfReader, TakesPictures) {
     Read r = read(plain, "{'bufferView':2}");
     ASSERT_EQ(r.error, "");
     EXPECT_EQ(r.notes, Lines{});
-    EXPECT_EQ(r.mesh.materials[0].picture.tint, (std::array<float, 3>{0.5f, 1, 1}));
+    EXPECT_EQ(r.mesh.materials[0].picture.tint, (Colour{0.5f, 1, 1}));
     EXPECT_TRUE(r.mesh.materials[0].picture.clamp);
     EXPECT_FLOAT_EQ(r.picture.linear(0)[0], 1);
     EXPECT_FLOAT_EQ(r.picture.linear(1)[0], 0);
@@ -351,10 +331,7 @@ TEST(GltfReader, TakesContainers) {
     for (size_t size = 4; size < whole.size(); size += 3)
         EXPECT_TRUE(Read(whole.substr(0, size), "m.glb").error.starts_with("m.glb: ")) << size;
     const std::string neither = "is neither .glb nor JSON in UTF-8: it is damaged, or another format";
-    const struct {
-        Read read;
-        std::string error;
-    } refused[] = {
+    const std::pair<Read, std::string> refused[] = {
         {Read(external, "m.gltf", {}, "a b.bin", "short"), "buffer 0 has 5 of 48 bytes"},
         {Read(external), "cannot read a b.bin: No such file or directory"},
         {Read(glb(more)), "has no JSON"},
@@ -365,7 +342,7 @@ TEST(GltfReader, TakesContainers) {
         {Read("glTF\1" + whole.substr(5)), "is glTF 1: only 2.0 is read"},
         {Read(whole.substr(0, 200)), "ends early: it has 200 of " + std::to_string(whole.size()) + " bytes"},
     };
-    for (const auto &r : refused) EXPECT_EQ(r.read.error, "m.gltf: " + r.error);
+    for (const auto &[read, error] : refused) EXPECT_EQ(read.error, "m.gltf: " + error);
     EXPECT_TRUE(Read("[]", "m.obj").error.starts_with("m.obj: is neither Wavefront OBJ nor glTF 2.0"));
 }
 
@@ -381,9 +358,7 @@ TEST(GltfReader, RefusesDamage) {
                       index = " is not a whole number below 2^31", size = " is not a whole number below 2^53",
                       before = "'nodes':", floor = "'materials':[{'name':'floor',",
                       nodes = "}],'nodes':", lights = "'extensions':{'KHR_lights_punctual':{'lights':";
-    const struct {
-        std::string from, to, error;
-    } cases[] = {
+    const std::tuple<std::string, std::string, std::string> cases[] = {
         {"{", "{{", "its JSON is damaged at byte 2"},
         {"asset", "assets", "is JSON, but not glTF: it has no asset"},
         {"2.0", "1.0", "is glTF 1.0: only 2.0 is read"},
@@ -445,5 +420,5 @@ TEST(GltfReader, RefusesDamage) {
     // A chain of 50,001 nodes
     std::string chain = "'nodes':[{'mesh':0}";
     for (int i = 0; i < 50000; ++i) chain += ",{'children':[" + std::to_string(i) + "]}";
-    EXPECT_NEAR(Read(square(chain + "]," + kMesh)).area(), 1, 1e-6);
+    EXPECT_NEAR(readSquare(chain + "]").area(), 1, 1e-6);
 }

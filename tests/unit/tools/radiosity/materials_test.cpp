@@ -1,15 +1,11 @@
 // Tests options that change materials: reading, effect and errors.
+#include "tests/support/read_model.h"
 #include "tests/support/thrown.h"
 #include "tools/radiosity/read/material_changes.h"
-#include "tools/radiosity/read/mesh.h"
-
-#include <gtest/gtest.h>
 
 using namespace odraz::radiosity;
 
-namespace {
-
-std::vector<MeshMaterial> fiveMaterials() {
+static std::vector<MeshMaterial> fiveMaterials() {
     MeshMaterial picture = {"cloth", {0.7f, 0.7f, 0.7f}, {}};
     picture.picture.path = "cloth.png", picture.picture.tint = {0.5f, 1, 1};
     return {{"white", {0.75f, 0.5f, 0.25f}, {}},
@@ -18,21 +14,18 @@ std::vector<MeshMaterial> fiveMaterials() {
             {"a=b", {0.1f, 0.2f, 0.3f}, {}},
             {"unused", {0.9f, 0.9f, 0.9f}, {}}};
 }
-std::vector<MeshMaterial> changed(const std::vector<std::pair<std::string, std::string>> &options) {
+static std::vector<MeshMaterial> changed(const std::vector<std::pair<std::string, std::string>> &options) {
     std::vector<MeshMaterial> all = fiveMaterials();
     std::vector<MaterialChange> changes;
     for (const auto &[option, text] : options) changes.push_back(readMaterialChange(option, text));
     changeMaterials(all, {true, true, true, true, false}, changes);
     return all;
 }
-using Colour = std::array<float, 3>;
 
 // The error message for a change.
-std::string refusal(const std::string &option, const std::string &text) {
+static std::string refusal(const std::string &option, const std::string &text) {
     return thrown<common::Refused>([&] { changed({{option, text}}); });
 }
-
-} // namespace
 
 TEST(Materials, GetColoursAndFactors) {
     EXPECT_EQ(changed({{"--reflectance", "white=.1,.2,.3"}})[0].reflects, (Colour{0.1f, 0.2f, 0.3f}));
