@@ -58,12 +58,11 @@ TEST(Environment, IsProjected) {
             EXPECT_LT(length(p.light[(size_t)k] - light[(size_t)k]), 2e-4f) << k;
         EXPECT_NEAR(p.held[kMostBands - 1], 1, 1e-4);
         for (int l = 1; l < kMostBands; ++l) EXPECT_GT(p.held[l], p.held[l - 1]);
-        double energy = 0, first = 0;
-        for (int k = 0; k < kMostSh; ++k) {
-            energy += (double)dot(light[(size_t)k], light[(size_t)k]);
-            if (k < 4) first += (double)dot(light[(size_t)k], light[(size_t)k]);
-        }
-        EXPECT_NEAR(p.held[1], first / energy, 1e-4);
+        auto energy = [&](int count) {
+            return std::accumulate(light.begin(), light.begin() + count, 0.,
+                                   [](double sum, const Rgb &c) { return sum + (double)dot(c, c); });
+        };
+        EXPECT_NEAR(p.held[1], energy(4) / energy(kMostSh), 1e-4);
     }
     // A row of pixels around the zenith is a disc. Its energy in a band follows from an integral of the
     // Legendre polynomial

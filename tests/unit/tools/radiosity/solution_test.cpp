@@ -68,8 +68,7 @@ TEST_F(SolutionFile, IsNotWrittenIfItCannotBeRead) {
 }
 
 TEST_F(SolutionFile, IsRefusedIfItIsInconsistent) {
-    using Spoil = void (*)(Solution &);
-    const Spoil spoils[] = {
+    void (*const spoils[])(Solution &) = {
         [](Solution &b) { b.charts.clear(); },
         [](Solution &b) { b.charts[0].across = 9; },
         [](Solution &b) { b.charts[1].firstCell = -1; },
