@@ -135,12 +135,7 @@ TEST(Clustering, Descends) {
 }
 
 TEST(Extremes, AreHeldExactly) {
-    const struct {
-        const char *what;
-        Data data;
-        int clusters, dimensions;
-        double most; // per cent
-    } kAll[] = {
+    const std::tuple<const char *, Data, int, int, double> cases[] = {
         {"rows that are equal", {100, 24, [](int, int c) { return (float)c * 0.37f - 2; }}, 4, 8, 1e-4},
         {"nothing but zero", {50, 16}, 2, 8, 0},
         {"one row", {1, 8, [](int, int c) { return (float)c; }}, 1, 8, 0},
@@ -148,8 +143,8 @@ TEST(Extremes, AreHeldExactly) {
         {"four dimensions where 16 are asked for", flats(1, 100, 40), 2, 16, 1e-3},
         {"one dimension", {60, 16, [](int r, int c) { return (float)(r * (c + 1)); }}, 1, 8, 1e-3},
     };
-    for (auto &[what, data, clusters, dimensions, most] : kAll) {
+    for (const auto &[what, data, clusters, dimensions, percent] : cases) {
         Result r(data, {.count = clusters, .rank = dimensions});
-        EXPECT_LE(std::sqrt(r.error), most / 100 * std::sqrt(r.size)) << what;
+        EXPECT_LE(std::sqrt(r.error), percent / 100 * std::sqrt(r.size)) << what;
     }
 }

@@ -77,12 +77,9 @@ TEST(Materials, ReflectAllLightAtMost) {
 }
 
 TEST(Materials, AreListedIfTheNameIsUnknown) {
-    EXPECT_EQ(
-        refusal("--reflectance", "grey=1"),
-        "--reflectance grey=1: no polygon has this material; the materials are white, lamp, cloth, a=b");
-    EXPECT_EQ(
-        refusal("--power", "unused=1,1,1"),
-        "--power unused=1,1,1: no polygon has this material; the materials are white, lamp, cloth, a=b");
+    const std::string listed = ": no polygon has this material; the materials are white, lamp, cloth, a=b";
+    EXPECT_EQ(refusal("--reflectance", "grey=1"), "--reflectance grey=1" + listed);
+    EXPECT_EQ(refusal("--power", "unused=1,1,1"), "--power unused=1,1,1" + listed);
     EXPECT_NE(refusal("--power", "white=2").find("white emits no light: name a material"), std::string::npos);
     std::vector<MeshMaterial> dark = {{"white", {1, 1, 1}, {}}};
     EXPECT_THROW(changeMaterials(dark, {true}, {readMaterialChange("--power", "2")}), common::Refused);

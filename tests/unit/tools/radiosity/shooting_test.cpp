@@ -95,14 +95,12 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
             room.shoot(shooting, 1e-6);
             EXPECT_LE(shooting.left(), 1e-6);
             const std::vector<Rgb> shot = shooting.radiosity();
-            float Rgb::*channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
-            for (int c = 0; c < 3; ++c) {
-                std::vector<double> exact = room.solvedDirectly(channels[c]);
+            for (float Rgb::*channel : {&Rgb::x, &Rgb::y, &Rgb::z}) {
+                std::vector<double> exact = room.solvedDirectly(channel);
                 double off = 1e-4 * *std::max_element(exact.begin(), exact.end()) + 1e-9;
                 for (size_t i = 0; i < exact.size(); ++i)
                     for (const Rgb &found : {shot[i], once[i], next[i]})
-                        ASSERT_NEAR(found.*channels[c], exact[i], off)
-                            << reflects << ' ' << count << ' ' << i;
+                        ASSERT_NEAR(found.*channel, exact[i], off) << reflects << ' ' << count << ' ' << i;
             }
         }
 }
