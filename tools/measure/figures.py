@@ -60,8 +60,8 @@ pictures a second; {page_seen(16)} dB.
 ({flips[1]}) {number(times[1]):.2g} times.
 - **Radiosity**, {rounded(cell('radiosity', 'triangles', 'columns'))} triangles joined to \
 {cell('radiosity', 'polygons', 'columns')}: rays {solved('columns')} rms; hemicubes \
-of 16 pixels {solved('columns, hemicubes of 16 pixels')} (thesis {cell('radiosity', 'the thesis, s', 'columns')}); vault \
-{rounded(cell('radiosity', 'rms, %', 'vault'))} %.
+of 16 pixels {solved('columns, hemicubes of 16 pixels')} (thesis {cell('radiosity', 'the thesis, s', 'columns')}); \
+vault {rounded(cell('radiosity', 'rms, %', 'vault'))} %.
 - **The hall:** 64 lights solved in {rounded(cell('hall', 'processor s, the median of 5', 'all'), 1)} s, relit in \
 {rounded(cell('hall', 'all texels', 'noon'), 1)} ms a picture; at noon reflected light \
 {rounded(cell('hall', 'reflected light: rms %', 'noon'), 1)} % off path tracing, all \

@@ -95,7 +95,7 @@ def cell_of(row):
 def play(machine):
     """Cells: PSNR, FLIP, and the number of pictures shown in a second of the scene."""
     if not machine.built:
-        machine.run('tools/measure/play/costs')  # of pictures, for the simulated players
+        machine.run('tools/measure/play/costs')  # the simulated players need it
     cells = []
     for screen, (machines, length) in MACHINES.items():
         command = play_command(screen, machines, length)

@@ -98,8 +98,8 @@ def models(machine):
 
 # --- Radiosity and transfer ---
 
-# Models of the sizes in table 4.1 of the thesis, then three models with few triangles in one plane: kind, largest area
-# of a triangle, options (at least as many elements as triangles), seconds of the thesis at 100 x 100 pixels, and
+# Models of the sizes in table 4.1 of the thesis, then three models with few triangles in one plane: kind, a triangle's
+# largest area, options (at least as many elements as triangles), seconds of the thesis at 100 x 100 pixels, and
 # whether it is compared with path tracing
 SOLVED = (('columns', 0.19531, '--element 0.1636', 280, True),
           *(('columns', 0.19531, f'--element 0.1636 --hemicube {pixels}', 280, True) for pixels in (16, 32, 100)),

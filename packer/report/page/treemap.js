@@ -33,7 +33,7 @@ function buildTree() {
     sort(root);
 }
 
-const leastArea = 12;  // of a box, in square pixels
+const leastArea = 12;  // smaller boxes, in square pixels, are not drawn
 
 // Divides a rectangle among nodes, which are ordered by size. Halves the nodes by size and cuts the longer side of the
 // rectangle, then divides both parts in the same way. Calls draw(node, x, y, width, height).

@@ -106,7 +106,7 @@ private:
     SolvedHall shipped;
     std::vector<LightOfHall> lights;
     std::vector<HallTexel> texels;
-    std::vector<TexelLight> paths; // of each light
+    std::vector<TexelLight> paths; // an entry for each light
 
     SolvedHall solved(const HallSetting &s) {
         RadiositySettings settings = kHallSettings;

@@ -191,7 +191,7 @@ private:
             // Do not cut a large polygon that crosses itself: too many of its triangles overlap
             polygonOf.resize(mesh.triangles.size(), crosses && count < 1000 ? ~(int)i : (int)i);
         }
-        if (plain) mesh.materials.push_back({"(none)", {0.7f, 0.7f, 0.7f}, {}}); // of polygons without one
+        if (plain) mesh.materials.push_back({"(none)", {0.7f, 0.7f, 0.7f}, {}}); // for polygons without one
     }
 
     void add(const std::vector<Polygons::Corner> &corners, const std::array<int, 3> &which, int material,
