@@ -76,7 +76,7 @@ struct Encoder {
     }
 };
 
-// A Decoder that reads at most three bytes beyond `end`, again and again. They must be zeros.
+// A Decoder that does not read beyond the three bytes at `end`, which must be zeros.
 struct CarefulDecoder : Decoder {
     const uint8_t *end;
 

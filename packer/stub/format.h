@@ -29,15 +29,16 @@
 // the model, saves the two slots, decodes, restores the slots, makes PayloadHeader::readOnly bytes of the
 // image R-X and unmaps the model's memory. Finally it jumps to PayloadHeader::entry with rsp, rsi and rdx as
 // the loader left them: the program gets argc, the arguments, the environment and, in rdx, the function to
-// call at exit.
+// call at exit. No memory is ever writable and executable at once.
 //
 // IN TWO PHASES. If PayloadHeader::early is not kNothingEarly, the stub calls the function at
 // PayloadHeader::earlyEntry before it decodes each byte whose offset in the image is a multiple of kEarlyStep
 // and at least `early`. Before each call it makes the first `early` bytes of the image R-X. The function is
 // void (void **stack, uint32_t done, uint32_t size), in the C calling convention. Its arguments are the stack
 // as the kernel made it (argc on top), the number of bytes decoded so far, and the number of bytes in all.
-// Its code and constants must be within the first `early` bytes. What it writes must be after the last byte
-// that is decoded. The imports stay in their slots only until decoding reaches the slots.
+// An image of at most `early` bytes causes no call. The function's code and constants must be within the
+// first `early` bytes. What it writes must be after the last byte that is decoded. The imports stay in their
+// slots only until decoding reaches the slots.
 //
 // THE PAYLOAD decodes to the first Layout::size bytes of the image, in order; the bytes after them are zeros.
 // The bits of a byte come from the highest to the lowest, each from a range decoder (Decoder in decoder.h: 32
@@ -122,7 +123,8 @@ struct PayloadHeader {
 static_assert(sizeof(PayloadHeader) == 46);
 constexpr uint32_t kNothingEarly = 0xffffffff;
 
-// Returns the checksum of all words of the file. The last word makes it 0. Any other word changes it.
+// Returns the checksum of all words of the file: 0, by the choice of the last word. A change of any one word
+// changes it.
 inline uint32_t checksum(const uint8_t *bytes, size_t words) {
     uint32_t sum = 0, word;
     for (; words--; bytes += 4) {

@@ -26,14 +26,16 @@
 // storage and constructors as always. The file stays mapped.
 //
 // ERRORS are as in format.h, but each line begins with the name by which the program was called. One more
-// error, an interpreter that cannot be loaded, ends with errno in two digits: 80 for no whole ELF file.
+// error is for an interpreter that cannot be loaded. It ends with errno in two digits: 80 if that is not a
+// whole ELF file.
 #pragma once
 
 #include "packer/stub/format.h"
 
 namespace pack {
 
-// The kernel reads only type and flags of the last program header, GNU_STACK. The stub follows at once.
+// The kernel reads only type and flags of the last program header, GNU_STACK. The stub takes the place of the
+// header's other fields.
 struct LoaderFront {
     Elf64_Ehdr header;
     Elf64_Phdr program, file;
