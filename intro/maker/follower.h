@@ -18,8 +18,8 @@ public:
 
     // Call this before each picture. `block`: the music's position. Returns true if the film was replaced.
     bool follow(Screen &screen, int block);
-    // Draws one line over a picture: an error or the progress, else the constant `limit` that is too small
-    // or null, else `recent`.
+    // Draws one line over a picture: an error or the progress; else the name of the constant that is too
+    // small, `limit`, unless it is null; else `recent`.
     void drawState(const Picture &p, const char *limit, const std::string &recent) const;
     // During a build, waits for an event or 0.2 s, so that the compiler gets the processors.
     void wait() const;

@@ -5,7 +5,8 @@
 // its file and its name there. Rows count from the film's start.
 //
 // Rocket has no Hermite curves: a camera's path keeps its own, and Rocket's documents say "smooth". Rocket
-// has no fractional and no negative rows: a key is sent on the nearest row, or not; the film's keeps its row.
+// has no fractional and no negative rows: a key is sent on the nearest row, or left out if that is negative.
+// In the film it keeps its row.
 #pragma once
 
 #include "maker/keys/key_tables.h"
