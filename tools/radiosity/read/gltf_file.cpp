@@ -40,8 +40,9 @@ std::string decoded(std::string_view uri) {
     std::string text;
     for (size_t i = 0; i < uri.size(); ++i) {
         unsigned code = 0;
+        const char *digits = uri.data() + i + 1;
         if (uri[i] == '%' && i + 2 < uri.size() &&
-            std::from_chars(&uri[i + 1], &uri[i + 3], code, 16).ptr == &uri[i + 3])
+            std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2)
             text += (char)code, i += 2;
         else
             text += uri[i];
