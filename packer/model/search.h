@@ -33,7 +33,7 @@ ModelParameters search(const Bytes &image, const Layout &layout, const ModelPara
                        const OnProgress &onProgress) {
     auto measure = [&](const ModelParameters &p) { return encode<Tracker>(image, layout, p).size(); };
     auto records = byteRecords<Tracker>(filter<Tracker>(image, layout), layout);
-    return search({records, layout, Tracker::mayUse, measure}, start, seconds, onProgress);
+    return search({std::move(records), layout, Tracker::mayUse, measure}, start, seconds, onProgress);
 }
 
 } // namespace pack
