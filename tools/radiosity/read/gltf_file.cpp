@@ -162,9 +162,9 @@ void GltfFile::readBuffers(std::string_view binary) {
 
 std::string_view GltfFile::view(int number) const {
     const json &v = itemOf(root["bufferViews"], number, "bufferView");
-    const int buffer = indexOf(v, "buffer");
-    need(buffer >= 0 && (size_t)buffer < buffers.size(), common::format("there is no buffer %d", buffer));
-    std::string_view all = buffers[(size_t)buffer];
+    const size_t buffer = sizeOf(v, "buffer");
+    need(buffer < buffers.size(), common::format("there is no buffer %zu", buffer));
+    std::string_view all = buffers[buffer];
     const size_t offset = valueOf(v, "byteOffset", (size_t)0), size = sizeOf(v, "byteLength");
     need(offset <= all.size() && size <= all.size() - offset,
          "bufferView " + std::to_string(number) + " ends outside its buffer");
@@ -192,6 +192,7 @@ void GltfFile::copy(int number, size_t offset, int component, bool normalised, s
                 to.push_back(normalised ? std::max((double)x / one, -1.) : (double)x);
             }
     };
+    need(component >= 0, "a componentType is missing");
     need(component >= kByte && component <= kFloat,
          "there is no component type " + std::to_string(component));
     // Component types are numbered in this order

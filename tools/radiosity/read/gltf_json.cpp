@@ -82,7 +82,8 @@ const json &extensionOf(const json &object, const char *name) {
 }
 
 const json &itemOf(const json &list, int index, const char *name) {
-    need(index >= 0 && (size_t)index < list.size(), common::format("there is no %s %d", name, index));
+    need(index >= 0, std::string("a ") + name + " is missing");
+    need((size_t)index < list.size(), common::format("there is no %s %d", name, index));
     return list[(size_t)index];
 }
 

@@ -25,7 +25,7 @@ const json &objectOf(const json &object, const char *name);
 const json &objectsOf(const json &object, const char *name); // a list of objects
 const json &extensionOf(const json &object, const char *name);
 
-// The item of a list, which errors call `name`.
+// The item of a list, which errors call `name`. Below 0: it is missing.
 const json &itemOf(const json &list, int index, const char *name);
 
 } // namespace odraz::radiosity

@@ -376,6 +376,8 @@ TEST(GltfReader, RefusesDamage) {
         {"'byteOffset':0", "'byteOffset':9007199254740990", "bufferView 0 ends outside its buffer"},
         {"'bufferView':0,", "", "accessor 0 has no bufferView"},
         {"'buffer':0", "'buffer':1", "there is no buffer 1"},
+        {"'buffer':0,", "", "a buffer is missing"},
+        {"'componentType':5126,", "", "a componentType is missing"},
         {"VEC3", "VEC4", "accessor 0 has the wrong type for its use"},
         {"'mesh':0", "'mesh':0,'children':[0]", "holds no triangle"},
         {"[{'mesh':0}]", "[{'mesh':0,'children':[1]},{'children':[0]}],'scenes':[{'nodes':[0]}]",
