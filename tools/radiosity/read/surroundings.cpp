@@ -112,7 +112,7 @@ SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns,
     using std::numbers::pi;
     const pictures::Picture given = readPanorama(path, notes);
     const int width = given.width, height = given.height;
-    auto solidAngle = [&](int j) { // a pixel in row j has this one
+    auto solidAngle = [&](int j) { // steradians of a pixel in row j
         return 2 * pi / width * (std::cos(pi * j / height) - std::cos(pi * (j + 1) / height));
     };
     std::vector<Rgb> light;
