@@ -6,7 +6,6 @@ import shutil
 import statistics
 import time
 from concurrent.futures import ThreadPoolExecutor
-from itertools import accumulate
 
 from machine import PROCESSORS, SOURCE
 from parts import rows
@@ -62,9 +61,9 @@ def played(printed):
 def around_cuts(machine, length=PIECE):
     """The starts of pieces that show all scenes: a piece is played around every other cut between scenes."""
     scenes = rows(machine.run('build/judge_play --machine 16 --summary', noted=False))
-    cuts = list(accumulate(float(scene['seconds']) for scene in scenes))
-    begins = [int(cut - length / 2) for cut in cuts[:-1:2]]
-    return begins + ([math.ceil(max(cuts[-2], cuts[-1] - length - 1))] if len(cuts) % 2 else [])
+    cuts, end = [float(scene['begin']) for scene in scenes[1:]], sum(float(scene['seconds']) for scene in scenes)
+    begins = [int(cut - length / 2) for cut in cuts[::2]]
+    return begins + ([math.ceil(max(cuts[-1], end - length - 1))] if len(scenes) % 2 else [])
 
 
 def film(machine):
@@ -80,7 +79,7 @@ def film(machine):
 # --- What a viewer sees ---
 
 # Pictures are judged at the size that their costs are counted for, over windows of so many seconds in each shot
-MACHINES = {'1280x720': ((4, 8, 16, 32, 64, 128), 0.1), '1920x1080': ((16, 128), 0.05), '2560x1440': ((16, 64), 0.05)}
+MACHINES = {'1280x720': ((4, 8, 16, 32, 64, 128), 0.067), '1920x1080': ((16, 128), 0.017), '2560x1440': ((16, 64), 0.017)}
 
 
 def play_command(screen, machines, length):
@@ -104,7 +103,7 @@ def play(machine):
         for row in rows(machine.run(command)):
             shown = rate.get((row['machine'], row['scene']), '')
             cells.append((f"{screen}: {row['machine']}", row['scene'], cell_of(row) + shown))
-    for row in rows(machine.run(play_command('1280x720', [16], 0.1) + ' --judged 320x180')):
+    for row in rows(machine.run(play_command('1280x720', [16], 0.067) + ' --judged 320x180')):
         cells.append(('judged at 320x180: 16', row['scene'], cell_of(row)))
     return cells
 

@@ -25,7 +25,7 @@ CODE = (('odraz', 'build/odraz-safe', 16, 16), ('odraz', 'build/odraz-safe', 32,
 PEERS = {'xz -9e --x86': 'xz --x86 --lzma2=preset=9e -k -c "$1"', 'zstd --ultra -22': 'zstd --ultra -22 -q -c "$1"',
          'brotli -q 11': 'brotli -q 11 -w 24 -c "$1"',
          'zpaq -m5': 'zpaq a "$1.zpaq" "$1" -m5 >/dev/null 2>&1; cat "$1.zpaq"'}
-PROGRAMS = '/usr/bin/bash', '/usr/bin/curl', '/usr/bin/python3.11'
+PROGRAMS = '/usr/bin/bash', '/usr/bin/curl'
 # Fewer contexts, each with a short search; less and more memory; searches that start from arbitrary contexts
 MODELS = {
     **{f'{n} contexts': f'--contexts {n} --search 3' for n in (4, 8, 12)}, '**16 contexts (ships)**': '',

@@ -65,8 +65,8 @@ SECTIONS = [
             a core: two cores have about 16, a laptop of 2020 about 60. The costs of pictures are counted
             (`play/costs.csv`), for in-betweens by their gap. A cell has the PSNR in sRGB (dB), FLIP, and the number of
             pictures shown in a second of the scene. At each sixtieth of a second the picture on the screen is compared
-            with the same moment in `film` quality, at the size of the screen: for a tenth of a second in the middle of
-            each shot at 1280x720, for half of that on larger screens. FLIP is of every fifth of these pictures. The
+            with the same moment in `film` quality, at the size of the screen: for four sixtieths in the middle of
+            each shot at 1280x720, for one on larger screens. FLIP is of every fifth of these pictures. The
             last row was judged at 320x180, with all pictures shrunk alike, as in earlier versions: there outlines are
             four times as large a part of the picture.''',
             film.crops,

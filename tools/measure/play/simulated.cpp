@@ -175,9 +175,10 @@ std::vector<PlayedScene> summary(const std::vector<ShownPicture> &list, const Co
     for (const Span &shot : shots()) {
         double begin = std::max(from, shot.from), end = std::min(to, shot.to);
         if (begin >= end) continue;
-        if (scenes.empty() || scenes.back().scene != shot.scene)
-            scenes.push_back({shot.scene, 0, 0, 0, 0, 0, 0, 0});
-        scenes.back().seconds += end - begin;
+        auto scene = std::find_if(scenes.begin(), scenes.end(),
+                                  [&](const PlayedScene &s) { return s.scene == shot.scene; });
+        if (scene == scenes.end()) scene = scenes.insert(scene, {shot.scene, begin, 0, 0, 0, 0, 0, 0, 0});
+        scene->seconds += end - begin;
     }
     for (PlayedScene &scene : scenes) {
         Work work;
@@ -217,9 +218,9 @@ std::function<double(double)> ratesOf(const std::vector<ShownPicture> &list, con
 std::string printSummary(const std::vector<PlayedScene> &scenes, const std::string &before) {
     std::string text;
     for (const PlayedScene &s : scenes)
-        common::append(text, "%s%s,%.2f,%d,%d,%d,%.1f,%.2f,%.0f,%.2f\n", before.c_str(), sceneName(s.scene),
-                       s.seconds, s.traced, s.between, s.shown, s.shown / s.seconds, s.level, s.width,
-                       s.rate / 1e9);
+        common::append(text, "%s%s,%.2f,%.2f,%d,%d,%d,%.1f,%.2f,%.0f,%.2f\n", before.c_str(),
+                       sceneName(s.scene), s.begin, s.seconds, s.traced, s.between, s.shown,
+                       s.shown / s.seconds, s.level, s.width, s.rate / 1e9);
     return text;
 }
 

@@ -54,16 +54,17 @@ std::vector<ShownPicture> simulate(const CostOf &costOf, const SimulatedMachine 
 // A scene as it was played. Pictures belong to the scene at their own time.
 struct PlayedScene {
     int scene;
-    double seconds;             // time of the scene in the list
+    double begin, seconds;      // its first second in the list, and its time there, in all its shots
     int traced, between, shown; // numbers of pictures
     double level, width;        // means of the traced pictures
     double rate;                // instructions a second while pictures were made; 0: not known
 };
-// The scenes that a list shows, in the film's order, from `since` or its first picture to its last one.
+// The scenes that a list shows, each once, in the order of their first shots, from `since` or its first
+// picture to its last one.
 std::vector<PlayedScene> summary(const std::vector<ShownPicture> &list, const CostOf &costOf,
                                  const SimulatedMachine &machine, double since = 0);
 // The scenes as rows of a CSV, each preceded by `before`; the last column is in 10^9 instructions a second.
-inline constexpr char kSummaryHead[] = "scene,seconds,traced,between,shown,a_second,level,width,giga";
+inline constexpr char kSummaryHead[] = "scene,begin,seconds,traced,between,shown,a_second,level,width,giga";
 std::string printSummary(const std::vector<PlayedScene> &scenes, const std::string &before);
 
 // For SimulatedMachine::rateAt: the instructions that the machine executed in each second of a list. Throws

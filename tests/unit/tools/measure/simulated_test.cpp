@@ -2,10 +2,12 @@
 #include "tools/measure/play/simulated.h"
 
 #include "play/page_player.h"
+#include "show/events.h"
 #include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 
 #include <map>
+#include <set>
 
 using namespace odraz;
 using namespace odraz::measure;
@@ -163,4 +165,21 @@ TEST(Simulated, TheSummaryBeginsLater) {
     EXPECT_NEAR(later[0].seconds, 12, 1e-6);
     EXPECT_LT(later[0].shown, all[1].shown);
     EXPECT_EQ(later[1].shown, all[2].shown);
+}
+
+// A scene that the film shows again has one row, with the seconds and the pictures of all its shots.
+TEST(Simulated, TheSummaryHasEachSceneOnce) {
+    SimulatedMachine machine = {14e9, 4, 1280, 720};
+    std::vector<ShownPicture> list = simulate(cost, machine, 0, duration());
+    std::set<int> scenes;
+    double seconds = 0;
+    size_t made = 0;
+    for (const PlayedScene &scene : summary(list, cost, machine)) {
+        scenes.insert(scene.scene);
+        seconds += scene.seconds;
+        made += (size_t)(scene.traced + scene.between);
+    }
+    EXPECT_EQ(scenes.size(), (size_t)kSceneCount);
+    EXPECT_NEAR(seconds, duration(), 0.1);
+    EXPECT_EQ(made, list.size());
 }
