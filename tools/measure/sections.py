@@ -42,7 +42,7 @@ SECTIONS = [
             first instruction of the program runs. The packed film decodes itself while the bar grows, and frees the
             decoder's memory before the first picture.''']),
     Section(
-        'film', 'The film, played', 1.1,
+        'film', 'The film, played', 0.8,
         sources=['intro'], programs=['odraz-safe', 'judge_play'], packages=['xvfb'],
         parts=[
             table(film.film, '''scene; rate = shown a second; traced = pictures traced; between = in-betweens made;
@@ -54,7 +54,7 @@ SECTIONS = [
             '''{piece} seconds around every other cut between scenes were played at 1280x720, on a display in memory
             with software OpenGL, which runs on the same cores. The governor is on. Times are by the clock.''']),
     Section(
-        'play', 'What a viewer sees, by machine and screen', 6.5,
+        'play', 'What a viewer sees, by machine and screen', 8.1,
         sources=['intro/play', 'intro/timeline', 'intro/trace', 'intro/show', 'tools/measure/play',
                  'tools/measure/play/costs.csv'],
         programs=['judge_play', 'odraz-debug'], packages=[*PICTURES, 'xvfb', 'libglfw3-dev'],
@@ -90,7 +90,7 @@ SECTIONS = [
             means over moments six seconds apart. In-betweens are half-way between two pictures of `play`, whose gap is
             in sixtieths of a second. "What a viewer sees" has in-betweens at the gaps that the player chooses.''']),
     Section(
-        'page', 'The film as a page', 5.6,
+        'page', 'The film as a page', 4.4,
         sources=['intro', 'packer/model', 'packer/web', 'tests/programs/web/browser.mjs',
                  'tools/measure/bench/page.mjs', 'tools/measure/play/costs.csv'],
         programs=['odraz.html', 'odraz-safe', 'judge_play'], targets=['film_web'],
