@@ -10,7 +10,7 @@ TEXTS=$TEXTS/tools text README.txt
 cp "$ODRAZ/LICENSE" "$linux/LICENSE.txt"
 cp "$TEXTS/tools/NOTICES.txt" "$linux"
 cd "$ODRAZ"
-cp -r --parents packer/{README.md,report.png} tools/SIZE_GATE.md tools/measure/{RESULTS.md,*.svg} \
+cp -r --parents packer/{README.md,report.png} tools/SIZE_GATE.md tools/measure/{RESULTS.md,*.svg,*.jpg} \
     tools/radiosity/{README.md,METHOD.md,vault.png,study/cube} "$linux/doc"
 seal "$linux" "${programs[@]}"
 cd "$work/tools"
